@@ -2,12 +2,12 @@
 
 namespace berg {
 
-/** True when the command line says `bergwatch export ...`. */
+/** Returns true if the command line is `bergwatch export ...`. */
 [[nodiscard]] bool asksForExport(int argc, char** argv);
 
 /**
- * The command `export` of bergwatch-cli with all formats of the table, also those that are painted;
- * the exit code. Opens no window and needs no display.
+ * Runs the command `export` of bergwatch-cli with all formats, including the painted ones, and
+ * returns the exit code. Opens no window and needs no display.
  */
 [[nodiscard]] int runExport(int argc, char** argv);
 

@@ -72,13 +72,13 @@ void print(std::FILE* stream, const QString& text)
     QTextStream(stream) << text << Qt::endl;
 }
 
-/** What was asked for on the command line, or why it makes no sense. */
+/** The request of the command line, or its error. */
 struct Request
 {
     berg::PictureOptions options;
     QString input;
     bool force = false; ///< files that exist are overwritten
-    QString fault;      ///< empty: none
+    QString fault;      ///< empty if the request is valid
 };
 
 std::optional<QSize> sizeOf(const QString& text)
@@ -104,7 +104,7 @@ struct Options
                                          "both also map-dark.png, zeta-dark.png and "
                                          "sigma-dark.png."),
                                 Main::tr("folder")};
-    QCommandLineOption force{u"force"_s, Main::tr("Overwrite files that exist.")};
+    QCommandLineOption force{u"force"_s, Main::tr("Overwrite existing files.")};
     QCommandLineOption size{
         u"size"_s,
         Main::tr("Size of each picture in pixels, e.g. 1920x1080 (default: 1600x1000 for the map, "
@@ -114,24 +114,26 @@ struct Options
                              Main::tr("Appearance of the pictures: light, dark or both."),
                              Main::tr("theme"), u"light"_s};
     QCommandLineOption screenshot{
-        u"screenshot"_s, Main::tr("Render the window with the scenario into <file>, then end."),
+        u"screenshot"_s,
+        Main::tr("Write a picture of the window with the scenario to <file>, then exit."),
         Main::tr("file")};
     QCommandLineOption at{u"at"_s, Main::tr("Fly until this time before the screenshot."),
                           Main::tr("seconds"), u"0"_s};
-    QCommandLineOption wait{u"wait"_s,
-                            Main::tr("Before the screenshot, wait so long at most for predictions "
-                                     "and the lower bound."),
-                            Main::tr("seconds"), u"0"_s};
+    QCommandLineOption wait{
+        u"wait"_s,
+        Main::tr(
+            "Longest wait before the screenshot for predictions and the lower bound, in seconds."),
+        Main::tr("seconds"), u"0"_s};
     QCommandLineOption manual{
         u"manual"_s,
-        Main::tr(
-            "Write the manual as web pages and as PDF into <folder>, with the pictures there."),
+        Main::tr("Write the manual as web pages and as PDF into <folder>, which has its pictures."),
         Main::tr("folder")};
     QCommandLineOption config{
-        u"config"_s, Main::tr("Keep settings in <file> in place of your own."), Main::tr("file")};
+        u"config"_s, Main::tr("Store settings in <file> instead of your own settings file."),
+        Main::tr("file")};
 };
 
-/** What the window is to show; `fault` in the request as for pictures. */
+/** Returns the request for a window; a wrong option sets `fault`, as for pictures. */
 berg::WindowOptions windowOptionsOf(const QCommandLineParser& parser, const Options& options,
                                     QString& fault)
 {
@@ -160,7 +162,7 @@ berg::WindowOptions windowOptionsOf(const QCommandLineParser& parser, const Opti
                     .arg(berg::kLongestScreenshotWait_s);
     const QStringList files = parser.positionalArguments();
     if (files.size() > 1)
-        fault = Main::tr("Name one scenario file at most; %1 were named.").arg(files.size());
+        fault = Main::tr("Name at most one scenario file; %1 were named.").arg(files.size());
     window.scenario = files.value(0);
     return window;
 }
@@ -196,7 +198,7 @@ Request requestOf(const QCommandLineParser& parser, const Options& options)
     return request;
 }
 
-/** As for all that is written from the command line: before any work. */
+/** Checks the outputs before any work, like the commands of bergwatch-cli. */
 void checkOutputs(const QString& input, std::vector<berg::cli::Output> outputs, bool force)
 {
     std::vector<std::string> inputs;
@@ -242,7 +244,7 @@ void checkScreenshot(const berg::WindowOptions& window, bool force)
         force);
 }
 
-/** The exit code of `work`; what it throws is told. */
+/** Returns the exit code of `work` and reports its exceptions. */
 template <class Work>
 int exitCodeOf(const Work& work)
 {
@@ -286,7 +288,7 @@ int main(int argc, char* argv[])
     const Options options;
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        Main::tr("Opens the planner's window on a scenario; with --pictures it only draws.") +
+        Main::tr("Opens the window with a scenario; with --pictures it only writes pictures.") +
         u"\n\n"_s +
         Main::tr("The command \"export\" writes plans and flights as files, maps, charts and "
                  "briefs: see \"bergwatch export --help\"."));

@@ -73,7 +73,7 @@ Mission flownMission(const std::string& path)
 {
     const std::string text = readFile(path);
     if (formatOf(text, path) == "bergwatch-run")
-        return flownAgain(runFromJson(text, path), path);
+        return replayedMission(runFromJson(text, path), path);
     const Scenario scenario = scenarioFromJson(text, path);
     Mission mission(scenario);
     mission.advance(scenario.duration_s);

@@ -11,7 +11,7 @@
 
 namespace berg {
 
-/** Which appearance pictures are made in. */
+/** Appearance of pictures. */
 enum class PictureTheme
 {
     Light,
@@ -22,7 +22,8 @@ enum class PictureTheme
 struct PictureOptions
 {
     QString folder;
-    std::optional<QSize> size_px; ///< of every picture; none: 1600 x 1000 maps, 1600 x 700 charts
+    std::optional<QSize>
+        size_px; ///< size of every picture; by default maps 1600 x 1000, charts 1600 x 700
     PictureTheme theme = PictureTheme::Light;
 };
 
@@ -31,18 +32,18 @@ inline constexpr int kSmallestPicture_px = 100;
 inline constexpr int kLargestPicture_px = 8192;
 
 /**
- * The mission of a scenario, flown to its end, or of a run, flown again to where it was left.
- * Throws `Error` for files that are neither, invalid or unreadable, and ReplayMismatch when the run
- * does not come out as recorded.
+ * Flies the mission of a scenario to its end, or replays a run as far as it was flown. Throws
+ * `Error` if the file is neither, is invalid or cannot be read, and `ReplayMismatch` if the replay
+ * differs from the record.
  */
 [[nodiscard]] Mission flownMission(const std::string& path);
 
-/** Of the files that are written into the folder. */
+/** Returns the names of the files that `writePictures` writes. */
 [[nodiscard]] QStringList pictureNames(PictureTheme theme);
 
 /**
- * Writes all or none: map.png, zeta.png and sigma.png (`-dark` appended for the dark appearance
- * when both are asked for) into the folder, which is made when missing. Returns the paths written.
+ * Writes map.png, zeta.png and sigma.png (with `-dark` appended for the dark appearance if both are
+ * requested), all or none, into the folder, which is created if missing. Returns the paths written.
  * Throws `Error{FileUnwritable}`. Needs a QApplication.
  */
 QStringList writePictures(const Mission& mission, const PictureOptions& options,

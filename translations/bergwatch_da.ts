@@ -12,7 +12,7 @@
         <translation>Erstat område</translation>
     </message>
     <message>
-        <source>An area needs three corners. Esc drops what is drawn.</source>
+        <source>An area needs at least three corners. Esc cancels the drawing.</source>
         <translation>Et område skal have tre hjørner. Esc kasserer det, der er tegnet.</translation>
     </message>
     <message numerus="yes">
@@ -23,19 +23,19 @@
         </translation>
     </message>
     <message>
-        <source>A click on the first corner or Enter closes the area. Backspace takes a corner back, Esc all.</source>
+        <source>Click the first corner or press Enter to close the area. Backspace removes a corner, Esc cancels.</source>
         <translation>Klik på det første hjørne eller tryk på Enter for at lukke området. Backspace fjerner ét hjørne, Esc alle.</translation>
     </message>
     <message>
-        <source>Click sets the next corner. Backspace takes one back, Esc drops the area.</source>
+        <source>Click to set the next corner. Backspace removes a corner, Esc cancels.</source>
         <translation>Klik sætter det næste hjørne. Backspace fjerner ét, Esc kasserer området.</translation>
     </message>
     <message>
-        <source>Drag a corner or an edge&apos;s middle; a click begins another area. Esc leaves the tool.</source>
+        <source>Drag a corner or the middle of an edge; clicking starts a new area. Esc leaves the tool.</source>
         <translation>Træk i et hjørne eller i midten af en kant; et klik begynder et nyt område. Esc forlader værktøjet.</translation>
     </message>
     <message>
-        <source>Click sets the first corner of the area. Esc leaves the tool.</source>
+        <source>Click to set the first corner of the area. Esc leaves the tool.</source>
         <translation>Klik sætter områdets første hjørne. Esc forlader værktøjet.</translation>
     </message>
     <message>
@@ -50,7 +50,7 @@
         </translation>
     </message>
     <message>
-        <source>Click sets the first corner of a no-fly area. Corners and edges&apos; middles of those there are can be dragged. Esc leaves the tool.</source>
+        <source>Click to set the first corner of a no-fly area, or drag a corner or the middle of an edge of an existing one. Esc leaves the tool.</source>
         <translation>Klik sætter det første hjørne af et flyveforbudsområde. Hjørner og kantmidter af dem, der findes, kan trækkes. Esc forlader værktøjet.</translation>
     </message>
 </context>
@@ -87,7 +87,7 @@
         <translation>løser</translation>
     </message>
     <message>
-        <source>interrupted: the table ends early</source>
+        <source>interrupted: the table is incomplete</source>
         <translation>afbrudt: tabellen slutter for tidligt</translation>
     </message>
     <message>
@@ -123,15 +123,15 @@
         <translation>--format: %1 er ingen af %2</translation>
     </message>
     <message>
-        <source>--output: no format has the suffix of %1; --format names one of %2</source>
+        <source>--output: no format has the suffix of %1; choose one with --format: %2</source>
         <translation>--output: intet format har filendelsen på %1; --format vælger et af %2</translation>
     </message>
     <message>
-        <source>--format %1: is painted by the program bergwatch, which was found neither beside this one nor on the PATH</source>
+        <source>--format %1: the program bergwatch paints this format, but it is neither in this folder nor on the PATH</source>
         <translation>--format %1: tegnes af programmet bergwatch, som hverken findes ved siden af dette eller i PATH</translation>
     </message>
     <message>
-        <source>%1: %2 is no UTC time such as 2026-05-01T12:00:00Z</source>
+        <source>%1: %2 is not a UTC time such as 2026-05-01T12:00:00Z</source>
         <translation>%1: %2 er ikke et UTC-tidspunkt som 2026-05-01T12:00:00Z</translation>
     </message>
     <message>
@@ -143,11 +143,11 @@
         <translation>--map: %1 er ikke FIELD=COLUMN med et felt af %2</translation>
     </message>
     <message>
-        <source>--position-error: %1 is neither metres nor one of %2</source>
+        <source>--position-error: %1 is neither a number of metres nor one of %2</source>
         <translation>--position-error: %1 er hverken meter eller en af %2</translation>
     </message>
     <message>
-        <source>--with-tracks needs --at: the tracks are what was sighted after it</source>
+        <source>--with-tracks needs --at: tracks consist of the sightings after that time</source>
         <translation>--with-tracks kræver --at: sporene er det, der blev observeret efter det tidspunkt</translation>
     </message>
     <message>
@@ -155,15 +155,15 @@
         <translation>og %1 mere</translation>
     </message>
     <message>
-        <source>and %1 more notes on icebergs</source>
+        <source>and %1 more notes about icebergs</source>
         <translation>og %1 bemærkninger mere om isbjerge</translation>
     </message>
     <message>
-        <source>--format airspace needs --into, the scenario that it is added to</source>
+        <source>--format airspace needs --into, the scenario to add it to</source>
         <translation>--format airspace kræver --into, scenariet, som det føjes til</translation>
     </message>
     <message>
-        <source>the processes of MPI were given different options</source>
+        <source>the MPI processes have different options</source>
         <translation>MPI-processerne har fået forskellige tilvalg</translation>
     </message>
     <message>
@@ -179,15 +179,15 @@
         <translation>%1 er ikke et tal</translation>
     </message>
     <message>
-        <source>%1 is an input of this command: name another file</source>
+        <source>%1 is an input of this command; name another file</source>
         <translation>%1 er inddata for denne kommando: angiv en anden fil</translation>
     </message>
     <message>
-        <source>%1 is an input of this command (%2): name another file</source>
+        <source>%1 is an input of this command (%2); name another file</source>
         <translation>%1 er inddata for denne kommando (%2): angiv en anden fil</translation>
     </message>
     <message>
-        <source>%1 is the file of %2 already: name another file</source>
+        <source>%1 is already the file of %2; name another file</source>
         <translation>%1 er allerede filen for %2: angiv en anden fil</translation>
     </message>
     <message>
@@ -195,15 +195,15 @@
         <translation>%1 og --json skal begge bruge standard output</translation>
     </message>
     <message>
-        <source>%1: exists; --force overwrites it</source>
+        <source>%1 exists; use --force to overwrite it</source>
         <translation>%1: findes allerede; --force overskriver den</translation>
     </message>
     <message>
-        <source>%1: %2 and %3 contradict each other: one of the two is wrong. Do not trust this order.</source>
+        <source>%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order.</source>
         <translation>%1: %2 og %3 modsiger hinanden: en af de to tager fejl. Stol ikke på denne rækkefølge.</translation>
     </message>
     <message>
-        <source>there is not enough memory for this</source>
+        <source>there is not enough memory</source>
         <translation>der er ikke hukommelse nok til dette</translation>
     </message>
     <message>
@@ -227,11 +227,11 @@
         <translation>Angiv kolonnerne i en tabel: --map latitude=COLUMN --map longitude=COLUMN.</translation>
     </message>
     <message>
-        <source>Is this a file of Bergwatch? Sightings are read by &apos;import&apos;.</source>
+        <source>This is not a Bergwatch file. To read sightings, use &apos;import&apos;.</source>
         <translation>Er dette en fil fra Bergwatch? Observationer læses af »import«.</translation>
     </message>
     <message>
-        <source>there is no script for %1</source>
+        <source>there is no completion script for %1</source>
         <translation>der findes intet script til %1</translation>
     </message>
     <message>
@@ -251,7 +251,7 @@
         <translation>flyver</translation>
     </message>
     <message>
-        <source>a run file is replayed as it was flown; --tau, --policy, --duration, --dt, --seed and --no-noise are for scenarios</source>
+        <source>a run file is replayed exactly as flown; --tau, --policy, --duration, --dt, --seed and --no-noise apply to scenarios only</source>
         <translation>en gemt flyvning afspilles, som den blev fløjet; --tau, --policy, --duration, --dt, --seed og --no-noise gælder scenarier</translation>
     </message>
     <message>
@@ -259,11 +259,11 @@
         <translation>afspiller</translation>
     </message>
     <message>
-        <source>--bound is for what the UAV sees by itself; in this run an iceberg was reported seen</source>
+        <source>--bound does not apply to runs with reported sightings</source>
         <translation>--bound gælder det, dronen selv ser; i denne flyvning blev et isbjerg meldt set</translation>
     </message>
     <message>
-        <source>--bound is for the scenario&apos;s wind; in this run it changed</source>
+        <source>--bound does not apply to runs in which the wind changed</source>
         <translation>--bound gælder scenariets vind; i denne flyvning ændrede den sig</translation>
     </message>
     <message>
@@ -271,11 +271,11 @@
         <translation>finder nedre grænse</translation>
     </message>
     <message>
-        <source>interrupted: the flight is complete, its lower bound is missing</source>
+        <source>interrupted: the flight is complete, but its lower bound is missing</source>
         <translation>afbrudt: flyvningen er fuldført, dens nedre grænse mangler</translation>
     </message>
     <message>
-        <source>not complete: %1 of %2 missions are flown; counted are the cases with all their settings</source>
+        <source>incomplete: %1 of %2 missions are flown; the results use only cases with all settings</source>
         <translation>ikke fuldført: %1 af %2 missioner er fløjet; kun tilfælde med alle indstillinger regnes med</translation>
     </message>
     <message>
@@ -283,7 +283,7 @@
         <translation>--reference: %1 er ikke POLICY[:TAU] med en af %2</translation>
     </message>
     <message>
-        <source>--reference: %1 is not flown in this study</source>
+        <source>--reference: this study does not contain %1</source>
         <translation>--reference: %1 flyves ikke i dette studie</translation>
     </message>
     <message>
@@ -291,7 +291,7 @@
         <translation>--tau: %1 er ikke A:B:STEP med 0 &lt;= A &lt;= B &lt;= 100</translation>
     </message>
     <message>
-        <source>--tau: %1 makes it more than %2 values</source>
+        <source>--tau: with %1 there are more than %2 values</source>
         <translation>--tau: med %1 bliver det mere end %2 værdier</translation>
     </message>
     <message>
@@ -299,11 +299,11 @@
         <translation>--policies: %1 er ingen af %2</translation>
     </message>
     <message>
-        <source>--regime is for --random N; scenarios say themselves how icebergs drift</source>
+        <source>--regime needs --random N; scenario files define their own drift</source>
         <translation>--regime gælder --random N; scenarier siger selv, hvordan isbjerge driver</translation>
     </message>
     <message>
-        <source>name scenarios, or give --random N</source>
+        <source>name scenarios, or use --random N</source>
         <translation>angiv scenarier eller --random N</translation>
     </message>
     <message>
@@ -311,15 +311,15 @@
         <translation>--shard: %1 er ikke I/N med 1 &lt;= I &lt;= N</translation>
     </message>
     <message>
-        <source>--shard: the part needs a file to be kept in: --study FILE</source>
+        <source>--shard needs --study FILE, in which the part is stored</source>
         <translation>--shard: delen kræver en fil at blive gemt i: --study FILE</translation>
     </message>
     <message>
-        <source>--shard: the files of all shards are written by &apos;study&apos;</source>
+        <source>--shard: to write tables and reports of all shards, use &apos;study&apos;</source>
         <translation>--shard: filerne for alle dele skrives af »study«</translation>
     </message>
     <message>
-        <source>--replace-study: is for --study FILE</source>
+        <source>--replace-study needs --study FILE</source>
         <translation>--replace-study: gælder --study FILE</translation>
     </message>
     <message>
@@ -327,7 +327,7 @@
         <translation>flyver %1 missioner</translation>
     </message>
     <message>
-        <source>interrupted: %1 of %2 missions are kept in %3; the same command carries on</source>
+        <source>interrupted: %1 of %2 missions are stored in %3; repeat the command to continue</source>
         <translation>afbrudt: %1 af %2 missioner er gemt i %3; den samme kommando fortsætter</translation>
     </message>
     <message>
@@ -367,135 +367,11 @@
         <translation>%1 mangler</translation>
     </message>
     <message>
-        <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
-        <translation>en fil har plads til én drone: der skrives %1 filer med navn efter dronerne</translation>
-    </message>
-    <message>
-        <source>the scenario has no start time, so the file has no dates</source>
-        <translation>scenariet har intet starttidspunkt, så filen har ingen datoer</translation>
-    </message>
-    <message>
-        <source>the geofence is left out: the format has no place for it</source>
-        <translation>geohegnet udelades: formatet har ikke plads til det</translation>
-    </message>
-    <message>
-        <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
-        <translation>flyveforbudsområder og sikkerhedsringen udelades: formatet har ikke plads til dem</translation>
-    </message>
-    <message>
-        <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
-        <translation>flyveforbudsområder har ingen højder: dem i dronens højde skrives</translation>
-    </message>
-    <message>
-        <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
-        <translation>%1 tegner muligvis hegnet den lange vej rundt: det krydser 180°-meridianen</translation>
-    </message>
-    <message>
-        <source>the places where icebergs were reached are written, not the track</source>
-        <translation>stederne, hvor isbjerge blev nået, skrives, ikke sporet</translation>
-    </message>
-    <message>
-        <source>the path becomes %1 waypoints within %2 m of it</source>
-        <translation>banen bliver til %1 rutepunkter inden for %2 m af den</translation>
-    </message>
-    <message>
-        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
-        <translation>%1 gemmer acceptradier op til %3 m: %2 m bliver til %3 m</translation>
-    </message>
-    <message>
-        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
-        <translation>%1 gemmer kredsradier over 255 m i trin på 10 m: %2 m bliver til %3 m</translation>
-    </message>
-    <message>
-        <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
-        <translation>%1 læser marchfarten som et helt tal: %2 m/s bliver til %3 m/s; farten i missionen er nøjagtig</translation>
-    </message>
-    <message>
-        <source>the file is about the whole flight, whatever is chosen to be exported</source>
-        <translation>filen handler om hele flyvningen, uanset hvad der er valgt at eksportere</translation>
-    </message>
-    <message>
-        <source>UAVs without an iceberg to visit: %1</source>
-        <translation>Droner uden et isbjerg at besøge: %1</translation>
-    </message>
-    <message>
-        <source>straight legs that lead out of the geofence or through a no-fly area: %1; the path (--what path) leads round</source>
-        <translation>lige etaper, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1; banen (--what path) fører udenom</translation>
-    </message>
-    <message>
-        <source>this sortie alone is written: icebergs of the order left for later ones: %1</source>
-        <translation>kun dette togt skrives: isbjerge i rækkefølgen, der er tilbage til senere togter: %1</translation>
-    </message>
-    <message>
-        <source>velocity unknown</source>
-        <translation>hastighed ukendt</translation>
-    </message>
-    <message>
-        <source>velocity from the file</source>
-        <translation>hastighed fra filen</translation>
-    </message>
-    <message>
-        <source>velocity limited to 5 m/s per axis</source>
-        <translation>hastighed begrænset til 5 m/s pr. akse</translation>
-    </message>
-    <message>
-        <source>q estimated</source>
-        <translation>q anslået</translation>
-    </message>
-    <message>
-        <source>q limited to 1e6 m2/s</source>
-        <translation>q begrænset til 1e6 m2/s</translation>
-    </message>
-    <message>
-        <source>stationary</source>
-        <translation>ligger stille</translation>
-    </message>
-    <message>
-        <source>sightings of one time</source>
-        <translation>flere observationer på samme tidspunkt</translation>
-    </message>
-    <message>
-        <source>sightings at impossible places not used</source>
-        <translation>observationer på umulige steder er ikke brugt</translation>
-    </message>
-    <message>
-        <source>recorded track attached</source>
-        <translation>registreret spor er tilføjet</translation>
-    </message>
-    <message>
-        <source>no track: not sighted after the start</source>
-        <translation>intet spor: ikke observeret efter starten</translation>
-    </message>
-    <message>
-        <source>older than what the scenario has</source>
-        <translation>ældre end det, scenariet har</translation>
-    </message>
-    <message>
-        <source>sighted only after the start</source>
-        <translation>først observeret efter starten</translation>
-    </message>
-    <message>
-        <source>more than 1000 km from the origin at the start</source>
-        <translation>mere end 1000 km fra origo ved starten</translation>
-    </message>
-    <message>
-        <source>the scenario is full</source>
-        <translation>scenariet er fuldt</translation>
-    </message>
-    <message>
-        <source>an aircraft has this id</source>
-        <translation>en drone har dette id</translation>
-    </message>
-    <message>
-        <source>--format airspace goes with --into, --output, --force and --json alone</source>
+        <source>--format airspace accepts only --into, --output, --force and --json</source>
         <translation>--format airspace kan kun bruges sammen med --into, --output, --force og --json</translation>
     </message>
     <message>
-        <source>no time: counts as seen at the start</source>
-        <translation>uden tid: regnes som set ved start</translation>
-    </message>
-    <message>
-        <source>%1 is airspace: use --format airspace with --into SCENARIO</source>
+        <source>%1 is airspace; use --format airspace with --into SCENARIO</source>
         <translation>%1 er luftrum: brug --format airspace med --into SCENARIO</translation>
     </message>
     <message>
@@ -503,15 +379,15 @@
         <translation>%1 udelukker %2</translation>
     </message>
     <message>
-        <source>--bound is for all icebergs; in this run one was removed</source>
+        <source>--bound does not apply to runs from which an iceberg was removed</source>
         <translation>--bound gælder alle isbjerge; i denne flyvning blev ét fjernet</translation>
     </message>
     <message>
-        <source>--output: this format has a file for each UAV; choose one with --uav</source>
+        <source>--output: this format writes one file per UAV; choose a UAV with --uav</source>
         <translation>--output: dette format har en fil for hver drone; vælg én med --uav</translation>
     </message>
     <message>
-        <source>%1: &apos;-&apos; is not possible here: give a name</source>
+        <source>%1: &apos;-&apos; is not possible here; give a file name</source>
         <translation>%1: »-« er ikke muligt her: angiv et navn</translation>
     </message>
     <message>
@@ -531,12 +407,16 @@
         <translation>--dt, --duration: tidstrinnet er længere end varigheden</translation>
     </message>
     <message>
-        <source>--first-seed is for --random N; scenarios hold their own seeds</source>
+        <source>--first-seed needs --random N; scenario files have their own seeds</source>
         <translation>--first-seed gælder --random N; scenarier har egne frø</translation>
     </message>
     <message>
-        <source>--%1 is not used: nothing in the file depends on it</source>
-        <translation>--%1 bruges ikke: intet i filen afhænger af det</translation>
+        <source>%1 sightings are too far from the origin of the scenario, %2; import them without --into, or choose others with --area</source>
+        <translation>%1 observationer er for langt fra scenariets origo, %2: importér dem uden --into, eller vælg andre med --area</translation>
+    </message>
+    <message>
+        <source>%1 sightings are too far from the origin, %2, which lies in their densest group; choose others with --area</source>
+        <translation>%1 observationer er for langt fra origo, %2, som ligger i den tætteste gruppe af dem: vælg andre med --area</translation>
     </message>
 </context>
 <context>
@@ -592,7 +472,7 @@
         <translation>Middel Σσ, m²</translation>
     </message>
     <message>
-        <source>Zeta over time: how uncertain all icebergs were together on average.</source>
+        <source>Mean total uncertainty of all icebergs: ζ divided by the flown time.</source>
         <translation>Zeta over tid: hvor usikre alle isbjerge tilsammen var i gennemsnit.</translation>
     </message>
     <message>
@@ -604,7 +484,7 @@
         <translation>Planer</translation>
     </message>
     <message>
-        <source>Times the visiting order was planned.</source>
+        <source>Number of plans made.</source>
         <translation>Antal gange besøgsrækkefølgen blev planlagt.</translation>
     </message>
     <message>
@@ -612,23 +492,23 @@
         <translation>Distance fløjet gennem luften.</translation>
     </message>
     <message>
-        <source>Unseen up to</source>
-        <translation>Uset i op til</translation>
+        <source>Longest unseen</source>
+        <translation>Længst uset</translation>
     </message>
     <message>
         <source>Longest time for which an iceberg was out of view.</source>
         <translation>Længste tid, et isbjerg var ude af syne.</translation>
     </message>
     <message>
-        <source>which was</source>
-        <translation>nemlig</translation>
+        <source>Iceberg</source>
+        <translation>Isbjerg</translation>
     </message>
     <message>
         <source>The iceberg that was out of view for the longest time.</source>
         <translation>Det isbjerg, der var ude af syne i længst tid.</translation>
     </message>
     <message>
-        <source>Unseen for %1 in all in A.</source>
+        <source>Unseen for %1 in total in A.</source>
         <translation>Uset i %1 i alt i A.</translation>
     </message>
     <message>
@@ -644,11 +524,11 @@
         <translation>Isbjerge, som %1 nåede.</translation>
     </message>
     <message>
-        <source>What %1 has flown through the air.</source>
+        <source>Distance that %1 has flown through the air.</source>
         <translation>Det, %1 har fløjet gennem luften.</translation>
     </message>
     <message>
-        <source>Icebergs that were targets and were reached.</source>
+        <source>Icebergs reached as targets.</source>
         <translation>Isbjerge, der var mål og blev nået.</translation>
     </message>
 </context>
@@ -678,11 +558,11 @@
         <translation>Skal ændringerne i »%1« gemmes?</translation>
     </message>
     <message>
-        <source>They are lost if you do not save them.</source>
+        <source>Your changes will be lost if you don&apos;t save them.</source>
         <translation>De går tabt, hvis du ikke gemmer dem.</translation>
     </message>
     <message>
-        <source>They are lost if you do not save them. The flight under way ends unless you cancel.</source>
+        <source>Your changes will be lost if you don&apos;t save them. The flight in progress ends unless you cancel.</source>
         <translation>De går tabt, hvis du ikke gemmer dem. Den igangværende flyvning slutter, medmindre du annullerer.</translation>
     </message>
     <message>
@@ -706,7 +586,7 @@
         <translation>»%1« er åben i et andet vindue.</translation>
     </message>
     <message>
-        <source>%1 has it open. A copy can be changed freely and saved under another name; if both windows save to the file, the last one wins.</source>
+        <source>%1 has it open. You can open a copy and save it under another name. If both windows save to this file, the last one wins.</source>
         <translation>%1 har den åben. En kopi kan ændres frit og gemmes under et andet navn; hvis begge vinduer gemmer i filen, gælder det sidste.</translation>
     </message>
     <message>
@@ -738,11 +618,11 @@
         <translation>Filen er ændret</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was changed by another program.</source>
+        <source>Another program has changed &quot;%1&quot;.</source>
         <translation>»%1« er ændret af et andet program.</translation>
     </message>
     <message>
-        <source>You have no unsaved changes of your own.</source>
+        <source>You have no unsaved changes.</source>
         <translation>Du har ingen egne ændringer, der ikke er gemt.</translation>
     </message>
     <message>
@@ -758,19 +638,19 @@
         <translation>Flyvning i gang</translation>
     </message>
     <message>
-        <source>A flight has begun in the meantime. End it?</source>
+        <source>A flight has started in the meantime. End it?</source>
         <translation>En flyvning er begyndt i mellemtiden. Skal den afsluttes?</translation>
     </message>
     <message>
-        <source>A flight is under way. End it?</source>
+        <source>A flight is in progress. End it?</source>
         <translation>En flyvning er i gang. Skal den afsluttes?</translation>
     </message>
     <message>
-        <source>The scenario can only be changed when no flight is under way. The flight stays in the list of runs.</source>
+        <source>The scenario can only be changed when no flight is in progress. The flight stays in the list of runs.</source>
         <translation>Scenariet kan kun ændres, når ingen flyvning er i gang. Flyvningen bliver stående på listen over flyvninger.</translation>
     </message>
     <message>
-        <source>As far as it went, it stays in the list of runs.</source>
+        <source>What has been flown so far stays in the list of runs.</source>
         <translation>Så langt den nåede, bliver den stående på listen over flyvninger.</translation>
     </message>
     <message>
@@ -790,7 +670,7 @@
         <translation>Gem flyvningen?</translation>
     </message>
     <message>
-        <source>What was flown is lost if you do not save it.</source>
+        <source>The flight will be lost if you don&apos;t save it.</source>
         <translation>Det fløjne går tabt, hvis du ikke gemmer det.</translation>
     </message>
     <message>
@@ -821,10 +701,6 @@
         </translation>
     </message>
     <message>
-        <source>%1: the UAV visits them no more. In flight, Undo does not bring them back.</source>
-        <translation>%1: dronen besøger dem ikke mere. Under flyvning henter Fortryd dem ikke tilbage.</translation>
-    </message>
-    <message>
         <source>&amp;Remove</source>
         <translation>&amp;Fjern</translation>
     </message>
@@ -836,11 +712,31 @@
         <source>Degrees from true to magnetic north, positive east, negative west:</source>
         <translation>Grader fra retvisende til magnetisk nord, positivt mod øst, negativt mod vest:</translation>
     </message>
+    <message>
+        <source>%1: the UAV will not visit them any more.</source>
+        <translation>%1: dronen besøger dem ikke mere.</translation>
+    </message>
+    <message>
+        <source>Undo in flight</source>
+        <translation>Fortryd under flyvning</translation>
+    </message>
+    <message>
+        <source>Undo &quot;%1&quot; of %2?</source>
+        <translation>Fortryd &quot;%1&quot; fra %2?</translation>
+    </message>
+    <message>
+        <source>The flight goes back to that time and continues without the change. The flight since then is discarded; &quot;Restore&quot; brings it back.</source>
+        <translation>Flyvningen går tilbage til det tidspunkt og fortsætter uden ændringen. Det, der er fløjet siden, opgives; &quot;Hent flyvningen tilbage&quot; vender tilbage til det.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Fortryd</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>
     <message>
-        <source>The arrow is the drift over %1. Shift keeps to steps of %2°, Esc takes it back.</source>
+        <source>The arrow shows the drift over %1. Shift snaps to steps of %2°; Esc cancels.</source>
         <translation>Pilen er driften over %1. Skift holder sig til trin på %2°, Esc fortryder.</translation>
     </message>
     <message>
@@ -863,15 +759,15 @@
         <translation>Filen kan ikke skrives. Kontrollér, at mappen findes, at du har tilladelse til at skrive i den, og at disken ikke er fuld.</translation>
     </message>
     <message>
-        <source>The file is too large to be one of Bergwatch&apos;s.</source>
+        <source>The file is too large for a Bergwatch file.</source>
         <translation>Filen er for stor til at være en fil fra Bergwatch.</translation>
     </message>
     <message>
-        <source>The file is not well-formed JSON. Correct it at the place named.</source>
-        <translation>Filen er ikke velformet JSON. Ret den på det angivne sted.</translation>
+        <source>This is not a Bergwatch file, or it is damaged at the place named.</source>
+        <translation>Dette er ikke en Bergwatch-fil, eller den er beskadiget på det angivne sted.</translation>
     </message>
     <message>
-        <source>The file is of another kind than the one expected here.</source>
+        <source>This file is of a different type than expected here.</source>
         <translation>Filen er af en anden type end den, der ventes her.</translation>
     </message>
     <message>
@@ -879,7 +775,7 @@
         <translation>Filen er lavet med en nyere version af Bergwatch. Opdatér programmet for at åbne den.</translation>
     </message>
     <message>
-        <source>The values named cannot be used. Correct them and try again.</source>
+        <source>These values are not valid. Correct them and try again.</source>
         <translation>De angivne værdier kan ikke bruges. Ret dem, og prøv igen.</translation>
     </message>
     <message>
@@ -887,11 +783,11 @@
         <translation>Denne version af Bergwatch kan ikke gøre det.</translation>
     </message>
     <message>
-        <source>The planner failed. Choose another planner back end.</source>
+        <source>The planner failed. Choose another solver.</source>
         <translation>Planlæggeren fejlede. Vælg en anden løser.</translation>
     </message>
     <message>
-        <source>Flying the run again gave another result than the one it recorded. It may come from another version of Bergwatch.</source>
+        <source>The replay of the run differs from the recording. The file may come from another version of Bergwatch.</source>
         <translation>Da flyvningen blev fløjet igen, gav den et andet resultat end det, der var gemt. Den kan komme fra en anden version af Bergwatch.</translation>
     </message>
     <message numerus="yes">
@@ -904,10 +800,6 @@
 </context>
 <context>
     <name>EventText</name>
-    <message>
-        <source>Every iceberg is in view: circling</source>
-        <translation>Alle isbjerge er i synsfeltet: kredser</translation>
-    </message>
     <message>
         <source>Planned: next %1</source>
         <translation>Planlagt: næste er %1</translation>
@@ -1096,6 +988,10 @@
         <source>%1 assigned to %2</source>
         <translation>%1 tildelt %2</translation>
     </message>
+    <message>
+        <source>Nothing to visit now: circling</source>
+        <translation>Intet at besøge nu: cirkler</translation>
+    </message>
 </context>
 <context>
     <name>ExportPicture</name>
@@ -1113,10 +1009,6 @@
     <message>
         <source>Waypoint list</source>
         <translation>Liste over rutepunkter</translation>
-    </message>
-    <message>
-        <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One UAV a file.</source>
-        <translation>Missionspunkter som QGC WPL 110, første række er hjemmepunktet, til Mission Planner og MAVProxy. Uden geohegn. Én drone pr. fil.</translation>
     </message>
     <message>
         <source>QGIS and other map programs</source>
@@ -1183,18 +1075,6 @@
         <translation>Tabel over rækkefølgen med etaper, koordinater og ankomster; for en bane eller det fløjne én række pr. punkt.</translation>
     </message>
     <message>
-        <source>%1 shows the cruise speed as a whole number: %2 m/s becomes %3 m/s. The speed in the mission is exact.</source>
-        <translation>%1 viser marchfarten som et helt tal: %2 m/s bliver til %3 m/s. Farten i missionen er nøjagtig.</translation>
-    </message>
-    <message>
-        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m.</source>
-        <translation>%1 gemmer kredsradier over 255 m i trin på 10 m: %2 m bliver til %3 m.</translation>
-    </message>
-    <message>
-        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m.</source>
-        <translation>%1 gemmer acceptradier op til %3 m: %2 m bliver til %3 m.</translation>
-    </message>
-    <message>
         <source>Autopilots</source>
         <translation>Autopiloter</translation>
     </message>
@@ -1217,43 +1097,6 @@
     <message>
         <source>Left out</source>
         <translation>Udeladt</translation>
-    </message>
-    <message numerus="yes">
-        <source>A file holds one UAV: %n files are written, named after the UAVs.</source>
-        <translation>
-            <numerusform>En fil rummer én drone: %n fil skrives, opkaldt efter dronen.</numerusform>
-            <numerusform>En fil rummer én drone: %n filer skrives, opkaldt efter dronerne.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The scenario has no start time, so the file has no dates.</source>
-        <translation>Scenariet har intet starttidspunkt, så filen har ingen datoer.</translation>
-    </message>
-    <message>
-        <source>The format has no place for the geofence.</source>
-        <translation>Formatet har ikke plads til geohegnet.</translation>
-    </message>
-    <message>
-        <source>%1 may draw the fence the long way round: it crosses the antimeridian.</source>
-        <translation>%1 tegner muligvis hegnet den lange vej rundt: det krydser 180°-meridianen.</translation>
-    </message>
-    <message>
-        <source>The places where icebergs were reached are written, not the track.</source>
-        <translation>De steder, hvor isbjerge blev nået, skrives, ikke sporet.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The path becomes %n waypoints close to it.</source>
-        <translation>
-            <numerusform>Banen bliver til %n rutepunkt tæt på den.</numerusform>
-            <numerusform>Banen bliver til %n rutepunkter tæt på den.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs have no iceberg to visit.</source>
-        <translation>
-            <numerusform>%n drone har intet isbjerg at besøge.</numerusform>
-            <numerusform>%n droner har intet isbjerg at besøge.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Map as %1</source>
@@ -1292,26 +1135,6 @@
         <translation>Billeder og udskrift</translation>
     </message>
     <message>
-        <source>The file is about the whole flight, whatever is chosen.</source>
-        <translation>Filen omfatter hele flyvningen, uanset hvad der er valgt.</translation>
-    </message>
-    <message>
-        <source>This sortie alone is written. Icebergs of the order left for later ones: %1.</source>
-        <translation>Kun dette togt skrives. Isbjerge i rækkefølgen, der er tilbage til senere togter: %1.</translation>
-    </message>
-    <message>
-        <source>The format has no place for no-fly areas and the stand-off ring.</source>
-        <translation>Formatet har ikke plads til flyveforbudsområder og sikkerhedsringen.</translation>
-    </message>
-    <message>
-        <source>No-fly areas have no heights in it: those at the altitude of the UAV are written.</source>
-        <translation>Flyveforbudsområder har ingen højder i formatet: de, der gælder i dronens højde, skrives.</translation>
-    </message>
-    <message>
-        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. Export the path instead: it leads round.</source>
-        <translation>Lige etaper, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1. Eksportér banen i stedet: den fører udenom.</translation>
-    </message>
-    <message>
         <source>Altitude</source>
         <translation>Højde</translation>
     </message>
@@ -1348,28 +1171,24 @@
         <translation>To eller tre sider: planlagt og fløjet, kort, zeta mod forudsigelsen, observationer, afvigelser.</translation>
     </message>
     <message>
-        <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
-        <translation>Til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler; med et operationsvolumen en side mere om det.</translation>
-    </message>
-    <message>
-        <source>Nothing in the file depends on: %1.</source>
-        <translation>Intet i filen afhænger af: %1.</translation>
-    </message>
-    <message>
         <source>Return home</source>
         <translation>Flyv hjem</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
-        <translation>Missionspunkter med højde, fart og radier, geohegnet og et samlingspunkt ved hjemmepunktet; ingen start og ingen landing. Læses også af Mission Planner og MAVSDK. Én drone pr. fil.</translation>
+        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Missionspunkter med højde, fart og radier, geohegnet og et samlingspunkt ved hjemmepunktet; ingen start og ingen landing. Læses også af Mission Planner og MAVSDK. Én fil pr. drone.</translation>
+    </message>
+    <message>
+        <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
+        <translation>Missionspunkter som QGC WPL 110, første række er hjemmepunktet, til Mission Planner og MAVProxy. Uden geohegn. Én fil pr. drone.</translation>
+    </message>
+    <message>
+        <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
+        <translation>Til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler; og en side mere, hvis der er et operationsvolumen.</translation>
     </message>
 </context>
 <context>
     <name>FieldNames</name>
-    <message>
-        <source>Corner of the area</source>
-        <translation>Hjørne af området</translation>
-    </message>
     <message>
         <source>Time of the recorded track</source>
         <translation>Tidspunkt i det registrerede spor</translation>
@@ -1377,14 +1196,6 @@
     <message>
         <source>Place of the recorded track</source>
         <translation>Sted i det registrerede spor</translation>
-    </message>
-    <message>
-        <source>Trade-off τ</source>
-        <translation>Afvejning τ</translation>
-    </message>
-    <message>
-        <source>Corner of the no-fly area</source>
-        <translation>Hjørne af flyveforbudsområdet</translation>
     </message>
     <message>
         <source>South</source>
@@ -1417,22 +1228,6 @@
     <message>
         <source>Origin</source>
         <translation>Origo</translation>
-    </message>
-    <message>
-        <source>Airspace</source>
-        <translation>Luftrum</translation>
-    </message>
-    <message>
-        <source>Corner of the airspace</source>
-        <translation>Hjørne af luftrummet</translation>
-    </message>
-    <message>
-        <source>Start of the airspace</source>
-        <translation>Luftrummets starttidspunkt</translation>
-    </message>
-    <message>
-        <source>End of the airspace</source>
-        <translation>Luftrummets sluttidspunkt</translation>
     </message>
 </context>
 <context>
@@ -1549,11 +1344,11 @@
         <translation>Udholdenhed</translation>
     </message>
     <message>
-        <source>Positions WGS 84: icebergs drift, each is given where it was when it was reached. Courses and distances are over ground.</source>
+        <source>Positions are WGS 84. Icebergs drift: each is listed where it was when reached. Courses and distances are over ground.</source>
         <translation>Positioner i WGS 84: isbjerge driver, hvert er angivet, hvor det var, da det blev nået. Kurser og distancer er over grund.</translation>
     </message>
     <message>
-        <source>Positions WGS 84: icebergs drift, each is given where it is expected at arrival. Courses and distances are over ground.</source>
+        <source>Positions are WGS 84. Icebergs drift: each is listed where it is expected at arrival. Courses and distances are over ground.</source>
         <translation>Positioner i WGS 84: isbjerge driver, hvert er angivet, hvor det ventes ved ankomsten. Kurser og distancer er over grund.</translation>
     </message>
     <message>
@@ -1625,23 +1420,23 @@
         <translation>σ nu</translation>
     </message>
     <message>
-        <source>and %1 more; the whole list: export CSV</source>
+        <source>and %1 more; export CSV for the whole list</source>
         <translation>og %1 til; hele listen: eksportér CSV</translation>
     </message>
     <message>
-        <source>and %1 more UAVs; the whole list: export CSV</source>
+        <source>and %1 more UAVs; export CSV for the whole list</source>
         <translation>og %1 droner til; hele listen: eksportér CSV</translation>
     </message>
     <message>
-        <source>Lost, not where they were expected (%1): %2</source>
+        <source>Lost, not found where expected (%1): %2</source>
         <translation>Mistet, ikke hvor de ventedes (%1): %2</translation>
     </message>
     <message>
-        <source>Given up after a search (%1): %2</source>
+        <source>Search given up (%1): %2</source>
         <translation>Opgivet efter en eftersøgning (%1): %2</translation>
     </message>
     <message>
-        <source>Not flown to (%1): %2</source>
+        <source>Not visited (%1): %2</source>
         <translation>Ikke fløjet til (%1): %2</translation>
     </message>
     <message>
@@ -1649,7 +1444,7 @@
         <translation>Ikke i rækkefølgen (%1): %2</translation>
     </message>
     <message>
-        <source>The order is not proven to be the best one: %1.</source>
+        <source>The order is not proven optimal: %1.</source>
         <translation>Det er ikke bevist, at rækkefølgen er den bedste: %1.</translation>
     </message>
     <message>
@@ -1657,7 +1452,7 @@
         <translation>Geohegnet gælder: bliv inden for området.</translation>
     </message>
     <message>
-        <source>UAVs in one altitude layer: keep them %1 apart, nothing steers them.</source>
+        <source>UAVs share an altitude layer: keep them %1 apart. They do not avoid each other.</source>
         <translation>Droner i ét højdelag: hold dem %1 fra hinanden, intet styrer dem fri.</translation>
     </message>
     <message>
@@ -1693,7 +1488,7 @@
         <translation>Fejl: %1</translation>
     </message>
     <message>
-        <source>The planner reached its limit without an order: the rest of the plan before, or the nearest iceberg, is flown.</source>
+        <source>The planner reached its limit without an order. The UAV flies the rest of the previous plan, or to the nearest iceberg.</source>
         <translation>Planlæggeren nåede sin grænse uden en rækkefølge: dronen flyver resten af den forrige plan eller til det nærmeste isbjerg.</translation>
     </message>
     <message>
@@ -1709,7 +1504,7 @@
         <translation>%1 (%2): %3</translation>
     </message>
     <message>
-        <source>Times are without the loiter turns: %1 more at each iceberg, %2 in all.</source>
+        <source>Times do not include the loiter turns, which add %1 at each iceberg, %2 in total.</source>
         <translation>Tiderne er uden kredsninger: %1 mere ved hvert isbjerg, %2 i alt.</translation>
     </message>
     <message>
@@ -1745,11 +1540,11 @@
         <translation>Uden for radiorækkevidde</translation>
     </message>
     <message>
-        <source>Chance of being in view on arrival: %1</source>
+        <source>Probability of being in view on arrival: %1</source>
         <translation>Sandsynlighed for at være i synsfeltet ved ankomsten: %1</translation>
     </message>
     <message>
-        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. The UAV goes round.</source>
+        <source>Straight legs that leave the geofence or cross a no-fly area: %1. The UAV flies around.</source>
         <translation>Lige etaper, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1. Dronen flyver udenom.</translation>
     </message>
     <message>
@@ -1817,19 +1612,19 @@
         <translation>Ændr vind</translation>
     </message>
     <message>
-        <source>Let go: this wind blows from now on. Esc takes it back.</source>
+        <source>Release to apply this wind from now on. Esc cancels.</source>
         <translation>Slip: denne vind blæser fra nu af. Esc fortryder.</translation>
     </message>
     <message>
-        <source>Let go to keep this wind. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <source>Release to keep this wind. Shift snaps to steps of %1°; Esc cancels.</source>
         <translation>Slip for at beholde denne vind. Skift holder sig til trin på %1°, Esc fortryder.</translation>
     </message>
     <message>
-        <source>Let go: the asset is here from now on. Esc takes it back.</source>
+        <source>Release to move the asset here now. Esc cancels.</source>
         <translation>Slip: objektet er her fra nu af. Esc fortryder.</translation>
     </message>
     <message>
-        <source>The UAV makes little way against this wind. Esc takes it back.</source>
+        <source>The UAV makes little headway in this wind. Esc cancels.</source>
         <translation>Dronen kommer næsten ikke frem mod denne vind. Esc fortryder.</translation>
     </message>
 </context>
@@ -1859,11 +1654,11 @@
         <translation>Planlæggeren fejlede: fortsætter med den forrige plan</translation>
     </message>
     <message>
-        <source>It is asked again when the next plan is needed.</source>
+        <source>It runs again when the next plan is needed.</source>
         <translation>Den spørges igen, når den næste plan er nødvendig.</translation>
     </message>
     <message>
-        <source>Home cannot be reached in time any more</source>
+        <source>Home can no longer be reached in time</source>
         <translation>Hjemmepunktet kan ikke længere nås i tide</translation>
     </message>
     <message>
@@ -1875,7 +1670,7 @@
         <translation>%1 og %2 er %3 fra hinanden</translation>
     </message>
     <message>
-        <source>They fly at about the same altitude. The separation set is %1.</source>
+        <source>They fly at about the same altitude. The required separation is %1.</source>
         <translation>De flyver i omtrent samme højde. Den indstillede adskillelse er %1.</translation>
     </message>
     <message>
@@ -1887,15 +1682,15 @@
         <translation>Venter som beordret</translation>
     </message>
     <message>
-        <source>On the ground until it is told to resume</source>
-        <translation>På jorden, indtil den får besked på at fortsætte</translation>
+        <source>On the ground. Choose Resume to continue</source>
+        <translation>På jorden. Vælg Fortsæt for at gå videre</translation>
     </message>
     <message>
         <source>%1 is lost</source>
         <translation>%1 er mistet</translation>
     </message>
     <message>
-        <source>%1 is lost, the search was given up</source>
+        <source>%1 is lost; the search was abandoned</source>
         <translation>%1 er mistet, eftersøgningen blev opgivet</translation>
     </message>
     <message>
@@ -1903,7 +1698,7 @@
         <translation>Det var ikke i syne, hvor det ventedes.</translation>
     </message>
     <message>
-        <source>Makes little way: wind %1, airspeed %2</source>
+        <source>Makes little headway: wind %1, airspeed %2</source>
         <translation>Kommer næsten ikke fremad: vind %1, flyvefart %2</translation>
     </message>
 </context>
@@ -1921,7 +1716,7 @@
         <translation>Drej drone</translation>
     </message>
     <message>
-        <source>Let go to keep this heading. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <source>Release to keep this heading. Shift snaps to steps of %1°; Esc cancels.</source>
         <translation>Slip for at beholde denne kurs. Skift holder sig til trin på %1°, Esc fortryder.</translation>
     </message>
     <message>
@@ -1933,34 +1728,34 @@
         <translation>Flyt hjørne</translation>
     </message>
     <message>
-        <source>Let go to place the corner here. Esc takes it back.</source>
+        <source>Release to place the corner here. Esc cancels.</source>
         <translation>Slip for at sætte hjørnet her. Esc fortryder.</translation>
     </message>
     <message numerus="yes">
-        <source>Drag gives all %n icebergs selected the same drift.</source>
+        <source>Drag to give all %n selected icebergs the same drift.</source>
         <translation>
             <numerusform>Træk giver %n valgt isbjerg denne drift.</numerusform>
             <numerusform>Træk giver alle %n valgte isbjerge samme drift.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Drag sets the drift of the iceberg.</source>
+        <source>Drag to set the drift of the iceberg.</source>
         <translation>Træk sætter isbjergets drift.</translation>
     </message>
     <message>
-        <source>Drag turns the UAV.</source>
+        <source>Drag to turn the UAV.</source>
         <translation>Træk drejer dronen.</translation>
     </message>
     <message>
-        <source>Drag moves the corner, a click and Del remove it.</source>
+        <source>Drag to move the corner. To remove it, click it and press Del.</source>
         <translation>Træk flytter hjørnet, et klik efterfulgt af Del fjerner det.</translation>
     </message>
     <message>
-        <source>Drag makes a new corner here.</source>
+        <source>Drag to add a corner here.</source>
         <translation>Træk laver et nyt hjørne her.</translation>
     </message>
     <message>
-        <source>An area has at least three corners. Remove the area as a whole.</source>
+        <source>An area needs at least three corners. Delete the whole area instead.</source>
         <translation>Et område har mindst tre hjørner. Fjern hele området.</translation>
     </message>
     <message>
@@ -1976,11 +1771,11 @@
         <translation>Omridset ville krydse sig selv her.</translation>
     </message>
     <message>
-        <source>Drag changes the wind from now on; in flight that cannot be undone.</source>
+        <source>Drag to change the wind from now on. In flight this cannot be undone.</source>
         <translation>Træk ændrer vinden fra nu af; under flyvning kan det ikke fortrydes.</translation>
     </message>
     <message>
-        <source>Drag sets the wind: the arrow points where it blows to.</source>
+        <source>Drag to set the wind. The arrow points downwind.</source>
         <translation>Træk sætter vinden: pilen peger derhen, hvor den blæser.</translation>
     </message>
 </context>
@@ -1998,7 +1793,7 @@
         <translation>Isbjerg</translation>
     </message>
     <message>
-        <source>Name of the iceberg, its id where it has none</source>
+        <source>Name of the iceberg, or its id if it has none</source>
         <translation>Isbjergets navn, dets id, hvis det ikke har noget</translation>
     </message>
     <message>
@@ -2022,7 +1817,7 @@
         <translation>Uset i, s</translation>
     </message>
     <message>
-        <source>Time since it was last in view, or since it is known</source>
+        <source>Time since it was last in view, or since it became known</source>
         <translation>Tid, siden det sidst var i synsfeltet, eller siden det blev kendt</translation>
     </message>
     <message>
@@ -2034,7 +1829,7 @@
         <translation>Ankomst om, s</translation>
     </message>
     <message>
-        <source>Time from now until the UAV is there, by the plan in force</source>
+        <source>Time until the UAV arrives, by the present plan</source>
         <translation>Tid fra nu, til dronen er der, efter den gældende plan</translation>
     </message>
     <message>
@@ -2042,7 +1837,7 @@
         <translation>Besøg</translation>
     </message>
     <message>
-        <source>How often it was the target and was reached</source>
+        <source>Number of times it was reached as the target</source>
         <translation>Hvor ofte det var målet og blev nået</translation>
     </message>
     <message>
@@ -2054,7 +1849,7 @@
         <translation>Position nord for scenariets origo: før start udgangspositionen, under flyvning estimatet</translation>
     </message>
     <message>
-        <source>Known drift; in flight the current is in it</source>
+        <source>Known drift; in flight it includes the current</source>
         <translation>Kendt drift; under flyvning er strømmen medregnet</translation>
     </message>
     <message>
@@ -2062,7 +1857,7 @@
         <translation>Retning, °</translation>
     </message>
     <message>
-        <source>Where it drifts to, degrees clockwise from north</source>
+        <source>Drift direction, degrees clockwise from north</source>
         <translation>Hvorhen det driver, i grader med uret fra nord</translation>
     </message>
     <message>
@@ -2090,7 +1885,7 @@
         <translation>CPA, %1</translation>
     </message>
     <message>
-        <source>Closest point of approach: least distance from the asset within the next hour, by the estimate. A warning sign beside the name: it comes into the inner ring</source>
+        <source>Closest point of approach: smallest predicted distance from the asset within the next hour. A warning sign beside the name means that the iceberg will enter the inner ring</source>
         <translation>Nærmeste passage (closest point of approach): mindste afstand til objektet inden for den næste time, efter estimatet. Et advarselstegn ved navnet: det kommer ind i den indre ring</translation>
     </message>
     <message>
@@ -2106,11 +1901,11 @@
         <translation>Tid til nærmeste passage</translation>
     </message>
     <message>
-        <source>The UAV that has it in its plan</source>
+        <source>UAV that plans to visit it</source>
         <translation>Den drone, der har det i sin plan</translation>
     </message>
     <message>
-        <source>Where it is, in flight the estimate; typed and pasted in any form, a whole coordinate sets both</source>
+        <source>Position, in flight the estimate. Type or paste any form; a whole coordinate sets both</source>
         <translation>Hvor det er, under flyvning estimatet; kan skrives og sættes ind i enhver form, en hel koordinat sætter begge</translation>
     </message>
     <message>
@@ -2118,7 +1913,7 @@
         <translation>Drift øst, %1</translation>
     </message>
     <message>
-        <source>Known drift to the east; the current comes on top</source>
+        <source>Known drift to the east, without the current</source>
         <translation>Kendt drift mod øst; strømmen kommer oveni</translation>
     </message>
     <message>
@@ -2126,7 +1921,7 @@
         <translation>Drift nord, %1</translation>
     </message>
     <message>
-        <source>Known drift to the north; the current comes on top</source>
+        <source>Known drift to the north, without the current</source>
         <translation>Kendt drift mod nord; strømmen kommer oveni</translation>
     </message>
     <message>
@@ -2142,7 +1937,7 @@
         <translation>95 %-radius, m</translation>
     </message>
     <message>
-        <source>With 95 % the iceberg is inside a circle of this radius round its position now</source>
+        <source>Radius around the present position that contains the iceberg with a probability of 95 %</source>
         <translation>Med 95 % er isbjerget inden for en cirkel med denne radius om positionen nu</translation>
     </message>
 </context>
@@ -2200,7 +1995,7 @@
         <translation>ikke i rækkefølgen</translation>
     </message>
     <message>
-        <source>not there yet</source>
+        <source>not appeared yet</source>
         <translation>ikke der endnu</translation>
     </message>
     <message>
@@ -2212,7 +2007,7 @@
         <translation>Dukker op ved %1</translation>
     </message>
     <message>
-        <source>It stands still.</source>
+        <source>It does not drift.</source>
         <translation>Det ligger stille.</translation>
     </message>
     <message>
@@ -2224,7 +2019,7 @@
         <translation>&gt; 1 t</translation>
     </message>
     <message>
-        <source>lost, searched for</source>
+        <source>lost, being searched for</source>
         <translation>mistet, eftersøges</translation>
     </message>
     <message>
@@ -2232,11 +2027,11 @@
         <translation>mistet</translation>
     </message>
     <message>
-        <source>given up</source>
+        <source>search abandoned</source>
         <translation>opgivet</translation>
     </message>
     <message>
-        <source>It still comes nearer in an hour, to this distance by then.</source>
+        <source>It is still approaching after one hour; this is its distance then.</source>
         <translation>Det kommer stadig nærmere om en time, til denne afstand på det tidspunkt.</translation>
     </message>
     <message>
@@ -2322,6 +2117,10 @@
         <source>Packet</source>
         <translation>Pakke</translation>
     </message>
+    <message>
+        <source>Velocity from</source>
+        <translation>Hastighed fra</translation>
+    </message>
 </context>
 <context>
     <name>ImportWords</name>
@@ -2334,72 +2133,8 @@
         <translation>Filen er beskadiget. Ret den på det angivne sted, eller eksportér den igen.</translation>
     </message>
     <message>
-        <source>This is no file of sightings that can be recognised. If it is a table, name its columns for latitude and longitude.</source>
-        <translation>Filen kan ikke genkendes som en fil med observationer. Hvis det er en tabel, så angiv dens kolonner for bredde og længde.</translation>
-    </message>
-    <message>
         <source>Nothing of it can be used like this.</source>
         <translation>Intet i den kan bruges, som det er.</translation>
-    </message>
-    <message>
-        <source>velocity unknown</source>
-        <translation>hastighed ukendt</translation>
-    </message>
-    <message>
-        <source>velocity from the file</source>
-        <translation>hastighed fra filen</translation>
-    </message>
-    <message>
-        <source>velocity limited to 5 m/s per axis</source>
-        <translation>hastighed begrænset til 5 m/s pr. akse</translation>
-    </message>
-    <message>
-        <source>q estimated</source>
-        <translation>q anslået</translation>
-    </message>
-    <message>
-        <source>q limited to 10⁶ m²/s</source>
-        <translation>q begrænset til 10⁶ m²/s</translation>
-    </message>
-    <message>
-        <source>stationary</source>
-        <translation>ligger stille</translation>
-    </message>
-    <message>
-        <source>several sightings at one time</source>
-        <translation>flere observationer på samme tidspunkt</translation>
-    </message>
-    <message>
-        <source>sightings at impossible places not used</source>
-        <translation>observationer på umulige steder er ikke brugt</translation>
-    </message>
-    <message>
-        <source>recorded track</source>
-        <translation>registreret spor</translation>
-    </message>
-    <message>
-        <source>no track: not sighted after the start</source>
-        <translation>intet spor: ikke observeret efter starten</translation>
-    </message>
-    <message>
-        <source>older than what the scenario has</source>
-        <translation>ældre end det, scenariet har</translation>
-    </message>
-    <message>
-        <source>sighted only after the start</source>
-        <translation>først observeret efter starten</translation>
-    </message>
-    <message>
-        <source>more than 1000 km from the origin at the start</source>
-        <translation>mere end 1000 km fra origo ved starten</translation>
-    </message>
-    <message>
-        <source>the scenario is full</source>
-        <translation>scenariet er fuldt</translation>
-    </message>
-    <message>
-        <source>a UAV has this id</source>
-        <translation>en drone har dette id</translation>
     </message>
     <message>
         <source>new</source>
@@ -2590,146 +2325,63 @@
         <source>ArduPilot mission (QGC WPL)</source>
         <translation>ArduPilot-mission (QGC WPL)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n UAVs</source>
-        <translation>
-            <numerusform>%n drone</numerusform>
-            <numerusform>%n droner</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the area</source>
-        <translation>området</translation>
-    </message>
-    <message>
-        <source>the area as geofence</source>
-        <translation>området som geohegn</translation>
-    </message>
-    <message>
-        <source>the asset</source>
-        <translation>objektet</translation>
-    </message>
-    <message>
-        <source>UAVs, area and asset (the scenario has its own)</source>
-        <translation>droner, område og objekt (scenariet har sine egne)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs (too many)</source>
-        <translation>
-            <numerusform>%n drone (for mange)</numerusform>
-            <numerusform>%n droner (for mange)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs (more than 1000 km from the origin)</source>
-        <translation>
-            <numerusform>%n drone (mere end 1000 km fra origo)</numerusform>
-            <numerusform>%n droner (mere end 1000 km fra origo)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>an area (unreadable)</source>
-        <translation>et område (ulæseligt)</translation>
-    </message>
-    <message>
-        <source>the area (too few or too many corners)</source>
-        <translation>området (for få eller for mange hjørner)</translation>
-    </message>
-    <message>
-        <source>the area (more than 1000 km from the origin)</source>
-        <translation>området (mere end 1000 km fra origo)</translation>
-    </message>
-    <message>
-        <source>the area (touches or crosses itself)</source>
-        <translation>området (rører eller krydser sig selv)</translation>
-    </message>
-    <message>
-        <source>the area (in several parts)</source>
-        <translation>området (i flere dele)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n further areas</source>
-        <translation>
-            <numerusform>%n yderligere område</numerusform>
-            <numerusform>%n yderligere områder</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n holes of the area</source>
-        <translation>
-            <numerusform>%n hul i området</numerusform>
-            <numerusform>%n huller i området</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n circles of the geofence</source>
-        <translation>
-            <numerusform>%n cirkel i geohegnet</numerusform>
-            <numerusform>%n cirkler i geohegnet</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the geofence (too many corners)</source>
-        <translation>geohegnet (for mange hjørner)</translation>
-    </message>
-    <message>
-        <source>the geofence (a UAV starts or lands outside)</source>
-        <translation>geohegnet (en drone starter eller lander udenfor)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rally points</source>
-        <translation>
-            <numerusform>%n samlingspunkt</numerusform>
-            <numerusform>%n samlingspunkter</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n further assets</source>
-        <translation>
-            <numerusform>%n yderligere objekt</numerusform>
-            <numerusform>%n yderligere objekter</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the asset (more than 1000 km from the origin)</source>
-        <translation>objektet (mere end 1000 km fra origo)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n numbers out of range</source>
-        <translation>
-            <numerusform>%n tal uden for det tilladte område</numerusform>
-            <numerusform>%n tal uden for det tilladte område</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Also from the file: %1</source>
-        <translation>Også fra filen: %1</translation>
-    </message>
-    <message>
-        <source>Left out: %1</source>
-        <translation>Udeladt: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n no-fly areas</source>
-        <translation>
-            <numerusform>%n flyveforbudsområde</numerusform>
-            <numerusform>%n flyveforbudsområder</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
-        <translation>
-            <numerusform>%n flyveforbudsområde (en drone starter eller lander i det, eller dets højder er forkerte)</numerusform>
-            <numerusform>%n flyveforbudsområder (en drone starter eller lander i dem, eller deres højder er forkerte)</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
         <translation>Linje %1: %2 læses med måneden først, hvilket intet i filen afgør. Vælg under Datoer, hvis dagen kommer først.</translation>
     </message>
     <message>
-        <source>no time: counts as seen at the start</source>
-        <translation>uden tid: regnes som set ved start</translation>
+        <source>Source</source>
+        <translation>Kilde</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>ukendt</translation>
+    </message>
+    <message>
+        <source>positions</source>
+        <translation>positioner</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>fil</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>begge</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>source, age</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows changed</source>
+        <translation>
+            <numerusform>%n række ændret</numerusform>
+            <numerusform>%n rækker ændret</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sightings are more than 1000 km from the origin of this scenario. Import them into a new one, or choose others with Inside.</source>
+        <translation>
+            <numerusform>%n observation er mere end 1000 km fra dette scenaries origo. Importér den til et nyt, eller vælg andre med Inden for.</numerusform>
+            <numerusform>%n observationer er mere end 1000 km fra dette scenaries origo. Importér dem til et nyt, eller vælg andre med Inden for.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sightings are more than 1000 km from the origin, which is in their densest group. Choose others with Inside.</source>
+        <translation>
+            <numerusform>%n observation er mere end 1000 km fra origo, som ligger i den tætteste gruppe. Vælg andre med Inden for.</numerusform>
+            <numerusform>%n observationer er mere end 1000 km fra origo, som ligger i den tætteste gruppe af dem. Vælg andre med Inden for.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From the file: %1</source>
+        <translation>Fra filen: %1</translation>
+    </message>
+    <message>
+        <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
+        <translation>Bergwatch genkender ikke denne fil. Hvis det er en tabel, så vælg kolonnerne for bredde og længde nedenfor.</translation>
     </message>
 </context>
 <context>
@@ -2739,97 +2391,17 @@
         <translation>Ændr drift</translation>
     </message>
     <message>
-        <source>Drift east</source>
-        <translation>Drift mod øst</translation>
-    </message>
-    <message>
-        <source>Known drift to the east; the current comes on top.</source>
-        <translation>Kendt drift mod øst; strømmen kommer oveni.</translation>
-    </message>
-    <message>
-        <source>Drift north</source>
-        <translation>Drift mod nord</translation>
-    </message>
-    <message>
-        <source>Known drift to the north; the current comes on top.</source>
-        <translation>Kendt drift mod nord; strømmen kommer oveni.</translation>
-    </message>
-    <message>
-        <source>Uncertainty σ₀</source>
-        <translation>Usikkerhed σ₀</translation>
-    </message>
-    <message>
-        <source>Variance of the position when it was last seen.</source>
-        <translation>Positionens varians, da det sidst blev set.</translation>
-    </message>
-    <message>
         <source>Change uncertainty</source>
         <translation>Ændr usikkerhed</translation>
-    </message>
-    <message>
-        <source>Growth q</source>
-        <translation>Vækst q</translation>
-    </message>
-    <message>
-        <source>What the uncertainty grows by in a second out of view.</source>
-        <translation>Det, usikkerheden vokser med pr. sekund ude af syne.</translation>
-    </message>
-    <message>
-        <source>Change growth of uncertainty</source>
-        <translation>Ændr usikkerhedens vækst</translation>
     </message>
     <message>
         <source>standard deviation %1 m</source>
         <translation>standardafvigelse %1 m</translation>
     </message>
     <message>
-        <source>Last seen</source>
-        <translation>Sidst set</translation>
-    </message>
-    <message>
-        <source>How long before the start it was last seen; σ has grown since.</source>
-        <translation>Hvor længe før starten det sidst blev set; σ er vokset siden.</translation>
-    </message>
-    <message>
-        <source>Change time last seen</source>
-        <translation>Ændr tid for sidst set</translation>
-    </message>
-    <message>
         <source> s ago</source>
         <comment>unit after a number</comment>
         <translation> s siden</translation>
-    </message>
-    <message>
-        <source>Appears at</source>
-        <translation>Dukker op</translation>
-    </message>
-    <message>
-        <source>Time of the run from which on it is known; 0 is the start.</source>
-        <translation>Det tidspunkt i flyvningen, fra hvilket det er kendt; 0 er starten.</translation>
-    </message>
-    <message>
-        <source>Change time of appearing</source>
-        <translation>Ændr tid for fremkomst</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Halv længde</translation>
-    </message>
-    <message>
-        <source>Half its length: its size on the map, and how far outside the area it is still monitored.</source>
-        <translation>Halvdelen af dets længde: dets størrelse på kortet, og hvor langt uden for området det stadig overvåges.</translation>
-    </message>
-    <message>
-        <source>Change radius</source>
-        <translation>Ændr halv længde</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Navn</translation>
-    </message>
-    <message>
-        <source>Shown on the map in place of the id.</source>
-        <translation>Vises på kortet i stedet for id&apos;et.</translation>
     </message>
     <message>
         <source>Change name</source>
@@ -2840,44 +2412,12 @@
         <translation>Ændr position</translation>
     </message>
     <message>
-        <source>East</source>
-        <translation>Øst</translation>
-    </message>
-    <message>
-        <source>Position at the start, east of the scenario&apos;s origin.</source>
-        <translation>Position ved starten, øst for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>North</source>
-        <translation>Nord</translation>
-    </message>
-    <message>
-        <source>Position at the start, north of the scenario&apos;s origin.</source>
-        <translation>Position ved starten, nord for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>stands still</source>
+        <source>stationary</source>
         <translation>ligger stille</translation>
     </message>
     <message>
         <source>Change wind</source>
         <translation>Ændr vind</translation>
-    </message>
-    <message>
-        <source>Wind east</source>
-        <translation>Vind mod øst</translation>
-    </message>
-    <message>
-        <source>Towards the east; always slower than the UAV flies.</source>
-        <translation>Mod øst; altid langsommere, end dronen flyver.</translation>
-    </message>
-    <message>
-        <source>Wind north</source>
-        <translation>Vind mod nord</translation>
-    </message>
-    <message>
-        <source>Towards the north; always slower than the UAV flies.</source>
-        <translation>Mod nord; altid langsommere, end dronen flyver.</translation>
     </message>
     <message>
         <source>no wind</source>
@@ -2888,207 +2428,11 @@
         <translation>Ændr strøm</translation>
     </message>
     <message>
-        <source>Current east</source>
-        <translation>Strøm mod øst</translation>
-    </message>
-    <message>
-        <source>Carries every iceberg towards the east.</source>
-        <translation>Fører alle isbjerge mod øst.</translation>
-    </message>
-    <message>
-        <source>Current north</source>
-        <translation>Strøm mod nord</translation>
-    </message>
-    <message>
-        <source>Carries every iceberg towards the north.</source>
-        <translation>Fører alle isbjerge mod nord.</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Varighed</translation>
-    </message>
-    <message>
-        <source>Length of the run, at most seven days.</source>
-        <translation>Flyvningens længde, højst syv døgn.</translation>
-    </message>
-    <message>
-        <source>Change duration</source>
-        <translation>Ændr varighed</translation>
-    </message>
-    <message>
-        <source>Time step</source>
-        <translation>Tidsskridt</translation>
-    </message>
-    <message>
-        <source>Step of the simulation; small is exact and slow.</source>
-        <translation>Simuleringens skridt; korte er nøjagtige og langsomme.</translation>
-    </message>
-    <message>
-        <source>Change time step</source>
-        <translation>Ændr tidsskridt</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Startværdi</translation>
-    </message>
-    <message>
-        <source>Names the random drift: the same seed, the same run.</source>
-        <translation>Bestemmer den tilfældige drift: samme startværdi, samme flyvning.</translation>
-    </message>
-    <message>
-        <source>Change seed</source>
-        <translation>Ændr startværdi</translation>
-    </message>
-    <message>
-        <source>Random drift</source>
-        <translation>Tilfældig drift</translation>
-    </message>
-    <message>
-        <source>Off: icebergs drift exactly as known.</source>
-        <translation>Fra: isbjerge driver nøjagtigt som kendt.</translation>
-    </message>
-    <message>
-        <source>Change random drift</source>
-        <translation>Ændr tilfældig drift</translation>
-    </message>
-    <message>
-        <source>Title of the scenario, shown on the map.</source>
-        <translation>Scenariets titel, der vises på kortet.</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Noter</translation>
-    </message>
-    <message>
-        <source>Anything worth knowing, kept in the file.</source>
-        <translation>Alt, der er værd at vide; gemmes i filen.</translation>
-    </message>
-    <message>
-        <source>Change notes</source>
-        <translation>Ændr noter</translation>
-    </message>
-    <message>
-        <source>Heading</source>
-        <translation>Kurs</translation>
-    </message>
-    <message>
-        <source>Clockwise from north, at the start.</source>
-        <translation>Med uret fra nord, ved starten.</translation>
-    </message>
-    <message>
-        <source>Change heading</source>
-        <translation>Ændr kurs</translation>
-    </message>
-    <message>
-        <source>Airspeed</source>
-        <translation>Flyvefart</translation>
-    </message>
-    <message>
-        <source>Always faster than the wind.</source>
-        <translation>Altid hurtigere end vinden.</translation>
-    </message>
-    <message>
-        <source>Change airspeed</source>
-        <translation>Ændr flyvefart</translation>
-    </message>
-    <message>
-        <source>Change field of view</source>
-        <translation>Ændr synsfelt</translation>
-    </message>
-    <message>
-        <source>View along-track</source>
-        <translation>Synsfelt på langs</translation>
-    </message>
-    <message>
-        <source>Extent of the field of view along the heading.</source>
-        <translation>Synsfeltets udstrækning langs kursen.</translation>
-    </message>
-    <message>
-        <source>View cross-track</source>
-        <translation>Synsfelt på tværs</translation>
-    </message>
-    <message>
-        <source>Extent of the field of view across the heading.</source>
-        <translation>Synsfeltets udstrækning på tværs af kursen.</translation>
-    </message>
-    <message>
-        <source>Maximum bank angle</source>
-        <translation>Største krængning</translation>
-    </message>
-    <message>
-        <source>Bank in a turn; the larger, the tighter the turns.</source>
-        <translation>Krængning i et drej; jo større, jo snævrere drej.</translation>
-    </message>
-    <message>
-        <source>Change maximum bank angle</source>
-        <translation>Ændr største krængning</translation>
-    </message>
-    <message>
-        <source>Altitude</source>
-        <translation>Højde</translation>
-    </message>
-    <message>
-        <source>Change altitude</source>
-        <translation>Ændr højde</translation>
-    </message>
-    <message>
-        <source>Endurance</source>
-        <translation>Udholdenhed</translation>
-    </message>
-    <message>
-        <source>Change endurance</source>
-        <translation>Ændr udholdenhed</translation>
-    </message>
-    <message>
-        <source>unlimited</source>
-        <translation>ubegrænset</translation>
-    </message>
-    <message>
         <source>Change velocity of the asset</source>
         <translation>Ændr objektets hastighed</translation>
     </message>
     <message>
-        <source>Speed east</source>
-        <translation>Fart mod øst</translation>
-    </message>
-    <message>
-        <source>What a ship makes to the east; 0 for a platform.</source>
-        <translation>Et skibs fart mod øst; 0 for en platform.</translation>
-    </message>
-    <message>
-        <source>Speed north</source>
-        <translation>Fart mod nord</translation>
-    </message>
-    <message>
-        <source>What a ship makes to the north; 0 for a platform.</source>
-        <translation>Et skibs fart mod nord; 0 for en platform.</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Rækkevidde</translation>
-    </message>
-    <message>
-        <source>How near an iceberg matters to it.</source>
-        <translation>Hvor tæt på et isbjerg skal være for at have betydning for det.</translation>
-    </message>
-    <message>
-        <source>Change range of the asset</source>
-        <translation>Ændr objektets rækkevidde</translation>
-    </message>
-    <message>
-        <source>Gain</source>
-        <translation>Vægt</translation>
-    </message>
-    <message>
-        <source>How much more an iceberg near it matters.</source>
-        <translation>Hvor meget mere et isbjerg i nærheden af det betyder.</translation>
-    </message>
-    <message>
-        <source>Change gain of the asset</source>
-        <translation>Ændr objektets vægt</translation>
-    </message>
-    <message>
-        <source>Takes the asset off the map.</source>
+        <source>Removes the asset from the map.</source>
         <translation>Fjerner objektet fra kortet.</translation>
     </message>
     <message>
@@ -3096,7 +2440,7 @@
         <translation>Fjern objekt</translation>
     </message>
     <message>
-        <source>Takes the area off the map.</source>
+        <source>Removes the area from the map.</source>
         <translation>Fjerner området fra kortet.</translation>
     </message>
     <message>
@@ -3104,52 +2448,16 @@
         <translation>Fjern område</translation>
     </message>
     <message>
-        <source>Acceptance radius</source>
-        <translation>Acceptradius</translation>
-    </message>
-    <message>
-        <source>How near the UAV has to come to an iceberg; at 0 it is reached when it is in view.</source>
-        <translation>Hvor tæt dronen skal komme på et isbjerg; ved 0 er det nået, når det er i synsfeltet.</translation>
-    </message>
-    <message>
-        <source>Change acceptance radius</source>
-        <translation>Ændr acceptradius</translation>
-    </message>
-    <message>
-        <source>in view</source>
-        <translation>i synsfeltet</translation>
-    </message>
-    <message>
-        <source>Field of view</source>
-        <translation>Synsfelt</translation>
-    </message>
-    <message>
-        <source>Shape of what the camera covers.</source>
-        <translation>Formen på det, kameraet dækker.</translation>
-    </message>
-    <message>
         <source>turns with the UAV</source>
         <translation>drejer med dronen</translation>
     </message>
     <message>
-        <source>along the north</source>
+        <source>aligned with north</source>
         <translation>orienteret mod nord</translation>
     </message>
     <message>
         <source>a disk</source>
         <translation>en cirkel</translation>
-    </message>
-    <message>
-        <source>Formulation</source>
-        <translation>Formulering</translation>
-    </message>
-    <message>
-        <source>Integer program that COIN-OR CBC solves when it is the solver.</source>
-        <translation>Det heltalsprogram, COIN-OR CBC løser, når den er valgt som løser.</translation>
-    </message>
-    <message>
-        <source>Change formulation</source>
-        <translation>Ændr formulering</translation>
     </message>
     <message>
         <source>by position</source>
@@ -3172,24 +2480,8 @@
         <translation>Bredde</translation>
     </message>
     <message>
-        <source>Of the origin, north positive; everything moves along with it.</source>
-        <translation>For origo, nord er positiv; alt flytter med.</translation>
-    </message>
-    <message>
         <source>Longitude</source>
         <translation>Længde</translation>
-    </message>
-    <message>
-        <source>Of the origin, east positive; everything moves along with it.</source>
-        <translation>For origo, øst er positiv; alt flytter med.</translation>
-    </message>
-    <message>
-        <source>Start (UTC)</source>
-        <translation>Start (UTC)</translation>
-    </message>
-    <message>
-        <source>Change start</source>
-        <translation>Ændr start</translation>
     </message>
     <message>
         <source>relative times</source>
@@ -3230,62 +2522,6 @@
         <translation>%1 mod %2°</translation>
     </message>
     <message>
-        <source>Inner ring</source>
-        <translation>Indre ring</translation>
-    </message>
-    <message>
-        <source>An iceberg on its way into it within an hour is an alarm; at 0 it is half the range.</source>
-        <translation>Et isbjerg, der er på vej ind i den inden for en time, udløser alarm; ved 0 er ringen den halve rækkevidde.</translation>
-    </message>
-    <message>
-        <source>Change inner ring of the asset</source>
-        <translation>Ændr objektets indre ring</translation>
-    </message>
-    <message>
-        <source>half the range</source>
-        <translation>halv rækkevidde</translation>
-    </message>
-    <message>
-        <source>Planning time</source>
-        <translation>Planlægningstid</translation>
-    </message>
-    <message>
-        <source>How long a plan takes in flight; until it is there the UAV continues with the previous plan.</source>
-        <translation>Hvor lang tid en plan tager under flyvning; indtil den foreligger, følger dronen fortsat den forrige.</translation>
-    </message>
-    <message>
-        <source>Change planning time</source>
-        <translation>Ændr planlægningstid</translation>
-    </message>
-    <message>
-        <source>Autopilot rate</source>
-        <translation>Autopilotens takt</translation>
-    </message>
-    <message>
-        <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
-        <translation>Tid mellem to kommandoer fra autopiloten; ved 0 giver den én i hvert tidsskridt.</translation>
-    </message>
-    <message>
-        <source>Change autopilot rate</source>
-        <translation>Ændr autopilotens takt</translation>
-    </message>
-    <message>
-        <source>each time step</source>
-        <translation>hvert tidsskridt</translation>
-    </message>
-    <message>
-        <source>Geofence</source>
-        <translation>Geohegn</translation>
-    </message>
-    <message>
-        <source>UAVs that start clear of its edge stay inside the area.</source>
-        <translation>Droner, der starter fri af kanten, bliver inden for området.</translation>
-    </message>
-    <message>
-        <source>Change geofence</source>
-        <translation>Ændr geohegn</translation>
-    </message>
-    <message>
         <source>Change home</source>
         <translation>Ændr hjemmepunkt</translation>
     </message>
@@ -3294,7 +2530,7 @@
         <translation>Hjem</translation>
     </message>
     <message>
-        <source>It lands elsewhere than it starts.</source>
+        <source>Landing place other than the start.</source>
         <translation>Den lander et andet sted, end den starter.</translation>
     </message>
     <message>
@@ -3306,92 +2542,8 @@
         <translation>%1 fra startstedet</translation>
     </message>
     <message>
-        <source>Home east</source>
-        <translation>Hjem øst</translation>
-    </message>
-    <message>
-        <source>Where it lands, east of the scenario&apos;s origin.</source>
-        <translation>Hvor den lander, øst for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>Home north</source>
-        <translation>Hjem nord</translation>
-    </message>
-    <message>
-        <source>Where it lands, north of the scenario&apos;s origin.</source>
-        <translation>Hvor den lander, nord for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>Turn-around</source>
-        <translation>Vendetid</translation>
-    </message>
-    <message>
-        <source>Time on the ground between landing and the next take-off.</source>
-        <translation>Tid på jorden mellem landing og næste start.</translation>
-    </message>
-    <message>
-        <source>Change turn-around</source>
-        <translation>Ændr vendetid</translation>
-    </message>
-    <message>
-        <source>Drift error</source>
-        <translation>Driftfejl</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the known drift, along each axis: its true drift differs from it by as much.</source>
-        <translation>Standardafvigelse for den kendte drift, langs hver akse: så meget afviger dets sande drift fra den.</translation>
-    </message>
-    <message>
-        <source>Change drift error</source>
-        <translation>Ændr driftfejl</translation>
-    </message>
-    <message>
-        <source>Position error</source>
-        <translation>Positionsfejl</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured position, along each axis.</source>
-        <translation>Standardafvigelse for en målt position, langs hver akse.</translation>
-    </message>
-    <message>
-        <source>Change position error</source>
-        <translation>Ændr positionsfejl</translation>
-    </message>
-    <message>
-        <source>Sensor interval</source>
-        <translation>Sensorinterval</translation>
-    </message>
-    <message>
-        <source>Time between two samples of the sensor, each of which measures what is in view.</source>
-        <translation>Tid mellem to målinger med sensoren, som hver måler det, der er i synsfeltet.</translation>
-    </message>
-    <message>
-        <source>Change sensor interval</source>
-        <translation>Ændr sensorinterval</translation>
-    </message>
-    <message>
-        <source>Detection probability</source>
-        <translation>Detektionssandsynlighed</translation>
-    </message>
-    <message>
-        <source>Chance that one sample shows an iceberg in view.</source>
-        <translation>Sandsynlighed for, at én måling viser et isbjerg i synsfeltet.</translation>
-    </message>
-    <message>
-        <source>Change detection probability</source>
-        <translation>Ændr detektionssandsynlighed</translation>
-    </message>
-    <message>
         <source>Observer</source>
         <translation>Observatør</translation>
-    </message>
-    <message>
-        <source>Exact: an iceberg in view is where it is seen. Filter: noisy measurements, from which position and velocity are estimated, and icebergs can get lost.</source>
-        <translation>Eksakt: et isbjerg i synsfeltet er der, hvor det ses. Filter: målinger med støj, hvorfra position og hastighed estimeres, og isbjerge kan blive mistet.</translation>
-    </message>
-    <message>
-        <source>Change observer</source>
-        <translation>Ændr observatør</translation>
     </message>
     <message>
         <source>exact</source>
@@ -3400,14 +2552,6 @@
     <message>
         <source>Kalman filter</source>
         <translation>Kalmanfilter</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Eftersøgning</translation>
-    </message>
-    <message>
-        <source>Change search</source>
-        <translation>Ændr eftersøgning</translation>
     </message>
     <message>
         <source>none</source>
@@ -3422,120 +2566,8 @@
         <translation>sektorer</translation>
     </message>
     <message>
-        <source>Group nearby icebergs</source>
-        <translation>Gruppér nære isbjerge</translation>
-    </message>
-    <message>
-        <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
-        <translation>Isbjerge, der er plads til i ét synsfelt, planlægges som ét punkt, hvorfra alle ses.</translation>
-    </message>
-    <message>
-        <source>Change grouping of nearby icebergs</source>
-        <translation>Ændr gruppering af nære isbjerge</translation>
-    </message>
-    <message>
-        <source>Longest flight: it is home before that; at 0 it lands only when told to return.</source>
-        <translation>Længste flyvning: den er hjemme inden da; ved 0 lander den kun, når den får ordre til at flyve hjem.</translation>
-    </message>
-    <message>
-        <source>Visited by</source>
-        <translation>Besøges af</translation>
-    </message>
-    <message>
-        <source>The UAV that alone is to visit it.</source>
-        <translation>Den drone, der som den eneste skal besøge det.</translation>
-    </message>
-    <message>
-        <source>Change UAV of an iceberg</source>
-        <translation>Ændr drone for et isbjerg</translation>
-    </message>
-    <message>
         <source>any UAV</source>
         <translation>enhver drone</translation>
-    </message>
-    <message>
-        <source>Separation</source>
-        <translation>Adskillelse</translation>
-    </message>
-    <message>
-        <source>Change separation</source>
-        <translation>Ændr adskillelse</translation>
-    </message>
-    <message>
-        <source>not kept apart</source>
-        <translation>holdes ikke adskilt</translation>
-    </message>
-    <message>
-        <source>Reserve</source>
-        <translation>Reserve</translation>
-    </message>
-    <message>
-        <source>Fixed reserve</source>
-        <translation>Fast reserve</translation>
-    </message>
-    <message>
-        <source>Climb</source>
-        <translation>Stigning</translation>
-    </message>
-    <message>
-        <source>Landing</source>
-        <translation>Landing</translation>
-    </message>
-    <message>
-        <source>Wind limit</source>
-        <translation>Vindgrænse</translation>
-    </message>
-    <message>
-        <source>Gust limit</source>
-        <translation>Vindstødsgrænse</translation>
-    </message>
-    <message>
-        <source>Stand-off ring</source>
-        <translation>Sikkerhedsring</translation>
-    </message>
-    <message>
-        <source>Stand-off ceiling</source>
-        <translation>Øvre grænse for ringen</translation>
-    </message>
-    <message>
-        <source>Floor</source>
-        <translation>Nedre højdegrænse</translation>
-    </message>
-    <message>
-        <source>Ceiling</source>
-        <translation>Øvre højdegrænse</translation>
-    </message>
-    <message>
-        <source>Antenna height</source>
-        <translation>Antennehøjde</translation>
-    </message>
-    <message>
-        <source>Link range</source>
-        <translation>Forbindelsens rækkevidde</translation>
-    </message>
-    <message>
-        <source>Gusts</source>
-        <translation>Vindstød</translation>
-    </message>
-    <message>
-        <source>Temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>Dew point</source>
-        <translation>Dugpunkt</translation>
-    </message>
-    <message>
-        <source>Icing conditions</source>
-        <translation>Isningsforhold</translation>
-    </message>
-    <message>
-        <source>Whether it may be flown below 0 °C in air that is nearly saturated.</source>
-        <translation>Om den må flyves under 0 °C i luft, der er næsten mættet.</translation>
-    </message>
-    <message>
-        <source>Change icing limit</source>
-        <translation>Ændr isningsgrænse</translation>
     </message>
     <message>
         <source>Move ground station</source>
@@ -3546,116 +2578,12 @@
         <translation>Jordstation</translation>
     </message>
     <message>
-        <source>Where the radio link to the UAVs is kept from. Its range is a ring on the map.</source>
+        <source>Position of the radio link to the UAVs. Its range is a ring on the map.</source>
         <translation>Herfra holdes radioforbindelsen til dronerne. Dens rækkevidde er en ring på kortet.</translation>
     </message>
     <message>
         <source>Change ground station</source>
         <translation>Ændr jordstation</translation>
-    </message>
-    <message>
-        <source>Height above the sea.</source>
-        <translation>Højde over havet.</translation>
-    </message>
-    <message>
-        <source>Change antenna height</source>
-        <translation>Ændr antennehøjde</translation>
-    </message>
-    <message>
-        <source>How far the link reaches; at the lowest value to the radio horizon of the antenna and the UAV&apos;s altitude.</source>
-        <translation>Hvor langt forbindelsen rækker; ved den laveste værdi til radiohorisonten for antennen og dronens højde.</translation>
-    </message>
-    <message>
-        <source>Change link range</source>
-        <translation>Ændr forbindelsens rækkevidde</translation>
-    </message>
-    <message>
-        <source>radio horizon</source>
-        <translation>radiohorisont</translation>
-    </message>
-    <message>
-        <source>Station east</source>
-        <translation>Station øst</translation>
-    </message>
-    <message>
-        <source>East of the scenario&apos;s origin.</source>
-        <translation>Øst for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>Station north</source>
-        <translation>Station nord</translation>
-    </message>
-    <message>
-        <source>North of the scenario&apos;s origin.</source>
-        <translation>Nord for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>Part of the endurance that no flight is planned to use.</source>
-        <translation>Den del af udholdenheden, som ingen flyvning planlægges at bruge.</translation>
-    </message>
-    <message>
-        <source>Change reserve</source>
-        <translation>Ændr reserve</translation>
-    </message>
-    <message>
-        <source>A time in place of the percentage.</source>
-        <translation>En tid i stedet for procentdelen.</translation>
-    </message>
-    <message>
-        <source>by percentage</source>
-        <translation>efter procentdel</translation>
-    </message>
-    <message>
-        <source>Time from take-off to the altitude.</source>
-        <translation>Tid fra start til flyvehøjden.</translation>
-    </message>
-    <message>
-        <source>Change climb time</source>
-        <translation>Ændr stigetid</translation>
-    </message>
-    <message>
-        <source>Time from the altitude, over home, to the ground.</source>
-        <translation>Tid fra flyvehøjden, over hjemmepunktet, til jorden.</translation>
-    </message>
-    <message>
-        <source>Change landing time</source>
-        <translation>Ændr landingstid</translation>
-    </message>
-    <message>
-        <source>Strongest wind in which it is flown.</source>
-        <translation>Kraftigste vind, den flyves i.</translation>
-    </message>
-    <message>
-        <source>Change wind limit</source>
-        <translation>Ændr vindgrænse</translation>
-    </message>
-    <message>
-        <source>Strongest gusts in which it is flown.</source>
-        <translation>Kraftigste vindstød, den flyves i.</translation>
-    </message>
-    <message>
-        <source>Change gust limit</source>
-        <translation>Ændr vindstødsgrænse</translation>
-    </message>
-    <message>
-        <source>Change weather</source>
-        <translation>Ændr vejr</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>ikke kendt</translation>
-    </message>
-    <message>
-        <source>Speed of the gusts, compared with the limits of the UAVs.</source>
-        <translation>Vindstødenes fart, sammenlignet med dronernes grænser.</translation>
-    </message>
-    <message>
-        <source>Of the air at the sea.</source>
-        <translation>Luftens, ved havoverfladen.</translation>
-    </message>
-    <message>
-        <source>With the temperature it tells whether ice may form.</source>
-        <translation>Sammen med temperaturen viser det, om der kan dannes is.</translation>
     </message>
     <message>
         <source>do not fly</source>
@@ -3666,47 +2594,11 @@
         <translation>flyvning tilladt</translation>
     </message>
     <message>
-        <source>No UAV comes nearer to it; of a ship, to all of its track.</source>
-        <translation>Ingen drone kommer nærmere; for et skib gælder det hele dets sejlads.</translation>
-    </message>
-    <message>
-        <source>Change stand-off ring</source>
-        <translation>Ændr sikkerhedsring</translation>
-    </message>
-    <message>
-        <source>Above it UAVs may fly over the ring.</source>
-        <translation>Over denne højde må droner flyve hen over ringen.</translation>
-    </message>
-    <message>
-        <source>Change stand-off ceiling</source>
-        <translation>Ændr øvre grænse for ringen</translation>
-    </message>
-    <message>
-        <source>Shown on the map.</source>
-        <translation>Vises på kortet.</translation>
-    </message>
-    <message>
-        <source>UAVs lower than this fly below it.</source>
-        <translation>Droner, der flyver lavere end dette, flyver under det.</translation>
-    </message>
-    <message>
-        <source>Change floor of the no-fly area</source>
-        <translation>Ændr flyveforbudsområdets nedre højdegrænse</translation>
-    </message>
-    <message>
-        <source>UAVs higher than this fly above it.</source>
-        <translation>Droner, der flyver højere end dette, flyver over det.</translation>
-    </message>
-    <message>
-        <source>Change ceiling of the no-fly area</source>
-        <translation>Ændr flyveforbudsområdets øvre højdegrænse</translation>
-    </message>
-    <message>
         <source>Outline</source>
         <translation>Omrids</translation>
     </message>
     <message>
-        <source>Takes the no-fly area off the map.</source>
+        <source>Removes the no-fly area from the map.</source>
         <translation>Fjerner flyveforbudsområdet fra kortet.</translation>
     </message>
     <message>
@@ -3730,35 +2622,11 @@
         <translation>Adskil højderne</translation>
     </message>
     <message>
-        <source>Drift variation</source>
-        <translation>Variation i drift</translation>
-    </message>
-    <message>
-        <source>Standard deviation of its drift in the long run, along each axis, about that of the current. A beacon off Canada: 0.15 m/s.</source>
-        <translation>Standardafvigelse for dets drift på lang sigt, langs hver akse, omkring strømmens. En bøje ud for Canada: 0,15 m/s.</translation>
-    </message>
-    <message>
-        <source>Change drift variation</source>
-        <translation>Ændr variation i drift</translation>
-    </message>
-    <message>
-        <source>Drift changes in</source>
-        <translation>Driften ændrer sig på</translation>
-    </message>
-    <message>
-        <source>Time in which a drift that was known is known no more: it fades to the current. 0: the drift is constant. A beacon off Canada: 36,000 s.</source>
-        <translation>Den tid, hvori en kendt drift ophører med at være kendt: den aftager mod strømmen. 0: driften er konstant. En bøje ud for Canada: 36.000 s.</translation>
-    </message>
-    <message>
-        <source>Change time of drift</source>
-        <translation>Ændr driftens tid</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Fart</translation>
     </message>
     <message>
-        <source>What a ship makes; 0 for a platform.</source>
+        <source>Speed of a ship; 0 for a platform.</source>
         <translation>Et skibs fart; 0 for en platform.</translation>
     </message>
     <message>
@@ -3766,7 +2634,7 @@
         <translation>Kurs</translation>
     </message>
     <message>
-        <source>Where it goes, clockwise from north.</source>
+        <source>Course over ground, clockwise from north.</source>
         <translation>Hvorhen det sejler, med uret fra nord.</translation>
     </message>
     <message>
@@ -3774,7 +2642,7 @@
         <translation>Drift</translation>
     </message>
     <message>
-        <source>Known drift; the current comes on top.</source>
+        <source>Known drift, without the current.</source>
         <translation>Kendt drift; strømmen kommer oveni.</translation>
     </message>
     <message>
@@ -3782,11 +2650,11 @@
         <translation>Driver mod</translation>
     </message>
     <message>
-        <source>Where it drifts to, clockwise from north.</source>
+        <source>Drift direction, clockwise from north.</source>
         <translation>Hvorhen det driver, med uret fra nord.</translation>
     </message>
     <message>
-        <source>In any form; a whole coordinate sets both.</source>
+        <source>Any form; a whole coordinate sets both.</source>
         <translation>I enhver form; en hel koordinat sætter begge.</translation>
     </message>
     <message>
@@ -3794,15 +2662,15 @@
         <translation>Vind</translation>
     </message>
     <message>
-        <source>Always slower than the UAV flies.</source>
-        <translation>Altid langsommere, end dronen flyver.</translation>
+        <source>Must be below the UAV&apos;s airspeed.</source>
+        <translation>Skal være lavere end dronens flyvefart.</translation>
     </message>
     <message>
         <source>Wind from</source>
         <translation>Vind fra</translation>
     </message>
     <message>
-        <source>Where it blows from, clockwise from north.</source>
+        <source>Direction the wind blows from, clockwise from north.</source>
         <translation>Hvorfra den blæser, med uret fra nord.</translation>
     </message>
     <message>
@@ -3822,171 +2690,15 @@
         <translation>Strøm mod</translation>
     </message>
     <message>
-        <source>Where it flows to, clockwise from north.</source>
+        <source>Direction the current flows to, clockwise from north.</source>
         <translation>Hvorhen den løber, med uret fra nord.</translation>
-    </message>
-    <message>
-        <source>Pattern that finds an iceberg which was not where it was believed to be.</source>
-        <translation>Mønster til at finde et isbjerg, der ikke var, hvor det ventedes.</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Margen</translation>
-    </message>
-    <message>
-        <source>Round all places that a plan may lead to, for turns and changes of the plan. With a geofence it is not used.</source>
-        <translation>Omkring alle steder, som en plan kan føre til, af hensyn til drej og ændringer af planen. Med geohegn bruges den ikke.</translation>
-    </message>
-    <message>
-        <source>UAV size</source>
-        <translation>Dronens størrelse</translation>
-    </message>
-    <message>
-        <source>Largest dimension of a UAV, half of it widens the ground-risk buffer.</source>
-        <translation>Største mål på en drone; halvdelen af det gør jordrisikobufferen bredere.</translation>
-    </message>
-    <message>
-        <source>Satellite position error</source>
-        <translation>Fejl i satellitposition</translation>
-    </message>
-    <message>
-        <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
-        <translation>Del af beredskabsvolumenets bredde. Kilde: Digisky 3.3.0, efter vejledningen fra schweiziske FOCA: 3 m.</translation>
-    </message>
-    <message>
-        <source>Path-keeping error</source>
-        <translation>Fejl i banefølgning</translation>
-    </message>
-    <message>
-        <source>Of the autopilot, likewise. Same source: 3 m.</source>
-        <translation>Autopilotens, ligeledes. Samme kilde: 3 m.</translation>
-    </message>
-    <message>
-        <source>Map error</source>
-        <translation>Kortfejl</translation>
-    </message>
-    <message>
-        <source>Likewise. Same source: 1 m.</source>
-        <translation>Ligeledes. Samme kilde: 1 m.</translation>
-    </message>
-    <message>
-        <source>Reaction time</source>
-        <translation>Reaktionstid</translation>
-    </message>
-    <message>
-        <source>At full speed until something is done. Same source: 1 s.</source>
-        <translation>Ved fuld fart, indtil der gøres noget. Samme kilde: 1 s.</translation>
-    </message>
-    <message>
-        <source>Bank of the turn back</source>
-        <translation>Krængning i drejet tilbage</translation>
-    </message>
-    <message>
-        <source>Radius v²/(g tan bank). Same source: 30°.</source>
-        <translation>Radius v²/(g tan krængning). Samme kilde: 30°.</translation>
-    </message>
-    <message>
-        <source>Height error</source>
-        <translation>Højdefejl</translation>
-    </message>
-    <message>
-        <source>Part of the height of the contingency volume. Same source: 4 m.</source>
-        <translation>Del af beredskabsvolumenets højde. Samme kilde: 4 m.</translation>
-    </message>
-    <message>
-        <source>Climb part</source>
-        <translation>Stigeandel</translation>
-    </message>
-    <message>
-        <source>Part of the speed that leads upwards during the reaction time. Same source: 0.707, a climb of 45°.</source>
-        <translation>Den del af farten, der fører opad i reaktionstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
-    </message>
-    <message>
-        <source>Pull-up part</source>
-        <translation>Udretningsandel</translation>
-    </message>
-    <message>
-        <source>Part of v²/g that levelling out takes. Same source: 0.3.</source>
-        <translation>Den del af v²/g, som udretning til vandret flyvning kræver. Samme kilde: 0,3.</translation>
-    </message>
-    <message>
-        <source>Buffer ratio</source>
-        <translation>Bufferforhold</translation>
-    </message>
-    <message>
-        <source>Width of the ground-risk buffer by the height of the contingency volume. Same source: 1, the rule 1:1.</source>
-        <translation>Jordrisikobufferens bredde divideret med beredskabsvolumenets højde. Samme kilde: 1, reglen 1:1.</translation>
-    </message>
-    <message>
-        <source>Adjacent area, time</source>
-        <translation>Tilstødende område, tid</translation>
-    </message>
-    <message>
-        <source>Of flight at full speed. Same source: 180 s.</source>
-        <translation>Flyvetid ved fuld fart. Samme kilde: 180 s.</translation>
-    </message>
-    <message>
-        <source>Adjacent area, least</source>
-        <translation>Tilstødende område, mindst</translation>
-    </message>
-    <message>
-        <source>Same source: 5 km.</source>
-        <translation>Samme kilde: 5 km.</translation>
-    </message>
-    <message>
-        <source>Adjacent area, most</source>
-        <translation>Tilstødende område, højst</translation>
-    </message>
-    <message>
-        <source>Same source: 35 km.</source>
-        <translation>Samme kilde: 35 km.</translation>
-    </message>
-    <message>
-        <source>Crew</source>
-        <translation>Besætning</translation>
-    </message>
-    <message>
-        <source>Who flies, printed in the flight brief; empty: a blank line.</source>
-        <translation>Hvem der flyver; udskrives i flyvebriefingen; tomt: en blank linje.</translation>
-    </message>
-    <message>
-        <source>Call sign</source>
-        <translation>Kaldesignal</translation>
-    </message>
-    <message>
-        <source>Likewise.</source>
-        <translation>Ligeledes.</translation>
-    </message>
-    <message>
-        <source>Contacts</source>
-        <translation>Kontakter</translation>
-    </message>
-    <message>
-        <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
-        <translation>Skib, lufttrafiktjeneste, redningstjeneste: navne, numre, frekvenser.</translation>
-    </message>
-    <message>
-        <source>Command link</source>
-        <translation>Kommandolink</translation>
-    </message>
-    <message>
-        <source>How the UAVs are commanded, and what they do without it.</source>
-        <translation>Hvordan dronerne styres, og hvad de gør uden den.</translation>
-    </message>
-    <message>
-        <source>Checklist</source>
-        <translation>Tjekliste</translation>
-    </message>
-    <message>
-        <source>One line for each item, printed with a box to tick.</source>
-        <translation>Én linje pr. punkt; udskrives med et felt til afkrydsning.</translation>
     </message>
     <message>
         <source>Change operation</source>
         <translation>Ændr operation</translation>
     </message>
     <message>
-        <source>Airspace that the operation may enter becomes no-fly areas: then the UAVs keep out of it.</source>
+        <source>Makes airspace that the operation may enter no-fly areas, so that the UAVs stay out of it.</source>
         <translation>Luftrum, som operationen kan komme ind i, bliver til flyveforbudsområder: så holder dronerne sig uden for det.</translation>
     </message>
     <message>
@@ -3994,7 +2706,7 @@
         <translation>Gør berørt luftrum til flyveforbudsområder</translation>
     </message>
     <message>
-        <source>All of it; undo brings it back.</source>
+        <source>Removes all airspace. Undo restores it.</source>
         <translation>Det hele; Fortryd henter det tilbage.</translation>
     </message>
     <message>
@@ -4006,7 +2718,7 @@
         <translation>Operationsvolumen</translation>
     </message>
     <message>
-        <source>Proposal for an application for a permit, to be checked with your authority: on the map, in KML and GeoJSON, and as a second page of the flight brief.</source>
+        <source>Proposed volume for a permit application; check it with your authority. Shown on the map, in KML and GeoJSON, and on a second page of the flight brief.</source>
         <translation>Forslag til en ansøgning om tilladelse, som skal afklares med myndigheden: på kortet, i KML og GeoJSON og som side to i flyvebriefingen.</translation>
     </message>
     <message>
@@ -4024,10 +2736,6 @@ Tilstødende område %4</translation>
     <message>
         <source>and %1 more</source>
         <translation>og %1 til</translation>
-    </message>
-    <message>
-        <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
-        <translation>Dato og klokkeslæt for start, som 2026-11-29 12:00 eller 29 Nov 2026 12:00; 1200Z beholder datoen. Tomt: tiderne er relative.</translation>
     </message>
     <message>
         <source>Position and course</source>
@@ -4090,7 +2798,7 @@ Tilstødende område %4</translation>
         <translation>95 % inden for</translation>
     </message>
     <message>
-        <source>With 95 % the iceberg was inside a circle of this radius when it was last seen: the square root of 5.99 σ₀.</source>
+        <source>When last seen, the iceberg was within this radius with a probability of 95 %: the square root of 5.99 σ₀.</source>
         <translation>Med 95 % var isbjerget inden for en cirkel med denne radius, da det sidst blev set: kvadratroden af 5,99 σ₀.</translation>
     </message>
     <message>
@@ -4098,7 +2806,7 @@ Tilstødende område %4</translation>
         <translation>Set med</translation>
     </message>
     <message>
-        <source>Sets the uncertainty to the usual one of this source, for icebergs placed from now on as well.</source>
+        <source>Sets the usual uncertainty of this source, also for icebergs placed later.</source>
         <translation>Sætter usikkerheden til den sædvanlige for denne kilde, også for isbjerge, der placeres fra nu af.</translation>
     </message>
     <message>
@@ -4106,192 +2814,55 @@ Tilstødende område %4</translation>
         <translation>som skrevet</translation>
     </message>
     <message>
-        <source>UAVs are kept so far from each other, unless their altitudes are %1 apart.</source>
-        <translation>Droner holdes så langt fra hinanden, medmindre der er %1 forskel på deres højder.</translation>
-    </message>
-    <message>
         <source>Raises UAVs until their altitudes are %1 apart, so that none has to wait for another.</source>
         <translation>Hæver droner, indtil der er %1 forskel på deres højder, så ingen skal vente på en anden.</translation>
     </message>
     <message>
-        <source>Height above the sea: UAVs that are %1 apart in it pass each other.</source>
-        <translation>Højde over havet: droner med %1 højdeforskel går fri af hinanden.</translation>
+        <source>Change %1</source>
+        <translation>Ændr %1</translation>
+    </message>
+</context>
+<context>
+    <name>InterventionText</name>
+    <message>
+        <source>Change policy</source>
+        <translation>Ændr strategi</translation>
+    </message>
+    <message>
+        <source>Change wind</source>
+        <translation>Ændr vind</translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Flyt objekt</translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Tilføj isbjerg</translation>
+    </message>
+    <message>
+        <source>Report sighting</source>
+        <translation>Meld observation</translation>
+    </message>
+    <message>
+        <source>Remove icebergs</source>
+        <translation>Fjern isbjerge</translation>
+    </message>
+    <message>
+        <source>Assign iceberg</source>
+        <translation>Tildel isbjerg</translation>
+    </message>
+    <message>
+        <source>Order UAV</source>
+        <translation>Giv dronen en ordre</translation>
+    </message>
+    <message>
+        <source>Change trade-off</source>
+        <translation>Ændr afvejning</translation>
     </message>
 </context>
 <context>
     <name>IssueText</name>
-    <message>
-        <source>%1 must be UTF-8 text.</source>
-        <translation>%1 skal være UTF-8-tekst.</translation>
-    </message>
-    <message>
-        <source>%1 must be a finite number.</source>
-        <translation>%1 skal være et endeligt tal.</translation>
-    </message>
-    <message>
-        <source>The wind must be two finite numbers.</source>
-        <translation>Vinden skal være to endelige tal.</translation>
-    </message>
-    <message>
-        <source>%1 must be from %2 to %3, not %4.</source>
-        <translation>%1 skal være fra %2 til %3, ikke %4.</translation>
-    </message>
-    <message>
-        <source>%1 must be above %2 and at most %3, not %4.</source>
-        <translation>%1 skal være over %2 og højst %3, ikke %4.</translation>
-    </message>
-    <message>
-        <source>The start must be a UTC date and time such as 2024-05-01T06:00:00Z.</source>
-        <translation>Starten skal være en dato og et klokkeslæt i UTC, f.eks. 2024-05-01T06:00:00Z.</translation>
-    </message>
-    <message>
-        <source>The area must have from 3 to %2 corners, not %3.</source>
-        <translation>Området skal have fra 3 til %2 hjørner, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The area must neither touch nor cross itself.</source>
-        <translation>Området må hverken røre eller krydse sig selv.</translation>
-    </message>
-    <message>
-        <source>The id must not be empty.</source>
-        <translation>Id&apos;et må ikke være tomt.</translation>
-    </message>
-    <message>
-        <source>The id &quot;%2&quot; is taken already.</source>
-        <translation>Id&apos;et »%2« er allerede optaget.</translation>
-    </message>
-    <message>
-        <source>A scenario holds from 1 to %2 UAVs, not %3.</source>
-        <translation>Et scenarie rummer fra 1 til %2 droner, ikke %3.</translation>
-    </message>
-    <message>
-        <source>A scenario holds at most %2 icebergs, not %3.</source>
-        <translation>Et scenarie rummer højst %2 isbjerge, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The recorded track must have from 2 to %2 points, not %3.</source>
-        <translation>Det registrerede spor skal have fra 2 til %2 punkter, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The recorded track has %2 times, but %3 places.</source>
-        <translation>Det registrerede spor har %2 tider, men %3 steder.</translation>
-    </message>
-    <message>
-        <source>The times of the recorded track must rise.</source>
-        <translation>Tiderne i det registrerede spor skal være stigende.</translation>
-    </message>
-    <message>
-        <source>There are %2 more errors.</source>
-        <translation>Der er %2 fejl mere.</translation>
-    </message>
-    <message>
-        <source>The time step must not be longer than the run.</source>
-        <translation>Tidsskridtet må ikke være længere end flyvningen.</translation>
-    </message>
-    <message>
-        <source>With a limited endurance, the time between two commands of the autopilot must be at most %2, not %3.</source>
-        <translation>Med begrænset udholdenhed må tiden mellem to kommandoer fra autopiloten højst være %2, ikke %3.</translation>
-    </message>
-    <message>
-        <source>A geofence has at most %2 corners, not %3.</source>
-        <translation>Et geohegn har højst %2 hjørner, ikke %3.</translation>
-    </message>
-    <message>
-        <source>There is no UAV &quot;%2&quot; in this scenario.</source>
-        <translation>Der er ingen drone »%2« i dette scenarie.</translation>
-    </message>
-    <message>
-        <source>The sensor interval must not be shorter than the time step.</source>
-        <translation>Sensorintervallet må ikke være kortere end tidsskridtet.</translation>
-    </message>
-    <message>
-        <source>Drifts so fast that the UAV may not catch up with it.</source>
-        <translation>Driver så hurtigt, at dronen måske ikke kan indhente det.</translation>
-    </message>
-    <message>
-        <source>The UAV will make little way against this wind.</source>
-        <translation>Dronen vil næsten ikke komme frem mod denne vind.</translation>
-    </message>
-    <message>
-        <source>There are no icebergs yet, so there is nothing to plan.</source>
-        <translation>Der er ingen isbjerge endnu, så der er intet at planlægge.</translation>
-    </message>
-    <message>
-        <source>Appears after the end of the run, so it is never planned.</source>
-        <translation>Dukker op efter flyvningens slutning, så det bliver aldrig planlagt.</translation>
-    </message>
-    <message>
-        <source>The endurance is too short for the path to the nearest iceberg and back.</source>
-        <translation>Udholdenheden er for kort til vejen til det nærmeste isbjerg og tilbage.</translation>
-    </message>
-    <message>
-        <source>Starts outside the area.</source>
-        <translation>Starter uden for området.</translation>
-    </message>
-    <message>
-        <source>The turn radius is larger than half the field of view, so that an iceberg may be missed.</source>
-        <translation>Drejeradius er større end det halve synsfelt, så et isbjerg kan blive overset.</translation>
-    </message>
-    <message>
-        <source>The radius that counts as reached is smaller than the turn radius, so that the UAV flies on and comes back.</source>
-        <translation>Den radius, der tæller som nået, er mindre end drejeradius, så dronen flyver videre og kommer tilbage.</translation>
-    </message>
-    <message>
-        <source>Lies outside the area.</source>
-        <translation>Ligger uden for området.</translation>
-    </message>
-    <message>
-        <source>Drifts out of the area before the end of the run.</source>
-        <translation>Driver ud af området før flyvningens slutning.</translation>
-    </message>
-    <message>
-        <source>Lies where another iceberg lies. Is it the same one?</source>
-        <translation>Ligger, hvor et andet isbjerg ligger. Er det det samme?</translation>
-    </message>
-    <message>
-        <source>So far away that the UAV cannot get there before the end of the run.</source>
-        <translation>Så langt væk, at dronen ikke kan nå derhen før flyvningens slutning.</translation>
-    </message>
-    <message>
-        <source>The run is over before the UAV can get to the first iceberg.</source>
-        <translation>Flyvningen er slut, før dronen kan nå det første isbjerg.</translation>
-    </message>
-    <message>
-        <source>Drifts faster than icebergs do. Is the unit right?</source>
-        <translation>Driver hurtigere, end isbjerge gør. Er enheden rigtig?</translation>
-    </message>
-    <message>
-        <source>Its recorded track ends before the run does; from then on it stands still.</source>
-        <translation>Dets registrerede spor slutter før flyvningen; derefter ligger det stille.</translation>
-    </message>
-    <message>
-        <source>Its recorded track begins so far from the estimate that the UAV will not see it there.</source>
-        <translation>Dets registrerede spor begynder så langt fra estimatet, at dronen ikke vil se det der.</translation>
-    </message>
-    <message>
-        <source>The asset lies inside an iceberg.</source>
-        <translation>Objektet ligger inde i et isbjerg.</translation>
-    </message>
-    <message>
-        <source>No iceberg is uncertain at the start, so distance alone makes the first plan.</source>
-        <translation>Intet isbjerg er usikkert ved starten, så distancen alene bestemmer den første plan.</translation>
-    </message>
-    <message>
-        <source>More icebergs than can be proven optimal; the plan comes with a bound.</source>
-        <translation>Flere isbjerge, end der kan bevises optimum for; planen kommer med en grænse.</translation>
-    </message>
-    <message>
-        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
-        <translation>Denne løser kan ikke planlægge så mange isbjerge. Vælg Automatisk.</translation>
-    </message>
-    <message>
-        <source>Proving the optimum of so many icebergs can take a minute and more.</source>
-        <translation>At bevise optimum for så mange isbjerge kan tage et minut eller mere.</translation>
-    </message>
-    <message>
-        <source>The wind must be slower than the UAV flies.</source>
-        <translation>Vinden skal være langsommere, end dronen flyver.</translation>
-    </message>
     <message numerus="yes">
         <source>%n errors</source>
         <translation>
@@ -4312,118 +2883,6 @@ Tilstødende område %4</translation>
             <numerusform>%n tip</numerusform>
             <numerusform>%n tip</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Icebergs outside the area are not monitored; the UAV may fly beyond it.</source>
-        <translation>Isbjerge uden for området overvåges ikke; dronen kan flyve uden for det.</translation>
-    </message>
-    <message>
-        <source>The endurance is too short for the path home from the start.</source>
-        <translation>Udholdenheden er for kort til vejen hjem fra startstedet.</translation>
-    </message>
-    <message>
-        <source>Without a limited endurance, home is used only when you order a return or export with the return home.</source>
-        <translation>Uden begrænset udholdenhed bruges hjemmepunktet kun, når du beordrer hjemflyvning eller eksporterer med hjemflyvning.</translation>
-    </message>
-    <message>
-        <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
-        <translation>Tiden mellem to kommandoer fra autopiloten er for lang til, at dronen kan følge en etape.</translation>
-    </message>
-    <message>
-        <source>A geofence needs an area.</source>
-        <translation>Et geohegn kræver et område.</translation>
-    </message>
-    <message>
-        <source>Must be inside the area, which is a geofence.</source>
-        <translation>Skal være inden for området, som er et geohegn.</translation>
-    </message>
-    <message>
-        <source>This policy plans icebergs one by one; nearby icebergs are not grouped.</source>
-        <translation>Denne strategi planlægger isbjerge ét for ét; nære isbjerge grupperes ikke.</translation>
-    </message>
-    <message>
-        <source>A scenario holds at most %2 no-fly areas, not %3.</source>
-        <translation>Et scenarie rummer højst %2 flyveforbudsområder, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The ceiling must be above the floor.</source>
-        <translation>Den øvre højdegrænse skal være over den nedre.</translation>
-    </message>
-    <message>
-        <source>The endurance must be longer than reserve, climb and landing together.</source>
-        <translation>Udholdenheden skal være længere end reserve, stigning og landing tilsammen.</translation>
-    </message>
-    <message>
-        <source>The wind is above the limit of this UAV: %2, limit %3.</source>
-        <translation>Vinden er over grænsen for denne drone: %2, grænse %3.</translation>
-    </message>
-    <message>
-        <source>The gusts are above the limit of this UAV: %2, limit %3.</source>
-        <translation>Vindstødene er over grænsen for denne drone: %2, grænse %3.</translation>
-    </message>
-    <message>
-        <source>Icing conditions at its altitude: not for this UAV.</source>
-        <translation>Isningsforhold i dens højde: ikke for denne drone.</translation>
-    </message>
-    <message>
-        <source>The plan leads out of the range of the ground station for %2.</source>
-        <translation>Planen fører uden for jordstationens rækkevidde i %2.</translation>
-    </message>
-    <message>
-        <source>With the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %2 corners, not %3.</source>
-        <translation>Sammen med geohegnet og sikkerhedsringen har flyveforbudsområderne i en drones højde højst %2 hjørner, ikke %3.</translation>
-    </message>
-    <message>
-        <source>Must be outside the no-fly area &quot;%2&quot;.</source>
-        <translation>Skal være uden for flyveforbudsområdet »%2«.</translation>
-    </message>
-    <message>
-        <source>Must be outside the stand-off ring round the asset.</source>
-        <translation>Skal være uden for sikkerhedsringen omkring objektet.</translation>
-    </message>
-    <message>
-        <source>In flight, the velocity&apos;s deviation counts with the Kalman filter only.</source>
-        <translation>Under flyvning tæller hastighedens standardafvigelse kun med Kalmanfilteret.</translation>
-    </message>
-    <message>
-        <source>Home is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home.</source>
-        <translation>Hjemmepunktet ligger så tæt på geohegnet eller et flyveforbudsområde, at dronen ikke kan starte der igen og være sikker på at komme hjem.</translation>
-    </message>
-    <message>
-        <source>For its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe.</source>
-        <translation>Med sin kurs har dronen ingen vej hjem inden for geohegnet og uden om flyveforbudsområder fra sit startsted: ingen start er sikker.</translation>
-    </message>
-    <message>
-        <source>The UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time.</source>
-        <translation>Dronen starter med sin kurs så tæt på geohegnet eller et flyveforbudsområde, at den ikke kan nå at dreje.</translation>
-    </message>
-    <message>
-        <source>So near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to.</source>
-        <translation>Så tæt på geohegnet, eller i et flyveforbudsområde, at dronen ikke kan komme så tæt på, som den skal.</translation>
-    </message>
-    <message>
-        <source>This policy plans without geofence and no-fly areas; they are kept in flight.</source>
-        <translation>Denne strategi planlægger uden geohegn og flyveforbudsområder; de overholdes under flyvningen.</translation>
-    </message>
-    <message>
-        <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
-        <translation>Acceptradius er større end det halve synsfelt, så isbjerge, der ikke er set, tæller som nået.</translation>
-    </message>
-    <message>
-        <source>On the way home this UAV may have to wait %2 for others of its altitude layer, longer than its reserve. Separate altitudes, or a greater reserve, avoid it.</source>
-        <translation>På vej hjem kan denne drone blive nødt til at vente %2 på andre i sit højdelag, længere end dens reserve. Adskilte højder eller en større reserve undgår det.</translation>
-    </message>
-    <message>
-        <source>Other UAVs of this altitude layer land on the same pad, so this UAV is planned home %2 early, in a recovery slot of its own. Separate altitudes or pads avoid it.</source>
-        <translation>Andre droner i dette højdelag lander på samme plads, så denne drone er planlagt hjem %2 før tiden, i sit eget landingsvindue. Forskellige højder eller pladser undgår det.</translation>
-    </message>
-    <message>
-        <source>With these drifts and a round of %2 minutes, %3 of %4 icebergs will be out of view at the next visit.</source>
-        <translation>Med denne drift og en runde på %2 minutter vil %3 af %4 isbjerge være ude af syne ved næste besøg.</translation>
-    </message>
-    <message>
-        <source>Seen %2 h ago: may be %3 away (%4 × the field of view).</source>
-        <translation>Set for %2 t siden: kan være %3 væk (%4 × synsfeltet).</translation>
     </message>
     <message>
         <source>line %1, column %2: %3</source>
@@ -4694,10 +3153,6 @@ Tilstødende område %4</translation>
         <translation>intet importformat »%1«; der findes %2</translation>
     </message>
     <message>
-        <source>is of no known format, and no columns for latitude and longitude are named; known formats: %1</source>
-        <translation>har intet kendt format, og ingen kolonner for bredde og længde er angivet; kendte formater: %1</translation>
-    </message>
-    <message>
         <source>columns of the format %1 cannot be mapped</source>
         <translation>kolonner i formatet %1 kan ikke vælges</translation>
     </message>
@@ -4764,14 +3219,6 @@ Tilstødende område %4</translation>
     <message>
         <source>has no position</source>
         <translation>har ingen position</translation>
-    </message>
-    <message>
-        <source>latitude is no number from -90 to 90</source>
-        <translation>bredden er ikke et tal fra -90 til 90</translation>
-    </message>
-    <message>
-        <source>longitude is no number from -180 to 360</source>
-        <translation>længden er ikke et tal fra -180 til 360</translation>
     </message>
     <message>
         <source>a number is out of range</source>
@@ -4942,14 +3389,6 @@ Tilstødende område %4</translation>
         <translation>angiver et isbjerg, men flyvningen har ingen</translation>
     </message>
     <message>
-        <source>A scenario holds at most %2 airspace areas, not %3.</source>
-        <translation>Et scenarie rummer højst %2 luftrumsområder, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The operation may enter the airspace &quot;%2&quot;, which begins at %3.</source>
-        <translation>Operationen kan komme ind i luftrummet »%2«, som begynder i %3 højde.</translation>
-    </message>
-    <message>
         <source>is no airspace: neither OpenAir nor GeoJSON</source>
         <translation>er ikke luftrum: hverken OpenAir eller GeoJSON</translation>
     </message>
@@ -4960,10 +3399,6 @@ Tilstødende område %4</translation>
     <message>
         <source>airspace left out: a place or an arc cannot be read</source>
         <translation>luftrum udeladt: et sted eller en bue kan ikke læses</translation>
-    </message>
-    <message>
-        <source>airspace left out: its outline touches or crosses itself, has too many corners, or the ceiling is not above the floor</source>
-        <translation>luftrum udeladt: omridset rører eller krydser sig selv, har for mange hjørner, eller den øvre højdegrænse er ikke over den nedre</translation>
     </message>
     <message>
         <source>there is no folder %1</source>
@@ -5018,10 +3453,6 @@ Tilstødende område %4</translation>
         <translation>skal være et endeligt tal</translation>
     </message>
     <message>
-        <source>must be two finite numbers</source>
-        <translation>skal være to endelige tal</translation>
-    </message>
-    <message>
         <source>must be from %1 to %2, not %3</source>
         <translation>skal være fra %1 til %2, ikke %3</translation>
     </message>
@@ -5034,76 +3465,24 @@ Tilstødende område %4</translation>
         <translation>skal være en dato og et klokkeslæt i UTC, f.eks. 2024-05-01T06:00:00Z</translation>
     </message>
     <message>
-        <source>must have from 3 to %1 corners, not %2</source>
-        <translation>skal have fra 3 til %1 hjørner, ikke %2</translation>
-    </message>
-    <message>
-        <source>must be a polygon that neither touches nor crosses itself</source>
-        <translation>skal være en polygon, der hverken rører eller krydser sig selv</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 areas, not %2</source>
-        <translation>må højst have %1 områder, ikke %2</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 airspaces, not %2</source>
-        <translation>må højst have %1 luftrumsområder, ikke %2</translation>
-    </message>
-    <message>
         <source>must not be empty</source>
         <translation>må ikke være tom</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is the id of %2 already</source>
-        <translation>»%1« er allerede id&apos;et for %2</translation>
-    </message>
-    <message>
-        <source>must hold from 1 to %1 UAVs, not %2</source>
-        <translation>skal have fra 1 til %1 droner, ikke %2</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 icebergs, not %2</source>
-        <translation>må højst have %1 isbjerge, ikke %2</translation>
     </message>
     <message>
         <source>must have from 2 to %1 entries, not %2</source>
         <translation>skal have fra 2 til %1 værdier, ikke %2</translation>
     </message>
     <message>
-        <source>must have one entry for each of time_s: %1, not %2</source>
-        <translation>skal have én værdi for hver i time_s: %1, ikke %2</translation>
-    </message>
-    <message>
         <source>must be later than the entry before</source>
         <translation>skal være senere end værdien før</translation>
-    </message>
-    <message>
-        <source>and %1 more faults</source>
-        <translation>og %1 fejl mere</translation>
-    </message>
-    <message>
-        <source>must not be longer than duration_s</source>
-        <translation>må ikke være længere end duration_s</translation>
     </message>
     <message>
         <source>must be at most %1 where the endurance is limited, not %2</source>
         <translation>må højst være %1, når udholdenheden er begrænset, ikke %2</translation>
     </message>
     <message>
-        <source>needs an area, area_m, to stay inside</source>
-        <translation>kræver et område, area_m, at holde sig inden for</translation>
-    </message>
-    <message>
-        <source>must have at most %1 corners to be a geofence, not %2</source>
-        <translation>må højst have %1 hjørner som geohegn, ikke %2</translation>
-    </message>
-    <message>
         <source>must be inside the area, which is a geofence</source>
         <translation>skal ligge inden for området, som er et geohegn</translation>
-    </message>
-    <message>
-        <source>must have, with the geofence and the stand-off ring, at most %1 corners at the altitude of a UAV, not %2</source>
-        <translation>må sammen med geohegnet og sikkerhedsringen højst have %1 hjørner i en drones højde, ikke %2</translation>
     </message>
     <message>
         <source>must be outside the no-fly area &quot;%1&quot;</source>
@@ -5114,52 +3493,8 @@ Tilstødende område %4</translation>
         <translation>skal ligge uden for sikkerhedsringen omkring objektet</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is the id of no UAV of this scenario</source>
-        <translation>»%1« er ikke id&apos;et på en drone i dette scenarie</translation>
-    </message>
-    <message>
-        <source>must be slower than the UAV flies: wind of %1 m/s, airspeed of %2 %3 m/s</source>
-        <translation>skal være svagere end dronens fart: vind på %1 m/s, flyvefart for %2 %3 m/s</translation>
-    </message>
-    <message>
-        <source>the UAV will make little way against it: wind of %1 m/s, airspeed of %2 %3 m/s</source>
-        <translation>dronen vil næsten ikke komme frem mod den: vind på %1 m/s, flyvefart for %2 %3 m/s</translation>
-    </message>
-    <message>
         <source>drifts so fast that the UAV may not catch up with it</source>
         <translation>driver så hurtigt, at dronen måske ikke kan indhente det</translation>
-    </message>
-    <message>
-        <source>must not be shorter than the time step dt_s</source>
-        <translation>må ikke være kortere end tidsskridtet dt_s</translation>
-    </message>
-    <message>
-        <source>must be above the floor of %1 m, not %2 m</source>
-        <translation>skal ligge over den nedre højdegrænse på %1 m, ikke %2 m</translation>
-    </message>
-    <message>
-        <source>must be longer than reserve, climb and landing: %1 s, not above %2 s</source>
-        <translation>skal være længere end reserve, stigning og landing: %1 s, ikke over %2 s</translation>
-    </message>
-    <message>
-        <source>none yet, so there is nothing to plan</source>
-        <translation>ingen endnu, så der er intet at planlægge</translation>
-    </message>
-    <message>
-        <source>is after the end of the run</source>
-        <translation>er efter flyvningens slutning</translation>
-    </message>
-    <message>
-        <source>icebergs outside it are not monitored; the UAV may fly beyond it</source>
-        <translation>isbjerge uden for det overvåges ikke; dronen må flyve ud over det</translation>
-    </message>
-    <message>
-        <source>is used in flight with the observer kalman only</source>
-        <translation>bruges under flyvning kun med observatøren kalman</translation>
-    </message>
-    <message>
-        <source>%1 h old: may be %2 m away (%3 x the field of view)</source>
-        <translation>%1 t gammelt: kan være %2 m væk (%3 x synsfeltet)</translation>
     </message>
     <message>
         <source>with these drifts and a round of %1 minutes, %2 of %3 icebergs will be out of view at the next visit</source>
@@ -5170,10 +3505,6 @@ Tilstødende område %4</translation>
         <translation>er for kort til vejen hjem fra startstedet</translation>
     </message>
     <message>
-        <source>is too short for the path to the nearest iceberg and back</source>
-        <translation>er for kort til vejen til det nærmeste isbjerg og tilbage</translation>
-    </message>
-    <message>
         <source>is used, without a limited endurance, only when you order a return or export with the return home</source>
         <translation>bruges, uden begrænset udholdenhed, kun når du beordrer hjemflyvning eller eksporterer med hjemflyvning</translation>
     </message>
@@ -5182,60 +3513,8 @@ Tilstødende område %4</translation>
         <translation>er så tæt på geohegnet eller et flyveforbudsområde, at dronen ikke kan starte der igen og være sikker på at komme hjem</translation>
     </message>
     <message>
-        <source>has, for this heading, no path home inside the geofence and outside no-fly areas, so that no start is safe</source>
-        <translation>har med denne kurs ingen vej hjem inden for geohegnet og uden om flyveforbudsområder, så ingen start er sikker</translation>
-    </message>
-    <message>
-        <source>is so near the geofence or a no-fly area, for this heading, that the UAV cannot turn in time</source>
-        <translation>er med denne kurs så tæt på geohegnet eller et flyveforbudsområde, at dronen ikke kan nå at dreje</translation>
-    </message>
-    <message>
-        <source>is so near the geofence or in a no-fly area that the UAV, to be within the acceptance radius, cannot be sent there</source>
-        <translation>er så tæt på geohegnet, eller i et flyveforbudsområde, at dronen ikke kan sendes derhen for at komme inden for acceptradius</translation>
-    </message>
-    <message>
-        <source>is so long between two commands that the UAV cannot follow a leg</source>
-        <translation>er så lang mellem to kommandoer, at dronen ikke kan følge en etape</translation>
-    </message>
-    <message>
-        <source>must not be exceeded: wind of %1 m/s, limit %2 m/s</source>
-        <translation>må ikke overskrides: vind på %1 m/s, grænse %2 m/s</translation>
-    </message>
-    <message>
-        <source>must not be exceeded: gusts of %1 m/s, limit %2 m/s</source>
-        <translation>må ikke overskrides: vindstød på %1 m/s, grænse %2 m/s</translation>
-    </message>
-    <message>
-        <source>the UAV must not be flown in icing conditions, which this weather brings</source>
-        <translation>dronen må ikke flyves i isningsforhold, som dette vejr giver</translation>
-    </message>
-    <message>
-        <source>is less reserve than waiting for the other UAVs of the altitude layer may take, %1 s</source>
-        <translation>er mindre reserve, end det kan tage at vente på de andre droner i højdelaget, %1 s</translation>
-    </message>
-    <message>
-        <source>keeps %1 s free for its recovery slot: other UAVs of the altitude layer land on the same pad</source>
-        <translation>anvendes undtagen de sidste %1 s: andre droner i højdelaget lander på samme plads, så hver er planlagt hjem i sit eget landingsvindue</translation>
-    </message>
-    <message>
-        <source>in one flight of twenty %1 s of the reserve are used to come home</source>
-        <translation>i én flyvning ud af tyve bruges %1 s af reserven på at komme hjem</translation>
-    </message>
-    <message>
-        <source>the plan leads out of the range of the ground station for %1 s</source>
-        <translation>planen fører uden for jordstationens rækkevidde i %1 s</translation>
-    </message>
-    <message>
-        <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2 m</source>
-        <translation>operationen kan komme ind i luftrummet »%1«, som begynder i %2 m højde</translation>
-    </message>
-    <message>
         <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
         <translation>denne strategi planlægger uden geohegn og flyveforbudsområder; de overholdes under flyvningen</translation>
-    </message>
-    <message>
-        <source>the UAV starts outside the area</source>
-        <translation>dronen starter uden for området</translation>
     </message>
     <message>
         <source>the turn radius is larger than half the field of view, so that an iceberg may be missed</source>
@@ -5258,14 +3537,6 @@ Tilstødende område %4</translation>
         <translation>driver ud af området, før flyvningen er slut</translation>
     </message>
     <message>
-        <source>lies where another iceberg lies: the same one?</source>
-        <translation>ligger, hvor et andet isbjerg ligger: det samme?</translation>
-    </message>
-    <message>
-        <source>is so far away that the UAV cannot get there before the end of the run</source>
-        <translation>er så langt væk, at dronen ikke kan nå derhen, før flyvningen er slut</translation>
-    </message>
-    <message>
         <source>is over before the UAV can get to the first iceberg</source>
         <translation>er slut, før dronen kan nå frem til det første isbjerg</translation>
     </message>
@@ -5274,32 +3545,8 @@ Tilstødende område %4</translation>
         <translation>driver hurtigere, end isbjerge gør: er enheden rigtig?</translation>
     </message>
     <message>
-        <source>ends before the run does; from then on the iceberg stands still</source>
-        <translation>slutter før flyvningen; derefter ligger isbjerget stille</translation>
-    </message>
-    <message>
-        <source>begins so far from the estimate that the UAV will not see the iceberg there</source>
-        <translation>begynder så langt fra estimatet, at dronen ikke ser isbjerget der</translation>
-    </message>
-    <message>
-        <source>lies inside an iceberg</source>
-        <translation>ligger inde i et isbjerg</translation>
-    </message>
-    <message>
         <source>no iceberg is uncertain at the start, so distance alone makes the first plan</source>
         <translation>ingen isbjerge er usikre ved starten, så afstanden alene afgør den første plan</translation>
-    </message>
-    <message>
-        <source>more than can be proven optimal; the plan comes with a bound</source>
-        <translation>flere end der kan bevises optimum for; planen kommer med en grænse</translation>
-    </message>
-    <message>
-        <source>the policy plans icebergs one by one; nearby icebergs are not grouped</source>
-        <translation>strategien planlægger isbjerge ét for ét; nære isbjerge grupperes ikke</translation>
-    </message>
-    <message>
-        <source>cannot plan so many icebergs; the back end auto can</source>
-        <translation>kan ikke planlægge så mange isbjerge; løseren auto kan</translation>
     </message>
     <message>
         <source>proving the optimum of so many icebergs can take a minute and more</source>
@@ -5318,20 +3565,8 @@ Tilstødende område %4</translation>
         <translation>MILP-formuleringen %1 tilbydes for højst %2 isbjerge, ikke for %3</translation>
     </message>
     <message>
-        <source>in one flight of twenty the wind is too strong to come home</source>
-        <translation>i én flyvning ud af tyve er vinden for stærk til at komme hjem</translation>
-    </message>
-    <message>
-        <source>The file holds members that this version does not know, &quot;%2&quot; to begin with. They are kept, but not used.</source>
-        <translation>Filen har felter, som denne version ikke kender, først »%2«. De bevares, men bruges ikke.</translation>
-    </message>
-    <message>
         <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
         <translation>kolonnen »%1« forstås ikke: omdøb den, eller tilknyt den</translation>
-    </message>
-    <message>
-        <source>has more than one place: only the first is taken</source>
-        <translation>har mere end ét sted: kun det første bruges</translation>
     </message>
     <message>
         <source>airspace left out: a height has no unit</source>
@@ -5342,44 +3577,12 @@ Tilstødende område %4</translation>
         <translation>felter, som denne version ikke kender, bruges ikke: »%1«</translation>
     </message>
     <message>
-        <source>The airspace &quot;%3&quot; ends before it begins.</source>
-        <translation>Luftrummet »%3« slutter, før det begynder.</translation>
-    </message>
-    <message>
-        <source>must not be earlier than %1</source>
-        <translation>må ikke være tidligere end %1</translation>
-    </message>
-    <message>
         <source>feature %1</source>
         <translation>objekt %1</translation>
     </message>
     <message>
         <source>packet %1</source>
         <translation>pakke %1</translation>
-    </message>
-    <message>
-        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by %2.</source>
-        <translation>Starter for tæt på en anden drone i samme højdelag: de flyver først fra hinanden. Lad der være %2 forskel på deres højder.</translation>
-    </message>
-    <message>
-        <source>With the usual errors in wind and airspeed, 1 flight in 20 uses %2 or more of the reserve to come home.</source>
-        <translation>Med sædvanlige fejl i vind og flyvefart bruger 1 ud af 20 flyvninger %2 eller mere af reserven på at komme hjem.</translation>
-    </message>
-    <message>
-        <source>With the usual errors in wind and airspeed, in 1 flight in 20 the wind is too strong to come home.</source>
-        <translation>Med sædvanlige fejl i vind og flyvefart er vinden for stærk til at komme hjem i 1 ud af 20 flyvninger.</translation>
-    </message>
-    <message>
-        <source>Takes off in the dark, at %2 UTC: civil twilight begins at %3 UTC.</source>
-        <translation>Starter i mørke, kl. %2 UTC: borgerligt tusmørke begynder kl. %3 UTC.</translation>
-    </message>
-    <message>
-        <source>Lands in the dark, at %2 UTC: civil twilight ends at %3 UTC.</source>
-        <translation>Lander i mørke, kl. %2 UTC: borgerligt tusmørke slutter kl. %3 UTC.</translation>
-    </message>
-    <message>
-        <source>starts within separation_m of another UAV whose altitude differs by less than %1 m</source>
-        <translation>starter inden for separation_m af en anden drone, hvis højde afviger mindre end %1 m</translation>
     </message>
     <message>
         <source>takes off in the dark, at %1 UTC: civil twilight begins at %2 UTC</source>
@@ -5389,140 +3592,658 @@ Tilstødende område %4</translation>
         <source>lands in the dark, at %1 UTC: civil twilight ends at %2 UTC</source>
         <translation>lander i mørke, kl. %1 UTC: borgerligt tusmørke slutter kl. %2 UTC</translation>
     </message>
-</context>
-<context>
-    <name>LogText</name>
     <message>
-        <source>never</source>
-        <translation>aldrig</translation>
+        <source>the time zone &quot;%1&quot; is a name: write offsets from UTC, such as +02:00</source>
+        <translation>tidszonen &quot;%1&quot; er et navn: skriv afvigelser fra UTC, som +02:00</translation>
     </message>
     <message>
-        <source>Start, UTC</source>
-        <translation>Start, UTC</translation>
+        <source>there is nothing on line %1 or below it</source>
+        <translation>der står intet på linje %1 eller under den</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Start</translation>
+        <source>nothing tells which rows are sightings of one iceberg: choose one of these</source>
+        <translation>intet fortæller, hvilke rækker der er observationer af ét isbjerg: vælg en af disse</translation>
     </message>
     <message>
-        <source>Until, UTC</source>
-        <translation>Til, UTC</translation>
+        <source>icebergs: %1, greatest speed between two sightings: %2 m/s</source>
+        <translation>isbjerge: %1, største fart mellem to observationer: %2 m/s</translation>
     </message>
     <message>
-        <source>Until</source>
-        <translation>Til</translation>
+        <source>is faster than 1.5 m/s or on land: check columns, units and ids, or accept it with --accept-doubtful</source>
+        <translation>er hurtigere end 1,5 m/s eller på land: kontrollér kolonner, enheder og id&apos;er, eller acceptér det med --accept-doubtful</translation>
     </message>
     <message>
-        <source>Zeta flown</source>
-        <translation>Zeta fløjet</translation>
+        <source>has several places: each is taken as an iceberg</source>
+        <translation>har flere steder: hvert tages som et isbjerg</translation>
     </message>
     <message>
-        <source>Predicted before take-off</source>
-        <translation>Forudsagt før start</translation>
+        <source>has points beside lines or areas: only the points are taken</source>
+        <translation>har punkter ved siden af linjer eller flader: kun punkterne tages med</translation>
     </message>
     <message>
-        <source>Visits</source>
-        <translation>Besøg</translation>
+        <source>has areas beside lines: only the areas are taken</source>
+        <translation>har flader ved siden af linjer: kun fladerne tages med</translation>
     </message>
     <message>
-        <source>Plans made</source>
-        <translation>Lagte planer</translation>
+        <source>has points or areas beside a track: only the track is taken</source>
+        <translation>har punkter eller flader ved siden af et spor: kun sporet tages med</translation>
     </message>
     <message>
-        <source>Planned by</source>
-        <translation>Planlagt efter</translation>
+        <source>has the name of another track, but an iceberg cannot have drifted along both: it is taken as another iceberg</source>
+        <translation>har samme navn som et andet spor, men et isbjerg kan ikke være drevet langs begge: det tages som et andet isbjerg</translation>
     </message>
     <message>
-        <source>Seed</source>
-        <translation>Startværdi</translation>
+        <source>the property that names the iceberg is the same at two places at once: the ids of the features are taken instead</source>
+        <translation>egenskaben, der navngiver isbjerget, er den samme to steder på én gang: objekternes id&apos;er bruges i stedet</translation>
     </message>
     <message>
-        <source>Program</source>
-        <translation>Program</translation>
+        <source>has more times than places: the times left over are not taken</source>
+        <translation>har flere tider end steder: de overskydende tider tages ikke med</translation>
     </message>
     <message>
-        <source>UAV</source>
-        <translation>Drone</translation>
+        <source>the place can be read in more than one way: decimals follow a point</source>
+        <translation>stedet kan læses på flere måder: decimaler står efter et punktum</translation>
     </message>
     <message>
-        <source>Visits planned</source>
-        <translation>Besøg planlagt</translation>
+        <source>coordinates are no degrees, and the file names no coordinate system: save it in WGS 84 (EPSG:4326)</source>
+        <translation>koordinaterne er ikke grader, og filen angiver intet koordinatsystem: gem den i WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
-        <source>flown</source>
-        <translation>fløjet</translation>
+        <source>coordinates look like degrees, but the file says they are metres: save it in WGS 84 (EPSG:4326)</source>
+        <translation>koordinaterne ligner grader, men filen siger, at de er meter: gem den i WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
-        <source>Distance planned</source>
-        <translation>Distance planlagt</translation>
+        <source>the coordinate system &quot;%1&quot; is not known: save the file in WGS 84 (EPSG:4326)</source>
+        <translation>koordinatsystemet &quot;%1&quot; er ukendt: gem filen i WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
-        <source>Time planned</source>
-        <translation>Tid planlagt</translation>
+        <source>is not well-formed JSON</source>
+        <translation>er ikke velformet JSON</translation>
     </message>
     <message>
-        <source>aloft</source>
-        <translation>i luften</translation>
+        <source>links to another file, which is not read: import that file as well</source>
+        <translation>linker til en anden fil, som ikke læses: importér også den fil</translation>
     </message>
     <message>
-        <source>Outside the geography</source>
-        <translation>Uden for geografien</translation>
+        <source>the first document of the archive does not link to this one; it is read all the same</source>
+        <translation>arkivets første dokument linker ikke til dette; det læses alligevel</translation>
     </message>
     <message>
-        <source>Iceberg</source>
-        <translation>Isbjerg</translation>
+        <source>a document of the archive cannot be read</source>
+        <translation>et dokument i arkivet kan ikke læses</translation>
     </message>
     <message>
-        <source>First seen</source>
-        <translation>Først set</translation>
+        <source>airspace left out: it has no outline</source>
+        <translation>luftrum udeladt: det har intet omrids</translation>
     </message>
     <message>
-        <source>Last seen</source>
-        <translation>Sidst set</translation>
+        <source>outline left out: no airspace begins above it</source>
+        <translation>omrids udeladt: intet luftrum begynder over det</translation>
     </message>
     <message>
-        <source>Longest unseen</source>
-        <translation>Længst uset</translation>
+        <source>airspace left out: its outline encloses nothing</source>
+        <translation>luftrum udeladt: omridset omslutter ingenting</translation>
     </message>
     <message>
-        <source>σ at the end, m²</source>
-        <translation>σ ved slutningen, m²</translation>
+        <source>airspace left out: its ceiling is not above its floor</source>
+        <translation>luftrum udeladt: loftet ligger ikke over gulvet</translation>
     </message>
     <message>
-        <source>Something was changed in flight: the prediction was for another flight.</source>
-        <translation>Noget blev ændret under flyvningen: forudsigelsen gjaldt en anden flyvning.</translation>
+        <source>airspace left out: it is farther than 100 km</source>
+        <translation>luftrum udeladt: det er længere væk end 100 km</translation>
     </message>
     <message>
-        <source>None on record.</source>
-        <translation>Ingen er registreret.</translation>
+        <source>airspace left out: the scenario holds as many as it can</source>
+        <translation>luftrum udeladt: scenariet rummer ikke flere</translation>
     </message>
     <message>
-        <source>Flight log: %1</source>
-        <translation>Flyvelog: %1</translation>
+        <source>airspace taken without a class</source>
+        <translation>luftrum taget med uden klasse</translation>
     </message>
     <message>
-        <source>Sightings</source>
-        <translation>Observationer</translation>
+        <source>airspace taken down to the sea: its floor is missing or cannot be read</source>
+        <translation>luftrum taget med helt ned til havet: gulvet mangler eller kan ikke læses</translation>
     </message>
     <message>
-        <source>Deviations</source>
-        <translation>Afvigelser</translation>
+        <source>airspace taken without end above: its ceiling is missing or cannot be read</source>
+        <translation>luftrum taget med uden ende opad: loftet mangler eller kan ikke læses</translation>
     </message>
     <message>
-        <source>and %1 more; all of them: export log-html</source>
-        <translation>og %1 til; alle: eksportér log-html</translation>
+        <source>airspace taken with an outline round its own, which touches or crosses itself</source>
+        <translation>luftrum taget med med et omrids om sit eget, som berører eller krydser sig selv</translation>
     </message>
     <message>
-        <source>SHA-256 of the first plan as a file of the format wpl</source>
-        <translation>SHA-256 af den første plan som fil i formatet wpl</translation>
+        <source>airspace taken with an outline round its own, which has too many corners</source>
+        <translation>luftrum taget med med et omrids om sit eget, som har for mange hjørner</translation>
     </message>
     <message>
-        <source>Nothing was flown</source>
-        <translation>Intet blev fløjet</translation>
+        <source>line not understood and not used</source>
+        <translation>linje ikke forstået og ikke brugt</translation>
     </message>
     <message>
-        <source>95 % within</source>
-        <translation>95 % inden for</translation>
+        <source>has no time, although other sightings of this iceberg have one</source>
+        <translation>har intet tidspunkt, selv om andre observationer af dette isbjerg har et</translation>
+    </message>
+    <message>
+        <source>lies outside the chosen area</source>
+        <translation>ligger uden for det valgte område</translation>
+    </message>
+    <message>
+        <source>was sighted outside the chosen time</source>
+        <translation>er observeret uden for det valgte tidsrum</translation>
+    </message>
+    <message>
+        <source>taken without a value that cannot be read</source>
+        <translation>medtaget uden en værdi, der ikke kan læses</translation>
+    </message>
+    <message>
+        <source>taken without a number that is out of range</source>
+        <translation>medtaget uden et tal, der er uden for det gyldige område</translation>
+    </message>
+    <message>
+        <source>a range, a limit or an estimate is read as one number</source>
+        <translation>et interval, en grænse eller et skøn er læst som ét tal</translation>
+    </message>
+    <message>
+        <source>taken without its time, which cannot be read</source>
+        <translation>medtaget uden tidspunktet, som ikke kan læses</translation>
+    </message>
+    <message>
+        <source>taken without a time, which it does not have</source>
+        <translation>medtaget uden tidspunkt, for det har intet</translation>
+    </message>
+    <message>
+        <source>taken without its time, which is years from all others</source>
+        <translation>medtaget uden tidspunktet, som er år fra alle andre</translation>
+    </message>
+    <message>
+        <source>its time is moved by 1024 weeks, as a GPS clock has lost count of them</source>
+        <translation>tidspunktet er flyttet 1024 uger, fordi et GPS-ur har mistet tællingen af dem</translation>
+    </message>
+    <message>
+        <source>its id is too long and is shortened</source>
+        <translation>id&apos;et er for langt og er forkortet</translation>
+    </message>
+    <message>
+        <source>the wind must be two finite numbers</source>
+        <translation>vinden skal være to endelige tal</translation>
+    </message>
+    <message>
+        <source>the area must have from 3 to %1 corners, not %2</source>
+        <translation>området skal have fra 3 til %1 hjørner, ikke %2</translation>
+    </message>
+    <message>
+        <source>the area must neither touch nor cross itself</source>
+        <translation>området må hverken røre eller krydse sig selv</translation>
+    </message>
+    <message>
+        <source>a scenario holds at most %1 no-fly areas, not %2</source>
+        <translation>et scenarie rummer højst %1 flyveforbudsområder, ikke %2</translation>
+    </message>
+    <message>
+        <source>a scenario holds at most %1 airspace areas, not %2</source>
+        <translation>et scenarie rummer højst %1 luftrumsområder, ikke %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of %2 already: each iceberg and UAV needs a unique id</source>
+        <translation>»%1« er allerede id&apos;et for %2: hvert isbjerg og hver drone skal have sit eget id</translation>
+    </message>
+    <message>
+        <source>a scenario holds from 1 to %1 UAVs, not %2</source>
+        <translation>et scenarie rummer fra 1 til %1 droner, ikke %2</translation>
+    </message>
+    <message>
+        <source>a scenario holds at most %1 icebergs, not %2</source>
+        <translation>et scenarie rummer højst %1 isbjerge, ikke %2</translation>
+    </message>
+    <message>
+        <source>must have one entry for each of the %1 times, not %2</source>
+        <translation>skal have én værdi for hver af de %1 tider, ikke %2</translation>
+    </message>
+    <message>
+        <source>there are %1 more errors</source>
+        <translation>der er %1 fejl mere</translation>
+    </message>
+    <message>
+        <source>must not be longer than the run</source>
+        <translation>må ikke være længere end flyvningen</translation>
+    </message>
+    <message>
+        <source>needs an area to stay inside</source>
+        <translation>kræver et område at holde sig inden for</translation>
+    </message>
+    <message>
+        <source>a geofence has at most %1 corners, not %2</source>
+        <translation>et geohegn har højst %1 hjørner, ikke %2</translation>
+    </message>
+    <message>
+        <source>with the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %1 corners, not %2</source>
+        <translation>sammen med geohegnet og sikkerhedsringen har flyveforbudsområderne i en drones højde højst %1 hjørner, ikke %2</translation>
+    </message>
+    <message>
+        <source>there is no UAV &quot;%1&quot; in this scenario</source>
+        <translation>der er ingen drone »%1« i dette scenarie</translation>
+    </message>
+    <message>
+        <source>the wind must be slower than the UAV flies: wind of %1, airspeed of %2 %3</source>
+        <translation>vinden skal være svagere end dronens fart: vind på %1, flyvefart for %2 %3</translation>
+    </message>
+    <message>
+        <source>the UAV will make little headway in this wind: wind of %1, airspeed of %2 %3</source>
+        <translation>dronen vil næsten ikke komme frem i denne vind: vind på %1, flyvefart for %2 %3</translation>
+    </message>
+    <message>
+        <source>must not be shorter than the time step</source>
+        <translation>må ikke være kortere end tidsskridtet</translation>
+    </message>
+    <message>
+        <source>must be above the floor of %1, not %2</source>
+        <translation>skal ligge over den nedre højdegrænse på %1, ikke %2</translation>
+    </message>
+    <message>
+        <source>the airspace &quot;%1&quot; ends before it begins</source>
+        <translation>luftrummet »%1« slutter, før det begynder</translation>
+    </message>
+    <message>
+        <source>must be longer than reserve, climb and landing together, %2, not %1</source>
+        <translation>skal være længere end reserve, stigning og landing tilsammen, %2, ikke %1</translation>
+    </message>
+    <message>
+        <source>there are no icebergs yet, so there is nothing to plan</source>
+        <translation>der er ingen isbjerge endnu, så der er intet at planlægge</translation>
+    </message>
+    <message>
+        <source>is after the end of the run, so the iceberg is never planned</source>
+        <translation>er efter flyvningens slutning, så isbjerget bliver aldrig planlagt</translation>
+    </message>
+    <message>
+        <source>icebergs outside the area are not monitored; the UAV may fly beyond it</source>
+        <translation>isbjerge uden for området overvåges ikke; dronen kan flyve uden for det</translation>
+    </message>
+    <message>
+        <source>is used in flight only with the Kalman filter</source>
+        <translation>bruges under flyvningen kun med Kalman-filteret</translation>
+    </message>
+    <message>
+        <source>another UAV of this altitude layer starts so near that they fly apart first; let their altitudes differ by %1</source>
+        <translation>en anden drone i dette højdelag starter så nær, at de først flyver fra hinanden; lad højderne afvige med %1</translation>
+    </message>
+    <message>
+        <source>is too short to reach the nearest iceberg and return</source>
+        <translation>er for kort til at nå det nærmeste isbjerg og vende tilbage</translation>
+    </message>
+    <message>
+        <source>for its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe</source>
+        <translation>med sin kurs har dronen ingen vej hjem inden for geohegnet og uden om flyveforbudsområder fra sit startsted: ingen start er sikker</translation>
+    </message>
+    <message>
+        <source>the UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time</source>
+        <translation>dronen starter med sin kurs så tæt på geohegnet eller et flyveforbudsområde, at den ikke kan nå at dreje</translation>
+    </message>
+    <message>
+        <source>is so near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to</source>
+        <translation>er så nær geohegnet, eller i et flyveforbudsområde, at dronen ikke kan komme så nær, som den skal</translation>
+    </message>
+    <message>
+        <source>the time between two commands is too long for the UAV to follow a leg</source>
+        <translation>tiden mellem to kommandoer er for lang til, at dronen kan følge en strækning</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: wind of %1, limit %2</source>
+        <translation>må ikke overskrides: vind på %1, grænse %2</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: gusts of %1, limit %2</source>
+        <translation>må ikke overskrides: vindstød på %1, grænse %2</translation>
+    </message>
+    <message>
+        <source>this weather brings icing at its altitude, in which the UAV must not be flown</source>
+        <translation>dette vejr giver isning i dens højde, hvor dronen ikke må flyves</translation>
+    </message>
+    <message>
+        <source>leaves less reserve than waiting for the other UAVs of the altitude layer may take, %1; separate altitudes, or a greater reserve, avoid it</source>
+        <translation>giver mindre reserve, end det kan tage at vente på de andre droner i højdelaget, %1; forskellige højder eller en større reserve undgår det</translation>
+    </message>
+    <message>
+        <source>keeps %1 free for a recovery slot, as other UAVs of the altitude layer land on the same pad; separate altitudes or pads avoid it</source>
+        <translation>holder %1 fri til en eget landingsvindue, fordi andre droner i højdelaget lander på samme plads; forskellige højder eller pladser undgår det</translation>
+    </message>
+    <message>
+        <source>with the usual errors in wind and airspeed, 1 flight in 20 uses %1 or more of the reserve to come home</source>
+        <translation>med sædvanlige fejl i vind og flyvefart bruger 1 ud af 20 flyvninger %1 eller mere af reserven på at komme hjem</translation>
+    </message>
+    <message>
+        <source>with the usual errors in wind and airspeed, in 1 flight in 20 the wind is too strong to come home</source>
+        <translation>med sædvanlige fejl i vind og flyvefart er vinden for stærk til at komme hjem i 1 ud af 20 flyvninger</translation>
+    </message>
+    <message>
+        <source>the plan leads out of the range of the ground station for %1</source>
+        <translation>planen fører uden for jordstationens rækkevidde i %1</translation>
+    </message>
+    <message>
+        <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2</source>
+        <translation>operationen kan komme ind i luftrummet »%1«, som begynder i %2 højde</translation>
+    </message>
+    <message>
+        <source>starts outside the area</source>
+        <translation>starter uden for området</translation>
+    </message>
+    <message>
+        <source>lies where another iceberg lies: is it the same one?</source>
+        <translation>ligger, hvor et andet isbjerg ligger: er det det samme?</translation>
+    </message>
+    <message>
+        <source>is too far away to reach before the run ends</source>
+        <translation>er for langt væk til at kunne nås, før flyvningen er slut</translation>
+    </message>
+    <message>
+        <source>the recorded track ends before the run does; from then on the iceberg stands still</source>
+        <translation>det registrerede spor slutter før flyvningen; derefter ligger isbjerget stille</translation>
+    </message>
+    <message>
+        <source>the recorded track begins so far from the estimate that the UAV will not see the iceberg there</source>
+        <translation>det registrerede spor begynder så langt fra estimatet, at dronen ikke ser isbjerget der</translation>
+    </message>
+    <message>
+        <source>the asset lies inside an iceberg</source>
+        <translation>objektet ligger inde i et isbjerg</translation>
+    </message>
+    <message>
+        <source>more icebergs than can be proven optimal; the plan comes with a bound</source>
+        <translation>flere isbjerge, end der kan bevises optimum for; planen kommer med en grænse</translation>
+    </message>
+    <message>
+        <source>this policy plans icebergs one by one; nearby icebergs are not grouped</source>
+        <translation>denne strategi planlægger isbjerge ét for ét; nære isbjerge grupperes ikke</translation>
+    </message>
+    <message>
+        <source>this solver cannot plan so many icebergs: choose Automatic (auto)</source>
+        <translation>denne løser kan ikke planlægge så mange isbjerge: vælg Automatisk (auto)</translation>
+    </message>
+    <message>
+        <source>is of no format that Bergwatch recognises; if it is a table, name its columns for latitude and longitude; known formats: %1</source>
+        <translation>har ikke et format, som Bergwatch kender; hvis det er en tabel, så angiv kolonnerne for bredde og længde; kendte formater: %1</translation>
+    </message>
+    <message>
+        <source>latitude must be between -90 and 90, minutes below 60</source>
+        <translation>bredden skal være fra -90 til 90, minutterne under 60</translation>
+    </message>
+    <message>
+        <source>longitude must be between -180 and 360, minutes below 60</source>
+        <translation>længden skal være fra -180 til 360, minutterne under 60</translation>
+    </message>
+    <message>
+        <source>iceberg %1</source>
+        <translation>isbjerg %1</translation>
+    </message>
+    <message>
+        <source>UAV %1</source>
+        <translation>Drone %1</translation>
+    </message>
+    <message>
+        <source>%1 h before the start; the iceberg may be %2 from this position, %3 times the field of view</source>
+        <translation>%1 t før starten; isbjerget kan være %2 fra denne position, %3 gange synsfeltet</translation>
+    </message>
+    <message>
+        <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
+        <translation>en fil har plads til én drone: der skrives %1 filer med navn efter dronerne</translation>
+    </message>
+    <message>
+        <source>the scenario has no start time, so the file has no dates</source>
+        <translation>scenariet har intet starttidspunkt, så filen har ingen datoer</translation>
+    </message>
+    <message>
+        <source>the geofence is left out: the format has no place for it</source>
+        <translation>geohegnet udelades: formatet har ikke plads til det</translation>
+    </message>
+    <message>
+        <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
+        <translation>flyveforbudsområder og sikkerhedsringen udelades: formatet har ikke plads til dem</translation>
+    </message>
+    <message>
+        <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
+        <translation>flyveforbudsområder har ingen højder: dem i dronens højde skrives</translation>
+    </message>
+    <message>
+        <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
+        <translation>%1 tegner muligvis hegnet den lange vej rundt: det krydser 180°-meridianen</translation>
+    </message>
+    <message>
+        <source>the places where icebergs were reached are written, not the track</source>
+        <translation>stederne, hvor isbjerge blev nået, skrives, ikke sporet</translation>
+    </message>
+    <message>
+        <source>the path becomes %1 waypoints within %2 m of it</source>
+        <translation>banen bliver til %1 rutepunkter inden for %2 m af den</translation>
+    </message>
+    <message>
+        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
+        <translation>%1 gemmer acceptradier op til %3 m: %2 m bliver til %3 m</translation>
+    </message>
+    <message>
+        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
+        <translation>%1 gemmer kredsradier over 255 m i trin på 10 m: %2 m bliver til %3 m</translation>
+    </message>
+    <message>
+        <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
+        <translation>%1 læser marchfarten som et helt tal: %2 m/s bliver til %3 m/s; farten i missionen er nøjagtig</translation>
+    </message>
+    <message>
+        <source>the file is about the whole flight, whatever is chosen to be exported</source>
+        <translation>filen handler om hele flyvningen, uanset hvad der er valgt at eksportere</translation>
+    </message>
+    <message>
+        <source>UAVs without an iceberg to visit: %1</source>
+        <translation>Droner uden et isbjerg at besøge: %1</translation>
+    </message>
+    <message>
+        <source>straight legs that lead out of the geofence or through a no-fly area: %1; export the path instead, which leads round</source>
+        <translation>lige etaper, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1; eksportér i stedet banen, som fører udenom</translation>
+    </message>
+    <message>
+        <source>only this sortie is exported; icebergs left for later sorties: %1</source>
+        <translation>kun dette togt eksporteres; isbjerge, der er tilbage til senere togter: %1</translation>
+    </message>
+    <message>
+        <source>nothing in the file depends on %1</source>
+        <translation>intet i filen afhænger af %1</translation>
+    </message>
+    <message>
+        <source>velocity unknown</source>
+        <translation>hastighed ukendt</translation>
+    </message>
+    <message>
+        <source>no time: counts as seen at the start</source>
+        <translation>uden tid: regnes som set ved start</translation>
+    </message>
+    <message>
+        <source>velocity from the file</source>
+        <translation>hastighed fra filen</translation>
+    </message>
+    <message>
+        <source>velocity limited to 5 m/s per axis</source>
+        <translation>hastighed begrænset til 5 m/s pr. akse</translation>
+    </message>
+    <message>
+        <source>q estimated</source>
+        <translation>q anslået</translation>
+    </message>
+    <message>
+        <source>q limited to 10⁶ m²/s</source>
+        <translation>q begrænset til 10⁶ m²/s</translation>
+    </message>
+    <message>
+        <source>stationary</source>
+        <translation>ligger stille</translation>
+    </message>
+    <message>
+        <source>several sightings at one time</source>
+        <translation>flere observationer på samme tidspunkt</translation>
+    </message>
+    <message>
+        <source>sightings at impossible places not used</source>
+        <translation>observationer på umulige steder er ikke brugt</translation>
+    </message>
+    <message>
+        <source>recorded track attached</source>
+        <translation>registreret spor er tilføjet</translation>
+    </message>
+    <message>
+        <source>no track: not sighted after the start</source>
+        <translation>intet spor: ikke observeret efter starten</translation>
+    </message>
+    <message>
+        <source>older than what the scenario has</source>
+        <translation>ældre end det, scenariet har</translation>
+    </message>
+    <message>
+        <source>sighted only after the start</source>
+        <translation>først observeret efter starten</translation>
+    </message>
+    <message>
+        <source>more than 1000 km from the origin at the start</source>
+        <translation>mere end 1000 km fra origo ved starten</translation>
+    </message>
+    <message>
+        <source>the scenario is full</source>
+        <translation>scenariet er fuldt</translation>
+    </message>
+    <message>
+        <source>a UAV has this id</source>
+        <translation>en drone har dette id</translation>
+    </message>
+    <message>
+        <source>the file&apos;s drift contradicts the positions: not used</source>
+        <translation>filens drift modsiger positionerne: ikke brugt</translation>
+    </message>
+    <message>
+        <source>faster than 1.5 m/s</source>
+        <translation>hurtigere end 1,5 m/s</translation>
+    </message>
+    <message>
+        <source>on land</source>
+        <translation>på land</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) taken over</source>
+        <translation>
+            <numerusform>%n drone overtaget</numerusform>
+            <numerusform>%n droner overtaget</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>area taken over</source>
+        <translation>området overtaget</translation>
+    </message>
+    <message>
+        <source>area taken over as geofence</source>
+        <translation>området overtaget som geohegn</translation>
+    </message>
+    <message>
+        <source>asset taken over</source>
+        <translation>objektet overtaget</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no-fly area(s) taken over</source>
+        <translation>
+            <numerusform>%n flyveforbudsområde overtaget</numerusform>
+            <numerusform>%n flyveforbudsområder overtaget</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>UAVs, area and asset of the file not taken over: the scenario is in use</source>
+        <translation>droner, område og objekt i filen ikke overtaget: scenariet er i brug</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) left out: too many</source>
+        <translation>
+            <numerusform>%n drone udeladt: for mange</numerusform>
+            <numerusform>%n droner udeladt: for mange</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>
+            <numerusform>%n drone udeladt: mere end 1000 km øst, vest, nord eller syd for origo</numerusform>
+            <numerusform>%n droner udeladt: mere end 1000 km øst, vest, nord eller syd for origo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n area(s) left out: unreadable</source>
+        <translation>
+            <numerusform>%n område udeladt: ulæseligt</numerusform>
+            <numerusform>%n områder udeladt: ulæselige</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>area left out: too few or too many corners</source>
+        <translation>området udeladt: for få eller for mange hjørner</translation>
+    </message>
+    <message>
+        <source>area left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>området udeladt: mere end 1000 km øst, vest, nord eller syd for origo</translation>
+    </message>
+    <message>
+        <source>area left out: it touches or crosses itself</source>
+        <translation>området udeladt: det rører eller krydser sig selv</translation>
+    </message>
+    <message>
+        <source>area left out: it is in several parts</source>
+        <translation>området udeladt: det er i flere dele</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further area(s) left out</source>
+        <translation>
+            <numerusform>%n yderligere område udeladt</numerusform>
+            <numerusform>%n yderligere områder udeladt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s) of the area left out</source>
+        <translation>
+            <numerusform>%n hul i området udeladt</numerusform>
+            <numerusform>%n huller i området udeladt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>area is no geofence: too many corners</source>
+        <translation>området er ikke geohegn: for mange hjørner</translation>
+    </message>
+    <message>
+        <source>area is no geofence: a UAV starts or lands outside</source>
+        <translation>området er ikke geohegn: en drone starter eller lander udenfor</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no-fly area(s) left out: a UAV starts or lands inside, or the heights are wrong</source>
+        <translation>
+            <numerusform>%n flyveforbudsområde udeladt: en drone starter eller lander i det, eller højderne er forkerte</numerusform>
+            <numerusform>%n flyveforbudsområder udeladt: en drone starter eller lander i dem, eller højderne er forkerte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rally point(s) left out</source>
+        <translation>
+            <numerusform>%n samlingspunkt udeladt</numerusform>
+            <numerusform>%n samlingspunkter udeladt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further asset(s) left out</source>
+        <translation>
+            <numerusform>%n yderligere objekt udeladt</numerusform>
+            <numerusform>%n yderligere objekter udeladt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>asset left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>objektet udeladt: mere end 1000 km øst, vest, nord eller syd for origo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n number(s) out of range left out</source>
+        <translation>
+            <numerusform>%n tal uden for det tilladte område udeladt</numerusform>
+            <numerusform>%n tal uden for det tilladte område udeladt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5532,7 +4253,7 @@ Tilstødende område %4</translation>
         <translation>Skriv map.png, zeta.png og sigma.png for en flyvning, eller for hele flyvningen af et scenarie, i &lt;mappe&gt;; med --theme both også map-dark.png, zeta-dark.png og sigma-dark.png.</translation>
     </message>
     <message>
-        <source>Overwrite files that exist.</source>
+        <source>Overwrite existing files.</source>
         <translation>Overskriv filer, der findes.</translation>
     </message>
     <message>
@@ -5573,7 +4294,7 @@ Tilstødende område %4</translation>
         <translation>--pictures: navnet på en mappe mangler.</translation>
     </message>
     <message>
-        <source>Opens the planner&apos;s window on a scenario; with --pictures it only draws.</source>
+        <source>Opens the window with a scenario; with --pictures it only writes pictures.</source>
         <translation>Åbner planlæggerens vindue med et scenarie; med --pictures tegner programmet kun.</translation>
     </message>
     <message>
@@ -5589,7 +4310,7 @@ Tilstødende område %4</translation>
         <translation>Bergwatch er gået ned: %1</translation>
     </message>
     <message>
-        <source>Render the window with the scenario into &lt;file&gt;, then end.</source>
+        <source>Write a picture of the window with the scenario to &lt;file&gt;, then exit.</source>
         <translation>Tegn vinduet med scenariet i &lt;fil&gt;, og afslut.</translation>
     </message>
     <message>
@@ -5601,7 +4322,7 @@ Tilstødende område %4</translation>
         <translation>sekunder</translation>
     </message>
     <message>
-        <source>Keep settings in &lt;file&gt; in place of your own.</source>
+        <source>Store settings in &lt;file&gt; instead of your own settings file.</source>
         <translation>Gem indstillinger i &lt;fil&gt; i stedet for dine egne.</translation>
     </message>
     <message>
@@ -5617,7 +4338,7 @@ Tilstødende område %4</translation>
         <translation>--at: »%1« er ikke et antal sekunder.</translation>
     </message>
     <message>
-        <source>Name one scenario file at most; %1 were named.</source>
+        <source>Name at most one scenario file; %1 were named.</source>
         <translation>Angiv højst én scenariefil; %1 blev angivet.</translation>
     </message>
     <message>
@@ -5629,7 +4350,7 @@ Tilstødende område %4</translation>
         <translation>Et scenarie (.berg), en flyvning (.bergrun) eller et studie (.bergstudy).</translation>
     </message>
     <message>
-        <source>Write the manual as web pages and as PDF into &lt;folder&gt;, with the pictures there.</source>
+        <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
         <translation>Skriv håndbogen som websider og som PDF i &lt;mappe&gt;, med billederne dér.</translation>
     </message>
     <message>
@@ -5637,7 +4358,7 @@ Tilstødende område %4</translation>
         <translation>--manual tager hverken en scenariefil, --pictures eller --screenshot.</translation>
     </message>
     <message>
-        <source>Before the screenshot, wait so long at most for predictions and the lower bound.</source>
+        <source>Longest wait before the screenshot for predictions and the lower bound, in seconds.</source>
         <translation>Vent højst så længe på forudsigelser og nedre grænse før skærmbilledet.</translation>
     </message>
     <message>
@@ -5697,7 +4418,7 @@ Tilstødende område %4</translation>
         </translation>
     </message>
     <message>
-        <source>The last UAV stays: a scenario has at least one.</source>
+        <source>The last UAV cannot be deleted: a scenario needs at least one.</source>
         <translation>Den sidste drone bliver: et scenarie har mindst én.</translation>
     </message>
     <message numerus="yes">
@@ -5712,7 +4433,7 @@ Tilstødende område %4</translation>
         <translation>Der er ingen isbjerge i udklipsholderen.</translation>
     </message>
     <message>
-        <source>What is on the clipboard cannot be pasted. %1</source>
+        <source>The clipboard content cannot be pasted. %1</source>
         <translation>Indholdet af udklipsholderen kan ikke sættes ind. %1</translation>
     </message>
     <message numerus="yes">
@@ -5797,7 +4518,7 @@ Tilstødende område %4</translation>
         <translation>Usikkerhed σ</translation>
     </message>
     <message>
-        <source>Still to come, with its time</source>
+        <source>Appears later, with time</source>
         <translation>Kommer senere, med tidspunkt</translation>
     </message>
     <message>
@@ -5817,8 +4538,8 @@ Tilstødende område %4</translation>
         <translation>I synsfeltet</translation>
     </message>
     <message>
-        <source>To come</source>
-        <translation>Kommer</translation>
+        <source>Appears later</source>
+        <translation>Kommer senere</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -5845,7 +4566,7 @@ Tilstødende område %4</translation>
         <translation>I synsfeltet nu</translation>
     </message>
     <message>
-        <source>Lost: not where it should be</source>
+        <source>Lost: not found where expected</source>
         <translation>Mistet: ikke der, hvor det skulle være</translation>
     </message>
     <message>
@@ -5853,7 +4574,7 @@ Tilstødende område %4</translation>
         <translation>Mistet</translation>
     </message>
     <message>
-        <source>Search for it given up</source>
+        <source>Search given up</source>
         <translation>Eftersøgningen af det er opgivet</translation>
     </message>
     <message>
@@ -5861,8 +4582,8 @@ Tilstødende område %4</translation>
         <translation>Opgivet</translation>
     </message>
     <message>
-        <source>Inside it with 95 %</source>
-        <translation>Inden for den med 95 %</translation>
+        <source>95 % position circle</source>
+        <translation>95 %-positionscirkel</translation>
     </message>
     <message>
         <source>95 % circle</source>
@@ -5897,8 +4618,8 @@ Tilstødende område %4</translation>
         <translation>Hjem</translation>
     </message>
     <message>
-        <source>Geofence: kept if the start is clear</source>
-        <translation>Geohegn: overholdes, når starten er fri af det</translation>
+        <source>Geofence (kept if the UAV starts inside it)</source>
+        <translation>Geohegn (overholdes, hvis dronen starter indenfor)</translation>
     </message>
     <message>
         <source>Geofence</source>
@@ -5945,10 +4666,6 @@ Tilstødende område %4</translation>
         <translation>Tildelt én</translation>
     </message>
     <message>
-        <source>Point of no return: reserve needed beyond</source>
-        <translation>Sidste vendepunkt: derefter kræves reserven</translation>
-    </message>
-    <message>
         <source>Point of no return</source>
         <translation>Sidste vendepunkt</translation>
     </message>
@@ -5977,7 +4694,7 @@ Tilstødende område %4</translation>
         <translation>Tæt sammen</translation>
     </message>
     <message>
-        <source>Place to search, chance of finding</source>
+        <source>Place to search, probability of finding</source>
         <translation>Sted at eftersøge, sandsynlighed for fund</translation>
     </message>
     <message>
@@ -6033,8 +4750,16 @@ Tilstødende område %4</translation>
         <translation>Tilstødende område</translation>
     </message>
     <message>
-        <source>Close together: dot, or how many</source>
+        <source>Close together: dot or number</source>
         <translation>Tæt sammen: prik, eller hvor mange</translation>
+    </message>
+    <message>
+        <source>Later visits of the patrol</source>
+        <translation>Senere besøg i patruljen</translation>
+    </message>
+    <message>
+        <source>Patrol</source>
+        <translation>Patrulje</translation>
     </message>
 </context>
 <context>
@@ -6079,7 +4804,7 @@ Tilstødende område %4</translation>
 <context>
     <name>MapTools</name>
     <message>
-        <source>Drag moves the map, the wheel zooms. Esc leaves the tool.</source>
+        <source>Drag to move the map, turn the wheel to zoom. Esc leaves the tool.</source>
         <translation>Træk flytter kortet, hjulet zoomer. Esc forlader værktøjet.</translation>
     </message>
     <message>
@@ -6127,11 +4852,11 @@ Tilstødende område %4</translation>
         <translation>I alt %1</translation>
     </message>
     <message>
-        <source>Click sets the next point, Enter ends the line, Backspace takes one back, Esc clears.</source>
+        <source>Click to set the next point. Enter ends the line, Backspace removes a point, Esc clears.</source>
         <translation>Klik sætter det næste punkt, Enter afslutter linjen, Backspace fjerner ét, Esc rydder.</translation>
     </message>
     <message>
-        <source>Click begins another line. Esc clears this one.</source>
+        <source>Click to start another line. Esc clears this one.</source>
         <translation>Klik begynder en ny linje. Esc rydder denne.</translation>
     </message>
     <message>
@@ -6166,10 +4891,6 @@ Tilstødende område %4</translation>
         <translation>Sum af σ, m²</translation>
     </message>
     <message>
-        <source>Zeta ζ, m² s</source>
-        <translation>Zeta ζ, m² s</translation>
-    </message>
-    <message>
         <source>Sum of σ</source>
         <translation>Sum af σ</translation>
     </message>
@@ -6182,7 +4903,7 @@ Tilstødende område %4</translation>
         <translation>σ, m²</translation>
     </message>
     <message>
-        <source>Nothing flown yet: Space flies the plan</source>
+        <source>Nothing flown yet. Press Space to fly the plan</source>
         <translation>Intet fløjet endnu: tryk på mellemrum for at flyve planen</translation>
     </message>
     <message>
@@ -6218,7 +4939,7 @@ Tilstødende område %4</translation>
         <translation>Nu</translation>
     </message>
     <message>
-        <source>At %1 zeta grows by %2 m² s each second, since take-off by %3 on average.</source>
+        <source>At %1 zeta grows by %2 m² s per second; the mean since take-off is %3.</source>
         <translation>Ved %1 vokser zeta med %2 m² s hvert sekund, siden start med %3 i gennemsnit.</translation>
     </message>
     <message>
@@ -6230,7 +4951,7 @@ Tilstødende område %4</translation>
         <translation>Fløjet</translation>
     </message>
     <message>
-        <source>Distance flown by %1: %2.</source>
+        <source>Distance flown until %1: %2.</source>
         <translation>Distance fløjet ved %1: %2.</translation>
     </message>
     <message>
@@ -6324,6 +5045,10 @@ Tilstødende område %4</translation>
             <numerusform>Ved %1 er det mest usikre isbjerg %2: %3; %n i syne.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zeta ζ, %1</translation>
+    </message>
 </context>
 <context>
     <name>MissionClockText</name>
@@ -6363,10 +5088,6 @@ Tilstødende område %4</translation>
         <translation>Tilføj isbjerge med deres positioner til scenariefilen, og tegn derefter kortet igen.</translation>
     </message>
     <message>
-        <source>Endurance left</source>
-        <translation>Resterende udholdenhed</translation>
-    </message>
-    <message>
         <source>Closest so far</source>
         <translation>Nærmest hidtil</translation>
     </message>
@@ -6377,6 +5098,10 @@ Tilstødende område %4</translation>
     <message>
         <source>if home now</source>
         <translation>hvis hjem nu</translation>
+    </message>
+    <message>
+        <source>Until the reserve</source>
+        <translation>Til reserven</translation>
     </message>
 </context>
 <context>
@@ -6413,15 +5138,15 @@ Tilstødende område %4</translation>
         <translation>Tilstødende område, bredde</translation>
     </message>
     <message>
-        <source>Flight geography: inside of the geofence.</source>
+        <source>Flight geography: inside the geofence.</source>
         <translation>Flyvegeografi: geohegnets inderside.</translation>
     </message>
     <message>
-        <source>Flight geography: all places that a plan may lead to, and %1 m round them.</source>
+        <source>Flight geography: all places that a plan may reach, plus a margin of %1 m.</source>
         <translation>Flyvegeografi: alle steder, som en plan kan føre til, og %1 m omkring dem.</translation>
     </message>
     <message>
-        <source>Formulas and usual constants: calculator of Digisky 3.3.0, after the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
+        <source>Formulas and default constants: Digisky calculator 3.3.0, based on the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
         <translation>Formler og sædvanlige konstanter: beregneren i Digisky 3.3.0, efter vejledningen fra schweiziske FOCA; ikke en myndigheds egen tekst.</translation>
     </message>
     <message>
@@ -6461,7 +5186,7 @@ Tilstødende område %4</translation>
         <translation>flyves ikke</translation>
     </message>
     <message>
-        <source>Made by Bergwatch from the scenario. It says nothing about whether the operation may be flown.</source>
+        <source>Made by Bergwatch from the scenario. It does not imply that the operation may be flown.</source>
         <translation>Lavet af Bergwatch ud fra scenariet. Det siger intet om, hvorvidt operationen må flyves.</translation>
     </message>
     <message>
@@ -6543,7 +5268,7 @@ Tilstødende område %4</translation>
         <translation>Som åbnet</translation>
     </message>
     <message>
-        <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
+        <source>Click a line to go to that state; the disk marks the saved one.</source>
         <translation>Klik på en linje for at gå tilbage eller frem til den; disketten viser, hvad der er gemt.</translation>
     </message>
     <message>
@@ -6666,71 +5391,71 @@ Tilstødende område %4</translation>
         <translation>Sydpolen</translation>
     </message>
     <message>
-        <source>There is no place of this name here, and it is not a coordinate.</source>
+        <source>No known place has this name, and it is not a coordinate.</source>
         <translation>Der findes intet sted med dette navn her, og det er ikke en koordinat.</translation>
     </message>
     <message>
-        <source>Several places are called like this.</source>
+        <source>Several places have this name.</source>
         <translation>Flere steder hedder sådan.</translation>
     </message>
     <message>
-        <source>A coordinate or the name of a place is needed.</source>
+        <source>Enter a coordinate or a place name.</source>
         <translation>Der kræves en koordinat eller et stednavn.</translation>
     </message>
     <message>
-        <source>This is not a coordinate. Such as 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
+        <source>This is not a coordinate. Examples: 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
         <translation>Dette er ikke en koordinat. F.eks. 47° 03,2′ N 48° 06′ V eller 47,05 -48,1.</translation>
     </message>
     <message>
-        <source>This is half a coordinate: latitude and longitude are needed.</source>
+        <source>This is half a coordinate. Enter latitude and longitude.</source>
         <translation>Dette er en halv koordinat: der kræves både bredde og længde.</translation>
     </message>
     <message>
-        <source>This can be read in more than one way. Spaces and the letters N, S, E and W make it clear.</source>
+        <source>This coordinate is ambiguous. Add spaces and the letters N, S, E or W.</source>
         <translation>Dette kan læses på mere end én måde. Mellemrum og bogstaverne N, S, Ø og V gør det entydigt.</translation>
     </message>
     <message>
-        <source>One half says which hemisphere it is in, the other does not.</source>
-        <translation>Den ene halvdel siger, hvilken halvkugle den er på, den anden gør ikke.</translation>
+        <source>Only one half states its hemisphere. Add N, S, E or W to the other.</source>
+        <translation>Kun den ene halvdel angiver sin halvkugle. Tilføj N, S, Ø eller V til den anden.</translation>
     </message>
     <message>
-        <source>Either a sign or a letter says which hemisphere, not both.</source>
+        <source>Use a sign or a hemisphere letter, not both.</source>
         <translation>Enten et fortegn eller et bogstav angiver halvkuglen, ikke begge.</translation>
     </message>
     <message>
-        <source>One latitude and one longitude are needed, not two of a kind.</source>
+        <source>Enter one latitude and one longitude.</source>
         <translation>Der kræves én bredde og én længde, ikke to af samme slags.</translation>
     </message>
     <message>
-        <source>Minutes and seconds are less than 60.</source>
+        <source>Minutes and seconds must be below 60.</source>
         <translation>Minutter og sekunder er mindre end 60.</translation>
     </message>
     <message>
-        <source>Latitudes go from 90° S to 90° N.</source>
+        <source>Latitude must be between 90° S and 90° N.</source>
         <translation>Bredder går fra 90° S til 90° N.</translation>
     </message>
     <message>
-        <source>Longitudes go from 180° W to 180° E.</source>
+        <source>Longitude must be between 180° W and 180° E.</source>
         <translation>Længder går fra 180° V til 180° Ø.</translation>
     </message>
     <message>
-        <source>There is no such place on the UTM or MGRS grid.</source>
+        <source>This position does not exist on the UTM or MGRS grid.</source>
         <translation>Der er intet sådant sted i UTM- eller MGRS-nettet.</translation>
     </message>
     <message>
-        <source>This is a longitude, a latitude is needed.</source>
+        <source>This is a longitude. Enter a latitude.</source>
         <translation>Dette er en længde, der kræves en bredde.</translation>
     </message>
     <message>
-        <source>This is a latitude, a longitude is needed.</source>
+        <source>This is a latitude. Enter a longitude.</source>
         <translation>Dette er en bredde, der kræves en længde.</translation>
     </message>
     <message>
-        <source>This is %1 from the origin of the scenario, which reaches %2.</source>
+        <source>This is %1 from the scenario&apos;s origin; the limit is %2.</source>
         <translation>Dette er %1 fra scenariets origo; scenariet rækker %2.</translation>
     </message>
     <message>
-        <source>Type one angle: a whole coordinate would put all of them at one place.</source>
+        <source>Enter one angle only: a whole coordinate would move all of them to one place.</source>
         <translation>Skriv én vinkel: en hel koordinat ville placere alle på ét sted.</translation>
     </message>
     <message>
@@ -6884,7 +5609,7 @@ Tilstødende område %4</translation>
         </translation>
     </message>
     <message>
-        <source>Click adds an iceberg, drag on to set its drift. Esc leaves the tool.</source>
+        <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
         <translation>Klik tilføjer et isbjerg, træk videre for at sætte dets drift. Esc forlader værktøjet.</translation>
     </message>
     <message>
@@ -6892,7 +5617,7 @@ Tilstødende område %4</translation>
         <translation>Placér drone</translation>
     </message>
     <message>
-        <source>Let go to keep this heading. Esc takes it back.</source>
+        <source>Release to keep this heading. Esc cancels.</source>
         <translation>Slip for at beholde denne kurs. Esc fortryder.</translation>
     </message>
     <message>
@@ -6904,19 +5629,19 @@ Tilstødende område %4</translation>
         <translation>Placér objekt</translation>
     </message>
     <message>
-        <source>Let go to place it here. Esc takes it back.</source>
+        <source>Release to place it here. Esc cancels.</source>
         <translation>Slip for at placere det her. Esc fortryder.</translation>
     </message>
     <message>
-        <source>Click moves the asset here. Esc leaves the tool.</source>
+        <source>Click to move the asset here. Esc leaves the tool.</source>
         <translation>Klik flytter objektet hertil. Esc forlader værktøjet.</translation>
     </message>
     <message>
-        <source>Click places the protected asset. Esc leaves the tool.</source>
+        <source>Click to place the protected asset. Esc leaves the tool.</source>
         <translation>Klik placerer det beskyttede objekt. Esc forlader værktøjet.</translation>
     </message>
     <message>
-        <source>Click adds an iceberg that appears here and now, drag on to set its drift. In flight that cannot be undone.</source>
+        <source>Click to add an iceberg that appears here now; drag to set its drift. In flight this cannot be undone.</source>
         <translation>Klik tilføjer et isbjerg, der dukker op her og nu, træk videre for at sætte dets drift. Under flyvning kan det ikke fortrydes.</translation>
     </message>
     <message>
@@ -6924,11 +5649,11 @@ Tilstødende område %4</translation>
         <translation>Tilføj drone</translation>
     </message>
     <message>
-        <source>Click places the UAV, drag on to turn it. With Ctrl it is another one. Esc leaves the tool.</source>
+        <source>Click to place the UAV; drag to set its heading. Ctrl+click adds another one. Esc leaves the tool.</source>
         <translation>Klik placerer dronen, træk videre for at dreje den. Med Ctrl bliver det en ny. Esc forlader værktøjet.</translation>
     </message>
     <message>
-        <source>Click places %1, drag on to turn it. With Ctrl it is another UAV. Esc leaves the tool.</source>
+        <source>Click to place %1; drag to set its heading. Ctrl+click adds another UAV. Esc leaves the tool.</source>
         <translation>Klik placerer %1, træk videre for at dreje den. Med Ctrl bliver det en ny drone. Esc forlader værktøjet.</translation>
     </message>
     <message>
@@ -6979,7 +5704,7 @@ Tilstødende område %4</translation>
         <translation>Nedre grænse: %1 m²</translation>
     </message>
     <message>
-        <source>Started from the plan before</source>
+        <source>Warm start from the previous plan</source>
         <translation>Startet fra den forrige plan</translation>
     </message>
     <message>
@@ -7031,7 +5756,7 @@ Tilstødende område %4</translation>
         <translation>Valgt ét isbjerg ad gangen</translation>
     </message>
     <message>
-        <source>Following the route made before</source>
+        <source>Following the existing route</source>
         <translation>Følger den rute, der er lagt tidligere</translation>
     </message>
     <message>
@@ -7105,7 +5830,7 @@ Tilstødende område %4</translation>
         <translation>Ingen plan, mens dronen vender hjem, venter eller er på jorden</translation>
     </message>
     <message>
-        <source>The wind is too strong to come home</source>
+        <source>The wind is too strong to return home</source>
         <translation>Vinden er for stærk til at komme hjem</translation>
     </message>
     <message>
@@ -7117,7 +5842,7 @@ Tilstødende område %4</translation>
         <translation>Hjemme med %1 over reserven</translation>
     </message>
     <message>
-        <source>In 1 flight of 20 the wind is too strong to come home</source>
+        <source>In 1 flight in 20 the wind is too strong to return home</source>
         <translation>I 1 ud af 20 flyvninger er vinden for stærk til at komme hjem</translation>
     </message>
     <message>
@@ -7214,7 +5939,7 @@ Tilstødende område %4</translation>
         <translation>Rundtur</translation>
     </message>
     <message>
-        <source>Weighs uncertainty seen early against the length of the path, by τ.</source>
+        <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
         <translation>Afvejer usikkerhed, der ses tidligt, mod vejens længde med τ.</translation>
     </message>
     <message>
@@ -7230,7 +5955,7 @@ Tilstødende område %4</translation>
         <translation>Flyver til det nærmeste isbjerg uden for synsfeltet.</translation>
     </message>
     <message>
-        <source>Flies to the iceberg of the greatest uncertainty.</source>
+        <source>Flies to the most uncertain iceberg.</source>
         <translation>Flyver til isbjerget med den største usikkerhed.</translation>
     </message>
     <message>
@@ -7585,11 +6310,11 @@ Tilstødende område %4</translation>
         <translation>målt med støj, kendte hastigheder</translation>
     </message>
     <message>
-        <source>measured with noise, velocities not known by 0.1 m/s</source>
+        <source>measured with noise, velocities uncertain by 0.1 m/s</source>
         <translation>målt med støj, hastigheder ukendte med 0.1 m/s</translation>
     </message>
     <message>
-        <source>measured with noise, with unknown velocities that change as those of icebergs do</source>
+        <source>measured with noise, unknown velocities that change like those of real icebergs</source>
         <translation>målt med støj, med ukendte hastigheder, der ændrer sig som isbjerges</translation>
     </message>
     <message>
@@ -7597,7 +6322,7 @@ Tilstødende område %4</translation>
         <translation>Tilfældige felter: %1, startværdier %2 til %3. Isbjerge i hvert: %4, i %5 m × %6 m, med drift op til %7 m/s</translation>
     </message>
     <message>
-        <source>σ at first %1 to %2 m², growing by q = %3 m²/s</source>
+        <source>initial σ of %1 to %2 m², growing by q = %3 m²/s</source>
         <translation>σ først %1 til %2 m², vokser med q = %3 m²/s</translation>
     </message>
     <message>
@@ -7613,7 +6338,7 @@ Tilstødende område %4</translation>
         <translation>scenariets egen startværdi, den samme for alle indstillinger</translation>
     </message>
     <message>
-        <source>seeds for each scenario: %1, its own first, the same for every setting</source>
+        <source>seeds for each scenario: %1, starting with its own, the same for every setting</source>
         <translation>startværdier for hvert scenarie: %1, dets egen først, de samme for alle indstillinger</translation>
     </message>
     <message>
@@ -7653,7 +6378,7 @@ Tilstødende område %4</translation>
         <translation>Maskine</translation>
     </message>
     <message>
-        <source>Made</source>
+        <source>Created</source>
         <translation>Lavet</translation>
     </message>
     <message>
@@ -7661,39 +6386,39 @@ Tilstødende område %4</translation>
         <translation>Sidste kørsel tog</translation>
     </message>
     <message>
-        <source>How to make it again</source>
+        <source>How to reproduce this report</source>
         <translation>Sådan laves den igen</translation>
     </message>
     <message>
-        <source>This page holds the whole study, with every scenario, seed and result, and can be given to Bergwatch as a study file. From the results in it:</source>
+        <source>This page contains the whole study with every scenario, seed and result, and Bergwatch opens it as a study file. To make the page again from these results:</source>
         <translation>Denne side indeholder hele studiet, med alle scenarier, startværdier og resultater, og kan gives til Bergwatch som studiefil. Fra resultaterne i den:</translation>
     </message>
     <message>
-        <source>Flown anew; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <source>To fly the study again; the results depend neither on the machine nor on the number of threads:</source>
         <translation>Fløjet igen; tallene afhænger hverken af maskinen eller af, hvor mange tråde der flyver:</translation>
     </message>
     <message>
-        <source>Flown anew, with the scenario files by name; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <source>To fly the study again with your scenario files; the results depend neither on the machine nor on the number of threads:</source>
         <translation>Fløjet igen, med scenariefilerne ved navn; tallene afhænger hverken af maskinen eller af, hvor mange tråde der flyver:</translation>
     </message>
     <message>
-        <source>ζ is the integral over the flight of the uncertainty σ of all icebergs together: less is better.</source>
+        <source>ζ is the total uncertainty σ of all icebergs, integrated over the flight. Lower is better.</source>
         <translation>ζ er integralet over flyvningen af usikkerheden σ for alle isbjerge tilsammen: mindre er bedre.</translation>
     </message>
     <message>
-        <source>One case, so there is no spread to show.</source>
+        <source>There is only one case, so there is no spread to show.</source>
         <translation>Ét tilfælde, så der er ingen spredning at vise.</translation>
     </message>
     <message>
-        <source>The line is the mean over the cases (%1), the bands hold the middle half and 80 % of them. Lines across are the means of policies that have no τ.</source>
+        <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
         <translation>Linjen er middelværdien over tilfældene (%1), båndene rummer den midterste halvdel og 80 % af dem. Linjer på tværs er middelværdien for strategier uden τ.</translation>
     </message>
     <message>
-        <source>Each case is compared with itself, on the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Left of 0 is better than the reference.</source>
+        <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
         <translation>Hvert tilfælde sammenlignes med sig selv, med de samme isbjerge og den samme støj; stregerne er 95 %-intervaller for middelværdien (Students t). Til venstre for 0 er bedre end referencen.</translation>
     </message>
     <message>
-        <source>Not every τ is drawn; all are in the table.</source>
+        <source>Not every τ is drawn; the table contains all of them.</source>
         <translation>Ikke alle τ er tegnet; alle står i tabellen.</translation>
     </message>
     <message>
@@ -7709,11 +6434,11 @@ Tilstødende område %4</translation>
         <translation>Bedste τ i hvert tilfælde</translation>
     </message>
     <message>
-        <source>The τ with the lowest ζ of a case, chosen in hindsight: nobody knows it before the flight. Of equal ones the smallest counts.</source>
+        <source>The τ with the lowest ζ of a case, chosen in hindsight; it is not known before the flight. If several are equal, the smallest counts.</source>
         <translation>Den τ, der giver lavest ζ i et tilfælde, valgt bagefter: ingen kender den før flyvningen. Af lige gode tæller den mindste.</translation>
     </message>
     <message>
-        <source>Stuck: two icebergs at most as targets in the last half of the flight.</source>
+        <source>Stuck: at most two icebergs were targets in the second half of the flight.</source>
         <translation>Fastlåst: højst to isbjerge som mål i den sidste halvdel af flyvningen.</translation>
     </message>
     <message>
@@ -7805,7 +6530,7 @@ Tilstødende område %4</translation>
         <translation>Andel</translation>
     </message>
     <message>
-        <source>One case recommends no policy: fly more of them.</source>
+        <source>One case is too few to recommend a policy. Fly more cases.</source>
         <translation>Ét tilfælde anbefaler ingen strategi: flyv flere.</translation>
     </message>
     <message>
@@ -7833,7 +6558,7 @@ Tilstødende område %4</translation>
         <translation>Ikke fuldstændig.</translation>
     </message>
     <message>
-        <source>Missions flown: %1 of %2. Everything below is of the cases that every setting has flown: %3 of %4.</source>
+        <source>Missions flown: %1 of %2. The results below use only the cases that every setting has flown: %3 of %4.</source>
         <translation>Fløjne missioner: %1 af %2. Alt herunder gælder de tilfælde, som alle indstillinger har fløjet: %3 af %4.</translation>
     </message>
     <message>
@@ -7900,15 +6625,75 @@ Tilstødende område %4</translation>
         <source>Recommended: %1, %2 against %3, the closest other setting.</source>
         <translation>Anbefalet: %1, %2 mod %3, den nærmeste anden indstilling.</translation>
     </message>
+    <message>
+        <source>Took off</source>
+        <translation>Lettet</translation>
+    </message>
+    <message>
+        <source>Landed</source>
+        <translation>Landet</translation>
+    </message>
+    <message>
+        <source>Start, UTC</source>
+        <translation>Start, UTC</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Until, UTC</source>
+        <translation>Til, UTC</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Til</translation>
+    </message>
+    <message>
+        <source>Zeta flown</source>
+        <translation>Zeta fløjet</translation>
+    </message>
+    <message>
+        <source>Predicted before take-off</source>
+        <translation>Forudsagt før start</translation>
+    </message>
+    <message>
+        <source>Plans made</source>
+        <translation>Lagte planer</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Planlagt efter</translation>
+    </message>
+    <message>
+        <source>Distance planned</source>
+        <translation>Distance planlagt</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % inden for</translation>
+    </message>
+    <message>
+        <source>Something was changed in flight: the prediction was for another flight.</source>
+        <translation>Noget blev ændret under flyvningen: forudsigelsen gjaldt en anden flyvning.</translation>
+    </message>
+    <message>
+        <source>and %1 more; all of them: export log-html</source>
+        <translation>og %1 til; alle: eksportér log-html</translation>
+    </message>
+    <message>
+        <source>Nothing was flown</source>
+        <translation>Intet blev fløjet</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
     <message>
-        <source>Let go to place it here. Esc takes the move back.</source>
+        <source>Release to place it here. Esc cancels.</source>
         <translation>Slip for at placere her. Esc fortryder flytningen.</translation>
     </message>
     <message>
-        <source>Locked while a flight is under way. Stop the flight to change the scenario.</source>
+        <source>The scenario is locked during a flight. Stop the flight to change it.</source>
         <translation>Låst, mens en flyvning er i gang. Stop flyvningen for at ændre scenariet.</translation>
     </message>
     <message>
@@ -7916,15 +6701,15 @@ Tilstødende område %4</translation>
         <translation>Alt inden for rammen vælges.</translation>
     </message>
     <message>
-        <source>Click selects, drag moves. Ctrl adds, a drag on water selects what is inside the frame.</source>
+        <source>Click to select, drag to move. Ctrl+click adds; drag on open water to select a box.</source>
         <translation>Klik vælger, træk flytter. Ctrl føjer til, et træk på vandet vælger det, der er inden for rammen.</translation>
     </message>
     <message>
-        <source>Click selects. In flight the tip of the wind&apos;s arrow and the asset can be dragged.</source>
+        <source>Click to select. In flight you can drag the tip of the wind arrow and the asset.</source>
         <translation>Klik vælger. Under flyvning kan spidsen af vindpilen og objektet trækkes.</translation>
     </message>
     <message>
-        <source>Click selects. Stop and edit to change the scenario.</source>
+        <source>Click to select. Choose Stop and edit to change the scenario.</source>
         <translation>Klik vælger. Stop og redigér for at ændre scenariet.</translation>
     </message>
 </context>
@@ -8001,6 +6786,167 @@ Tilstødende område %4</translation>
         <source>%1, 95 % within %2</source>
         <translation>%1, 95 % inden for %2</translation>
     </message>
+    <message>
+        <source>AIS</source>
+        <translation>AIS</translation>
+    </message>
+    <message>
+        <source>aircraft</source>
+        <translation>fly</translation>
+    </message>
+</context>
+<context>
+    <name>StudyTables</name>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Bedste τ i hvert tilfælde</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <comment>from, to</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>reference</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
+        <translation>Den τ, der har lavest ζ i hvert tilfælde, valgt bagefter: median %1, kvartiler %2 og %3.</translation>
+    </message>
+    <message>
+        <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
+        <translation>Mindre end referencen i %1 af %2 tilfælde, værst %3. I gennemsnit %4 besøg.</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>fastlåst</translation>
+    </message>
+    <message>
+        <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
+        <translation>%1 besøg, %2 planer, %3 fløjet. Enter eller et dobbeltklik åbner denne flyvning.</translation>
+    </message>
+    <message>
+        <source>Random %1</source>
+        <comment>scenario drawn from a seed</comment>
+        <translation>Tilfældigt %1</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Indstilling</translation>
+    </message>
+    <message>
+        <source>Mean ζ</source>
+        <translation>Middel ζ</translation>
+    </message>
+    <message>
+        <source>Median ζ</source>
+        <translation>Median ζ</translation>
+    </message>
+    <message>
+        <source>Quartiles</source>
+        <translation>Kvartiler</translation>
+    </message>
+    <message>
+        <source>vs reference</source>
+        <translation>mod reference</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95 %-interval</translation>
+    </message>
+    <message>
+        <source>Best in</source>
+        <translation>Bedst i</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Fastlåst</translation>
+    </message>
+    <message>
+        <source>How the next iceberg is chosen.</source>
+        <translation>Hvordan det næste isbjerg vælges.</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
+        <translation>Akkumuleret usikkerhed i m² s, middel af alle tilfælde: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>Half of the cases have less.</source>
+        <translation>Halvdelen af tilfældene har mindre.</translation>
+    </message>
+    <message>
+        <source>A quarter of the cases has less than the first, a quarter more than the second.</source>
+        <translation>En fjerdedel af tilfældene har mindre end den første, en fjerdedel mere end den anden.</translation>
+    </message>
+    <message>
+        <source>Mean of the differences, case by case, in per cent of the reference.</source>
+        <translation>Middel af forskellene, tilfælde for tilfælde, i procent af referencen.</translation>
+    </message>
+    <message>
+        <source>Confidence interval of the mean difference by Student&apos;s t.</source>
+        <translation>For den gennemsnitlige forskel: konfidensinterval efter Students t.</translation>
+    </message>
+    <message>
+        <source>Cases in which no other setting has less ζ.</source>
+        <translation>Tilfælde, hvor ingen anden indstilling har mindre ζ.</translation>
+    </message>
+    <message>
+        <source>Cases that visit at most two icebergs in the second half.</source>
+        <translation>Tilfælde, der flyver til højst to isbjerge i anden halvdel.</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Tilfælde</translation>
+    </message>
+    <message>
+        <source>Noise seed</source>
+        <translation>Støjens startværdi</translation>
+    </message>
+    <message>
+        <source>ζ, m² s</source>
+        <translation>ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Best τ</source>
+        <translation>Bedste τ</translation>
+    </message>
+    <message>
+        <source>Best of all</source>
+        <translation>Bedst af alle</translation>
+    </message>
+    <message>
+        <source>Name of the scenario, or the seed it was drawn from.</source>
+        <translation>Scenariets navn eller den startværdi, det blev trukket fra.</translation>
+    </message>
+    <message>
+        <source>Seed of the true drift, the same for every setting.</source>
+        <translation>Det, den sande drift blev trukket fra: det samme for hver indstilling.</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty of this flight: less is better.</source>
+        <translation>Akkumuleret usikkerhed for denne flyvning: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>Compared with the flight of this case with the reference.</source>
+        <translation>Sammenlignet med dette tilfældes flyvning med referencen.</translation>
+    </message>
+    <message>
+        <source>The τ with the lowest ζ in this case, in hindsight.</source>
+        <translation>Den τ, der har den laveste ζ i dette tilfælde, bestemt bagefter.</translation>
+    </message>
+    <message>
+        <source>The setting with the lowest ζ in this case.</source>
+        <translation>Den indstilling, der har den laveste ζ i dette tilfælde.</translation>
+    </message>
+    <message>
+        <source>Visits at most two icebergs in the second half.</source>
+        <translation>Flyver til højst to isbjerge i anden halvdel.</translation>
+    </message>
 </context>
 <context>
     <name>TimeChartText</name>
@@ -8020,7 +6966,7 @@ Tilstødende område %4</translation>
 <context>
     <name>TimeEntry</name>
     <message>
-        <source>Day and month of &quot;%1&quot; can be read either way. Type it like 2026-11-29 12:00.</source>
+        <source>The day and month of &quot;%1&quot; are ambiguous. Type the date like 2026-11-29 12:00.</source>
         <translation>Dag og måned i &quot;%1&quot; kan læses på to måder. Skriv det som 2026-11-29 12:00.</translation>
     </message>
     <message>
@@ -8057,18 +7003,18 @@ towards %2</source>
 mod %2</translation>
     </message>
     <message>
-        <source>The arrow points where the wind blows to; the ring is the airspeed of %1, beyond the dashed one the UAV makes little way against the wind.</source>
-        <translation>Pilen peger derhen, hvor vinden blæser; ringen er flyvefarten på %1, uden for den stiplede kommer dronen næsten ikke frem mod vinden.</translation>
+        <source>The arrow points downwind. The ring is the airspeed of the slowest UAV (%1); beyond the dashed ring UAVs make little headway.</source>
+        <translation>Pilen peger derhen, hvor vinden blæser. Ringen er den langsomste drones flyvefart (%1); uden for den stiplede ring kommer droner næsten ikke frem mod vinden.</translation>
     </message>
     <message>
-        <source>The thin line in the middle of a leg is the heading flown there.</source>
-        <translation>Den tynde streg midt på en etape er den kurs, der styres der.</translation>
+        <source>The small aircraft in the middle of a leg shows the heading flown there.</source>
+        <translation>Det lille fly midt på en etape viser den kurs, der styres der.</translation>
     </message>
 </context>
 <context>
     <name>WorkFailureText</name>
     <message>
-        <source>There is not enough memory for this. Close other programs, or ask for less.</source>
+        <source>Not enough memory. Close other programs or choose a smaller task.</source>
         <translation>Der er ikke nok hukommelse til dette. Luk andre programmer, eller bed om mindre.</translation>
     </message>
     <message>
@@ -8083,7 +7029,7 @@ mod %2</translation>
         <translation>Kvittér</translation>
     </message>
     <message>
-        <source>Takes it off this list. It comes back when it was over and happens again.</source>
+        <source>Removes this notice. It returns if the condition ends and occurs again.</source>
         <translation>Fjerner den fra denne liste. Den kommer tilbage, når den har været ovre og sker igen.</translation>
     </message>
     <message>
@@ -8091,7 +7037,7 @@ mod %2</translation>
         <translation>Fortsæt herfra</translation>
     </message>
     <message>
-        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another path flown.</source>
+        <source>Discards the flight after this instant. From here you can change the trade-off and the policy and fly another path.</source>
         <translation>Opgiver det, der blev fløjet efter dette øjeblik. Herfra kan afvejning og strategi ændres og en anden vej flyves.</translation>
     </message>
     <message>
@@ -8099,7 +7045,7 @@ mod %2</translation>
         <translation>Tilbage til seneste</translation>
     </message>
     <message>
-        <source>Back to the end of what is flown.</source>
+        <source>Goes to the latest instant of the flight.</source>
         <translation>Tilbage til slutningen af det fløjne.</translation>
     </message>
     <message>
@@ -8107,15 +7053,15 @@ mod %2</translation>
         <translation>Kontrol</translation>
     </message>
     <message>
-        <source>Lists everything that is found about the scenario.</source>
+        <source>Lists all findings in the scenario.</source>
         <translation>Viser alt, hvad der er fundet om scenariet.</translation>
     </message>
     <message>
-        <source>Bring it back</source>
-        <translation>Hent den tilbage</translation>
+        <source>Restore</source>
+        <translation>Gendan</translation>
     </message>
     <message>
-        <source>Takes up the flight where it was left.</source>
+        <source>Continues the flight where it was left.</source>
         <translation>Genoptager flyvningen, hvor den blev forladt.</translation>
     </message>
     <message>
@@ -8138,7 +7084,7 @@ mod %2</translation>
         </translation>
     </message>
     <message>
-        <source>Click shows it.</source>
+        <source>Click to show it on the map.</source>
         <translation>Klik for at vise den.</translation>
     </message>
     <message>
@@ -8157,16 +7103,31 @@ mod %2</translation>
         <translation>Kort (*.geojson *.json *.kml *.kmz);;Alle filer (*)</translation>
     </message>
     <message>
-        <source>%1 holds no places, lines or polygons</source>
+        <source>%1 contains no points, lines or polygons</source>
         <translation>%1 indeholder ingen steder, linjer eller polygoner</translation>
     </message>
     <message>
-        <source>The background %1 cannot be read</source>
+        <source>The background map %1 cannot be read</source>
         <translation>Baggrunden %1 kan ikke læses</translation>
     </message>
     <message>
         <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
         <translation>%1 er hverken GeoJSON eller KML. Konvertér filen med et kortprogram, f.eks. QGIS, og vælg den igen.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::BenchmarkController</name>
+    <message>
+        <source>Solve time</source>
+        <translation>Løsningstid</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Gemte %1</translation>
     </message>
 </context>
 <context>
@@ -8176,7 +7137,7 @@ mod %2</translation>
         <translation>Diagram</translation>
     </message>
     <message>
-        <source>What is shown over time</source>
+        <source>Quantity shown over time</source>
         <translation>Det, der vises over tid</translation>
     </message>
     <message>
@@ -8184,7 +7145,7 @@ mod %2</translation>
         <translation>Linjer</translation>
     </message>
     <message>
-        <source>Which lines are shown</source>
+        <source>Choose the lines to show</source>
         <translation>Hvilke linjer der vises</translation>
     </message>
     <message>
@@ -8255,7 +7216,7 @@ mod %2</translation>
         <translation>Fejl: skal rettes før planlægning</translation>
     </message>
     <message>
-        <source>Warning: probably not what you want</source>
+        <source>Warning: probably not intended</source>
         <translation>Advarsel: sandsynligvis ikke det, du ønsker</translation>
     </message>
     <message>
@@ -8285,11 +7246,7 @@ mod %2</translation>
         <translation>Sammenligning af akkumuleret usikkerhed</translation>
     </message>
     <message>
-        <source>Zeta ζ, m² s</source>
-        <translation>Zeta ζ, m² s</translation>
-    </message>
-    <message>
-        <source>The comparison of runs of one scenario is shown here.</source>
+        <source>This chart compares runs of one scenario.</source>
         <translation>Her vises sammenligningen af flyvninger af samme scenarie.</translation>
     </message>
     <message>
@@ -8309,6 +7266,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Time, UTC</source>
         <translation>Tid, UTC</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zeta ζ, %1</translation>
     </message>
 </context>
 <context>
@@ -8370,7 +7331,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Fjern</translation>
     </message>
     <message>
-        <source>Takes the chosen run off the list.</source>
+        <source>Removes the chosen run from the list.</source>
         <translation>Fjerner den valgte flyvning fra listen.</translation>
     </message>
     <message>
@@ -8522,7 +7483,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Forskelle til referencen</translation>
     </message>
     <message>
-        <source>Here each setting is compared with a reference, case by case.</source>
+        <source>This chart compares each setting with a reference, case by case.</source>
         <translation>Her sammenlignes hver indstilling med en reference, tilfælde for tilfælde.</translation>
     </message>
     <message>
@@ -8704,20 +7665,20 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Ikke muligt</translation>
     </message>
     <message>
-        <source>Everything that was asked for is in the file.</source>
-        <translation>Alt, hvad der blev bedt om, er i filen.</translation>
-    </message>
-    <message>
         <source>%1, %2, to %3</source>
         <translation>%1, %2, til %3</translation>
     </message>
     <message>
-        <source>There already: you will be asked before anything is lost.</source>
+        <source>The file exists. Bergwatch asks before it overwrites it.</source>
         <translation>Findes allerede: du bliver spurgt, før noget går tabt.</translation>
     </message>
     <message>
         <source>Working ...</source>
         <translation>Arbejder ...</translation>
+    </message>
+    <message>
+        <source>Nothing was changed or left out.</source>
+        <translation>Intet blev ændret eller udeladt.</translation>
     </message>
 </context>
 <context>
@@ -8838,12 +7799,811 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Fil</translation>
     </message>
     <message>
-        <source>The page as it is written</source>
+        <source>Preview of the page</source>
         <translation>Siden, som den skrives</translation>
     </message>
     <message>
         <source>Page</source>
         <translation>Side</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Fields</name>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Shown on the map in place of the id.</source>
+        <translation>Vises på kortet i stedet for id&apos;et.</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Øst</translation>
+    </message>
+    <message>
+        <source>Position at the start, east of the scenario&apos;s origin.</source>
+        <translation>Position ved starten, øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Position at the start, north of the scenario&apos;s origin.</source>
+        <translation>Position ved starten, nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Clockwise from north, at the start.</source>
+        <translation>Med uret fra nord, ved starten.</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Flyvefart</translation>
+    </message>
+    <message>
+        <source>Must exceed the wind speed.</source>
+        <translation>Altid hurtigere end vinden.</translation>
+    </message>
+    <message>
+        <source>Maximum bank angle</source>
+        <translation>Største krængning</translation>
+    </message>
+    <message>
+        <source>Bank in a turn; the larger, the tighter the turns.</source>
+        <translation>Krængning i et drej; jo større, jo snævrere drej.</translation>
+    </message>
+    <message>
+        <source>View along-track</source>
+        <translation>Synsfelt på langs</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view along the heading.</source>
+        <translation>Synsfeltets udstrækning langs kursen.</translation>
+    </message>
+    <message>
+        <source>View cross-track</source>
+        <translation>Synsfelt på tværs</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view across the heading.</source>
+        <translation>Synsfeltets udstrækning på tværs af kursen.</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Højde</translation>
+    </message>
+    <message>
+        <source>Height above sea level. UAVs at least %1 apart in height may pass each other.</source>
+        <translation>Højde over havet: droner med %1 højdeforskel går fri af hinanden.</translation>
+    </message>
+    <message>
+        <source>unlimited</source>
+        <translation>ubegrænset</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Udholdenhed</translation>
+    </message>
+    <message>
+        <source>Longest flight; the UAV is home before it ends. At 0 it lands only when ordered to return.</source>
+        <translation>Længste flyvning: den er hjemme inden da; ved 0 lander den kun, når den får ordre til at flyve hjem.</translation>
+    </message>
+    <message>
+        <source>Home east</source>
+        <translation>Hjem øst</translation>
+    </message>
+    <message>
+        <source>Landing place, east of the scenario&apos;s origin.</source>
+        <translation>Hvor den lander, øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Home north</source>
+        <translation>Hjem nord</translation>
+    </message>
+    <message>
+        <source>Landing place, north of the scenario&apos;s origin.</source>
+        <translation>Hvor den lander, nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Turn-around</source>
+        <translation>Vendetid</translation>
+    </message>
+    <message>
+        <source>Time on the ground between landing and the next take-off.</source>
+        <translation>Tid på jorden mellem landing og næste start.</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Share of the endurance that plans leave unused.</source>
+        <translation>Den del af udholdenheden, som ingen flyvning planlægges at bruge.</translation>
+    </message>
+    <message>
+        <source>by percentage</source>
+        <translation>efter procentdel</translation>
+    </message>
+    <message>
+        <source>Fixed reserve</source>
+        <translation>Fast reserve</translation>
+    </message>
+    <message>
+        <source>Reserve as a time, in place of the percentage.</source>
+        <translation>En tid i stedet for procentdelen.</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>Stigning</translation>
+    </message>
+    <message>
+        <source>Time from take-off to the flight altitude.</source>
+        <translation>Tid fra start til flyvehøjden.</translation>
+    </message>
+    <message>
+        <source>Landing</source>
+        <translation>Landing</translation>
+    </message>
+    <message>
+        <source>Time from the flight altitude above home to the ground.</source>
+        <translation>Tid fra flyvehøjden, over hjemmepunktet, til jorden.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Wind limit</source>
+        <translation>Vindgrænse</translation>
+    </message>
+    <message>
+        <source>Strongest wind in which the UAV may fly.</source>
+        <translation>Kraftigste vind, den flyves i.</translation>
+    </message>
+    <message>
+        <source>Gust limit</source>
+        <translation>Vindstødsgrænse</translation>
+    </message>
+    <message>
+        <source>Strongest gusts in which the UAV may fly.</source>
+        <translation>Kraftigste vindstød, den flyves i.</translation>
+    </message>
+    <message>
+        <source>Icing conditions</source>
+        <translation>Isningsforhold</translation>
+    </message>
+    <message>
+        <source>Whether the UAV may fly below 0 °C in nearly saturated air.</source>
+        <translation>Om den må flyves under 0 °C i luft, der er næsten mættet.</translation>
+    </message>
+    <message>
+        <source>each time step</source>
+        <translation>hvert tidsskridt</translation>
+    </message>
+    <message>
+        <source>Autopilot rate</source>
+        <translation>Autopilotens takt</translation>
+    </message>
+    <message>
+        <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
+        <translation>Tid mellem to kommandoer fra autopiloten; ved 0 giver den én i hvert tidsskridt.</translation>
+    </message>
+    <message>
+        <source>Drift east</source>
+        <translation>Drift mod øst</translation>
+    </message>
+    <message>
+        <source>Known drift to the east, without the current.</source>
+        <translation>Kendt drift mod øst; strømmen kommer oveni.</translation>
+    </message>
+    <message>
+        <source>Drift north</source>
+        <translation>Drift mod nord</translation>
+    </message>
+    <message>
+        <source>Known drift to the north, without the current.</source>
+        <translation>Kendt drift mod nord; strømmen kommer oveni.</translation>
+    </message>
+    <message>
+        <source>Drift error</source>
+        <translation>Driftfejl</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of the known drift, along each axis.</source>
+        <translation>Standardafvigelse for fejlen i den kendte drift, langs hver akse.</translation>
+    </message>
+    <message>
+        <source>Drift variation</source>
+        <translation>Variation i drift</translation>
+    </message>
+    <message>
+        <source>Long-term standard deviation of the drift about the current, along each axis. Example, a beacon off Canada: 0.15 m/s.</source>
+        <translation>Standardafvigelse for dets drift på lang sigt, langs hver akse, omkring strømmens. En bøje ud for Canada: 0,15 m/s.</translation>
+    </message>
+    <message>
+        <source>Drift time constant</source>
+        <translation>Driften ændrer sig på</translation>
+    </message>
+    <message>
+        <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
+        <translation>Den tid, hvori en kendt drift ophører med at være kendt: den aftager mod strømmen. 0: driften er konstant. En bøje ud for Canada: 36.000 s.</translation>
+    </message>
+    <message>
+        <source>Growth q</source>
+        <translation>Vækst q</translation>
+    </message>
+    <message>
+        <source>Growth of the uncertainty per second out of view.</source>
+        <translation>Det, usikkerheden vokser med pr. sekund ude af syne.</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ₀</source>
+        <translation>Usikkerhed σ₀</translation>
+    </message>
+    <message>
+        <source>Variance of the position when it was last seen.</source>
+        <translation>Positionens varians, da det sidst blev set.</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Sidst set</translation>
+    </message>
+    <message>
+        <source>Time between the last sighting and the start; σ has grown since.</source>
+        <translation>Hvor længe før starten det sidst blev set; σ er vokset siden.</translation>
+    </message>
+    <message>
+        <source>Appears at</source>
+        <translation>Dukker op</translation>
+    </message>
+    <message>
+        <source>Run time from which the iceberg is known; 0 is the start.</source>
+        <translation>Det tidspunkt i flyvningen, fra hvilket det er kendt; 0 er starten.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Halv længde</translation>
+    </message>
+    <message>
+        <source>Half its length. It sets the size on the map and how far outside the area the iceberg is monitored.</source>
+        <translation>Halvdelen af dets længde: dets størrelse på kortet, og hvor langt uden for området det stadig overvåges.</translation>
+    </message>
+    <message>
+        <source>Visited by</source>
+        <translation>Besøges af</translation>
+    </message>
+    <message>
+        <source>The only UAV that may visit it.</source>
+        <translation>Den drone, der som den eneste skal besøge det.</translation>
+    </message>
+    <message>
+        <source>Speed east</source>
+        <translation>Fart mod øst</translation>
+    </message>
+    <message>
+        <source>Speed of a ship to the east; 0 for a platform.</source>
+        <translation>Et skibs fart mod øst; 0 for en platform.</translation>
+    </message>
+    <message>
+        <source>Speed north</source>
+        <translation>Fart mod nord</translation>
+    </message>
+    <message>
+        <source>Speed of a ship to the north; 0 for a platform.</source>
+        <translation>Et skibs fart mod nord; 0 for en platform.</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Rækkevidde</translation>
+    </message>
+    <message>
+        <source>Distance within which icebergs matter to the asset.</source>
+        <translation>Hvor tæt på et isbjerg skal være for at have betydning for det.</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Vægt</translation>
+    </message>
+    <message>
+        <source>Additional weight of an iceberg at the asset.</source>
+        <translation>Hvor meget mere et isbjerg i nærheden af det betyder.</translation>
+    </message>
+    <message>
+        <source>half the range</source>
+        <translation>halv rækkevidde</translation>
+    </message>
+    <message>
+        <source>Inner ring</source>
+        <translation>Indre ring</translation>
+    </message>
+    <message>
+        <source>An iceberg predicted to enter it within an hour raises an alarm. At 0 it is half the range.</source>
+        <translation>Et isbjerg, der er på vej ind i den inden for en time, udløser alarm; ved 0 er ringen den halve rækkevidde.</translation>
+    </message>
+    <message>
+        <source>Stand-off ring</source>
+        <translation>Sikkerhedsring</translation>
+    </message>
+    <message>
+        <source>Least distance of UAVs from the asset; for a ship, from its whole track.</source>
+        <translation>Ingen drone kommer nærmere; for et skib gælder det hele dets sejlads.</translation>
+    </message>
+    <message>
+        <source>Stand-off ceiling</source>
+        <translation>Øvre grænse for ringen</translation>
+    </message>
+    <message>
+        <source>Height above which UAVs may cross the ring.</source>
+        <translation>Over denne højde må droner flyve hen over ringen.</translation>
+    </message>
+    <message>
+        <source>Shown on the map.</source>
+        <translation>Vises på kortet.</translation>
+    </message>
+    <message>
+        <source>Corner of the no-fly area</source>
+        <translation>Hjørne af flyveforbudsområdet</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Nedre højdegrænse</translation>
+    </message>
+    <message>
+        <source>UAVs below this height may pass under the area.</source>
+        <translation>Droner, der flyver lavere end dette, flyver under det.</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>Øvre højdegrænse</translation>
+    </message>
+    <message>
+        <source>UAVs above this height may pass over the area.</source>
+        <translation>Droner, der flyver højere end dette, flyver over det.</translation>
+    </message>
+    <message>
+        <source>Corner of the airspace</source>
+        <translation>Hjørne af luftrummet</translation>
+    </message>
+    <message>
+        <source>Start of the airspace</source>
+        <translation>Luftrummets starttidspunkt</translation>
+    </message>
+    <message>
+        <source>End of the airspace</source>
+        <translation>Luftrummets sluttidspunkt</translation>
+    </message>
+    <message>
+        <source>Station east</source>
+        <translation>Station øst</translation>
+    </message>
+    <message>
+        <source>East of the scenario&apos;s origin.</source>
+        <translation>Øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Station north</source>
+        <translation>Station nord</translation>
+    </message>
+    <message>
+        <source>North of the scenario&apos;s origin.</source>
+        <translation>Nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Antenna height</source>
+        <translation>Antennehøjde</translation>
+    </message>
+    <message>
+        <source>Height above the sea.</source>
+        <translation>Højde over havet.</translation>
+    </message>
+    <message>
+        <source>radio horizon</source>
+        <translation>radiohorisont</translation>
+    </message>
+    <message>
+        <source>Link range</source>
+        <translation>Forbindelsens rækkevidde</translation>
+    </message>
+    <message>
+        <source>Range of the link; the lowest value means the radio horizon of the antenna and the UAV&apos;s altitude.</source>
+        <translation>Hvor langt forbindelsen rækker; ved den laveste værdi til radiohorisonten for antennen og dronens højde.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Distance around all places of the plan, for turns and replanning. Not used with a geofence.</source>
+        <translation>Omkring alle steder, som en plan kan føre til, af hensyn til drej og ændringer af planen. Med geohegn bruges den ikke.</translation>
+    </message>
+    <message>
+        <source>UAV size</source>
+        <translation>Dronens størrelse</translation>
+    </message>
+    <message>
+        <source>Largest dimension of a UAV; half of it is added to the ground-risk buffer.</source>
+        <translation>Største mål på en drone; halvdelen af det gør jordrisikobufferen bredere.</translation>
+    </message>
+    <message>
+        <source>Satellite position error</source>
+        <translation>Fejl i satellitposition</translation>
+    </message>
+    <message>
+        <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
+        <translation>Del af beredskabsvolumenets bredde. Kilde: Digisky 3.3.0, efter vejledningen fra schweiziske FOCA: 3 m.</translation>
+    </message>
+    <message>
+        <source>Path-keeping error</source>
+        <translation>Fejl i banefølgning</translation>
+    </message>
+    <message>
+        <source>Error of the autopilot, part of the width of the contingency volume. Same source: 3 m.</source>
+        <translation>Autopilotens fejl, del af beredskabsvolumenets bredde. Samme kilde: 3 m.</translation>
+    </message>
+    <message>
+        <source>Map error</source>
+        <translation>Kortfejl</translation>
+    </message>
+    <message>
+        <source>Part of the width of the contingency volume. Same source: 1 m.</source>
+        <translation>Del af beredskabsvolumenets bredde. Samme kilde: 1 m.</translation>
+    </message>
+    <message>
+        <source>Reaction time</source>
+        <translation>Reaktionstid</translation>
+    </message>
+    <message>
+        <source>Time at full speed before the crew reacts. Same source: 1 s.</source>
+        <translation>Tid ved fuld fart, før besætningen reagerer. Samme kilde: 1 s.</translation>
+    </message>
+    <message>
+        <source>Bank of the turn back</source>
+        <translation>Krængning i drejet tilbage</translation>
+    </message>
+    <message>
+        <source>Sets the turn radius v²/(g tan bank). Same source: 30°.</source>
+        <translation>Giver drejeradius v²/(g tan krængning). Samme kilde: 30°.</translation>
+    </message>
+    <message>
+        <source>Height error</source>
+        <translation>Højdefejl</translation>
+    </message>
+    <message>
+        <source>Part of the height of the contingency volume. Same source: 4 m.</source>
+        <translation>Del af beredskabsvolumenets højde. Samme kilde: 4 m.</translation>
+    </message>
+    <message>
+        <source>Climb part</source>
+        <translation>Stigeandel</translation>
+    </message>
+    <message>
+        <source>Share of the speed that is climb during the reaction time. Same source: 0.707, a climb of 45°.</source>
+        <translation>Den del af farten, der fører opad i reaktionstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
+    </message>
+    <message>
+        <source>Pull-up part</source>
+        <translation>Udretningsandel</translation>
+    </message>
+    <message>
+        <source>Height needed to level out, as a share of v²/g. Same source: 0.3.</source>
+        <translation>Den del af v²/g, som udretning til vandret flyvning kræver. Samme kilde: 0,3.</translation>
+    </message>
+    <message>
+        <source>Buffer ratio</source>
+        <translation>Bufferforhold</translation>
+    </message>
+    <message>
+        <source>Width of the ground-risk buffer divided by the height of the contingency volume. Same source: 1, the 1:1 rule.</source>
+        <translation>Jordrisikobufferens bredde divideret med beredskabsvolumenets højde. Samme kilde: 1, reglen 1:1.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, time</source>
+        <translation>Tilstødende område, tid</translation>
+    </message>
+    <message>
+        <source>Flight time at full speed. Same source: 180 s.</source>
+        <translation>Flyvetid ved fuld fart. Samme kilde: 180 s.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, minimum</source>
+        <translation>Tilstødende område, minimum</translation>
+    </message>
+    <message>
+        <source>Minimum width. Same source: 5 km.</source>
+        <translation>Mindste bredde. Samme kilde: 5 km.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, maximum</source>
+        <translation>Tilstødende område, maksimum</translation>
+    </message>
+    <message>
+        <source>Maximum width. Same source: 35 km.</source>
+        <translation>Største bredde. Samme kilde: 35 km.</translation>
+    </message>
+    <message>
+        <source>Crew</source>
+        <translation>Besætning</translation>
+    </message>
+    <message>
+        <source>Names printed in the flight brief. If empty, the brief has a blank line.</source>
+        <translation>Hvem der flyver; udskrives i flyvebriefingen; tomt: en blank linje.</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Kaldesignal</translation>
+    </message>
+    <message>
+        <source>Printed in the flight brief. If empty, the brief has a blank line.</source>
+        <translation>Udskrives i flyvebriefingen. Er feltet tomt, bliver det en blank linje.</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakter</translation>
+    </message>
+    <message>
+        <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
+        <translation>Skib, lufttrafiktjeneste, redningstjeneste: navne, numre, frekvenser.</translation>
+    </message>
+    <message>
+        <source>Command link</source>
+        <translation>Kommandolink</translation>
+    </message>
+    <message>
+        <source>How the UAVs are commanded, and what they do if the link is lost.</source>
+        <translation>Hvordan dronerne styres, og hvad de gør uden den.</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Tjekliste</translation>
+    </message>
+    <message>
+        <source>One item per line, printed with a box to tick.</source>
+        <translation>Én linje pr. punkt; udskrives med et felt til afkrydsning.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>ikke kendt</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Vindstød</translation>
+    </message>
+    <message>
+        <source>Speed of the gusts, compared with the limits of the UAVs.</source>
+        <translation>Vindstødenes fart, sammenlignet med dronernes grænser.</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Air temperature at sea level.</source>
+        <translation>Luftens temperatur ved havoverfladen.</translation>
+    </message>
+    <message>
+        <source>Dew point</source>
+        <translation>Dugpunkt</translation>
+    </message>
+    <message>
+        <source>Dew point at sea level. With the temperature it shows whether ice may form.</source>
+        <translation>Dugpunkt ved havoverfladen. Sammen med temperaturen viser det, om der kan dannes is.</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Coordinate of the origin, in any format; a full coordinate or a place name sets both. Everything moves with it.</source>
+        <translation>For origo, i enhver form; en hel koordinat eller et navn sætter begge. Alt flytter med.</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Længde</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>Observatør</translation>
+    </message>
+    <message>
+        <source>Exact: a sighting gives the true position. Filter: position and velocity are estimated from noisy measurements, and icebergs can get lost.</source>
+        <translation>Eksakt: et isbjerg i synsfeltet er der, hvor det ses. Filter: målinger med støj, hvorfra position og hastighed estimeres, og isbjerge kan blive mistet.</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfejl</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured position, along each axis.</source>
+        <translation>Standardafvigelse for en målt position, langs hver akse.</translation>
+    </message>
+    <message>
+        <source>Sensor interval</source>
+        <translation>Sensorinterval</translation>
+    </message>
+    <message>
+        <source>Time between two samples of the sensor, each of which measures what is in view.</source>
+        <translation>Tid mellem to målinger med sensoren, som hver måler det, der er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Detection probability</source>
+        <translation>Detektionssandsynlighed</translation>
+    </message>
+    <message>
+        <source>Probability that one sample shows an iceberg in view.</source>
+        <translation>Sandsynlighed for, at én måling viser et isbjerg i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Eftersøgning</translation>
+    </message>
+    <message>
+        <source>Search pattern for an iceberg that is not at its estimated position.</source>
+        <translation>Søgemønster for et isbjerg, der ikke er ved sin estimerede position.</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Afvejning τ</translation>
+    </message>
+    <message>
+        <source>Formulation</source>
+        <translation>Formulering</translation>
+    </message>
+    <message>
+        <source>Integer program that COIN-OR CBC solves when it is the solver.</source>
+        <translation>Det heltalsprogram, COIN-OR CBC løser, når den er valgt som løser.</translation>
+    </message>
+    <message>
+        <source>Planning time</source>
+        <translation>Planlægningstid</translation>
+    </message>
+    <message>
+        <source>Time to make a plan in flight; until it is ready the UAV continues with the previous plan.</source>
+        <translation>Hvor lang tid en plan tager under flyvning; indtil den foreligger, følger dronen fortsat den forrige.</translation>
+    </message>
+    <message>
+        <source>in view</source>
+        <translation>i synsfeltet</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Acceptradius</translation>
+    </message>
+    <message>
+        <source>Distance at which an iceberg counts as reached; at 0 it is reached when it is in view.</source>
+        <translation>Hvor tæt dronen skal komme på et isbjerg; ved 0 er det nået, når det er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Synsfelt</translation>
+    </message>
+    <message>
+        <source>Shape of the area that the camera covers.</source>
+        <translation>Formen på det, kameraet dækker.</translation>
+    </message>
+    <message>
+        <source>Group nearby icebergs</source>
+        <translation>Gruppér nære isbjerge</translation>
+    </message>
+    <message>
+        <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
+        <translation>Isbjerge, der er plads til i ét synsfelt, planlægges som ét punkt, hvorfra alle ses.</translation>
+    </message>
+    <message>
+        <source>Title of the scenario, shown on the map.</source>
+        <translation>Scenariets titel, der vises på kortet.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Noter</translation>
+    </message>
+    <message>
+        <source>Any text, stored in the file.</source>
+        <translation>Valgfri tekst, gemmes i filen.</translation>
+    </message>
+    <message>
+        <source>Start (UTC)</source>
+        <translation>Start (UTC)</translation>
+    </message>
+    <message>
+        <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
+        <translation>Dato og klokkeslæt for start, som 2026-11-29 12:00 eller 29 Nov 2026 12:00; 1200Z beholder datoen. Tomt: tiderne er relative.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Varighed</translation>
+    </message>
+    <message>
+        <source>Length of the run, at most seven days.</source>
+        <translation>Flyvningens længde, højst syv døgn.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startværdi</translation>
+    </message>
+    <message>
+        <source>Seed of the random drift: the same seed repeats the run.</source>
+        <translation>Bestemmer den tilfældige drift: samme startværdi, samme flyvning.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Tidsskridt</translation>
+    </message>
+    <message>
+        <source>Step of the simulation; a smaller step is more exact and slower.</source>
+        <translation>Simuleringens skridt; korte er nøjagtige og langsomme.</translation>
+    </message>
+    <message>
+        <source>Random drift</source>
+        <translation>Tilfældig drift</translation>
+    </message>
+    <message>
+        <source>Off: icebergs drift exactly as known.</source>
+        <translation>Fra: isbjerge driver nøjagtigt som kendt.</translation>
+    </message>
+    <message>
+        <source>Wind east</source>
+        <translation>Vind mod øst</translation>
+    </message>
+    <message>
+        <source>Towards the east; must be below the UAV&apos;s airspeed.</source>
+        <translation>Mod øst; altid langsommere, end dronen flyver.</translation>
+    </message>
+    <message>
+        <source>Wind north</source>
+        <translation>Vind mod nord</translation>
+    </message>
+    <message>
+        <source>Towards the north; must be below the UAV&apos;s airspeed.</source>
+        <translation>Mod nord; altid langsommere, end dronen flyver.</translation>
+    </message>
+    <message>
+        <source>Current east</source>
+        <translation>Strøm mod øst</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the east.</source>
+        <translation>Fører alle isbjerge mod øst.</translation>
+    </message>
+    <message>
+        <source>Current north</source>
+        <translation>Strøm mod nord</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the north.</source>
+        <translation>Fører alle isbjerge mod nord.</translation>
+    </message>
+    <message>
+        <source>Corner of the area</source>
+        <translation>Hjørne af området</translation>
+    </message>
+    <message>
+        <source>Geofence</source>
+        <translation>Geohegn</translation>
+    </message>
+    <message>
+        <source>UAVs stay inside the area if they start clear of its edge.</source>
+        <translation>Droner, der starter fri af kanten, bliver inden for området.</translation>
+    </message>
+    <message>
+        <source>no separation</source>
+        <translation>ingen adskillelse</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Adskillelse</translation>
+    </message>
+    <message>
+        <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
+        <translation>Droner holdes så langt fra hinanden, medmindre der er %1 forskel på deres højder.</translation>
     </message>
 </context>
 <context>
@@ -8900,12 +8660,36 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Drone</translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation>Sted</translation>
-    </message>
-    <message>
         <source>Command</source>
         <translation>Kommando</translation>
+    </message>
+    <message>
+        <source>Coordinate</source>
+        <translation>Koordinat</translation>
+    </message>
+    <message>
+        <source>Sea or bay</source>
+        <translation>Hav eller bugt</translation>
+    </message>
+    <message>
+        <source>Island or coast</source>
+        <translation>Ø eller kyst</translation>
+    </message>
+    <message>
+        <source>Cape</source>
+        <translation>Kap</translation>
+    </message>
+    <message>
+        <source>Town or station</source>
+        <translation>By eller station</translation>
+    </message>
+    <message>
+        <source>Oil or gas field</source>
+        <translation>Olie- eller gasfelt</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Felt</translation>
     </message>
 </context>
 <context>
@@ -8931,11 +8715,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Zeta ζ</translation>
     </message>
     <message>
-        <source>Against prediction</source>
+        <source>vs prediction</source>
         <translation>Mod forudsigelsen</translation>
     </message>
     <message>
-        <source>ζ against what was predicted before take-off for the policy.</source>
+        <source>ζ compared with the prediction for the policy before take-off.</source>
         <translation>ζ i forhold til det, der blev forudsagt for strategien før start.</translation>
     </message>
     <message>
@@ -8971,7 +8755,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Sammenlign</translation>
     </message>
     <message>
-        <source>Sets the run beside others.</source>
+        <source>Compares the run with others.</source>
         <translation>Stiller flyvningen ved siden af andre.</translation>
     </message>
     <message>
@@ -8979,7 +8763,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Gem flyvning</translation>
     </message>
     <message>
-        <source>Keeps the run in a file.</source>
+        <source>Saves the run to a file.</source>
         <translation>Bevarer flyvningen i en fil.</translation>
     </message>
     <message>
@@ -8995,7 +8779,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Forudsagt interval</translation>
     </message>
     <message>
-        <source>ζ of nine flights in ten was predicted to lie in this range.</source>
+        <source>Predicted range of ζ for 90 % of flights.</source>
         <translation>ζ for ni ud af ti flyvninger blev forudsagt at ligge i dette interval.</translation>
     </message>
     <message>
@@ -9026,7 +8810,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Planen er stadig under udarbejdelse.</translation>
     </message>
     <message>
-        <source>Flight to %1 given up</source>
+        <source>Flight to %1 discarded</source>
         <translation>Flyvning til %1 opgivet</translation>
     </message>
 </context>
@@ -9037,7 +8821,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Planlægger</translation>
     </message>
     <message>
-        <source>Ready: Space flies it</source>
+        <source>Ready. Press Space to fly</source>
         <translation>Klar: tryk på mellemrum for at flyve</translation>
     </message>
     <message>
@@ -9057,14 +8841,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Kan ikke planlægges: %1</translation>
     </message>
     <message>
-        <source>Press I and click on the map to place one, drag on to let it drift, or import sightings.</source>
+        <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
         <translation>Tryk på I, og klik på kortet for at placere et, træk videre for at lade det drive, eller importér observationer.</translation>
     </message>
 </context>
 <context>
     <name>berg::GenerateDialog</name>
     <message>
-        <source>There is no room for so many so far from each other. Take fewer, a smaller distance or a larger area.</source>
+        <source>There is no room for this many icebergs at this spacing. Choose fewer icebergs, a smaller spacing or a larger area.</source>
         <translation>Der er ikke plads til så mange så langt fra hinanden. Vælg færre, en mindre afstand eller et større område.</translation>
     </message>
     <message>
@@ -9096,7 +8880,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Scenariets område</translation>
     </message>
     <message>
-        <source>What the map shows</source>
+        <source>Visible part of the map</source>
         <translation>Det, kortet viser</translation>
     </message>
     <message>
@@ -9140,7 +8924,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>I enhver retning</translation>
     </message>
     <message>
-        <source>About one direction</source>
+        <source>Around one direction</source>
         <translation>Omkring én retning</translation>
     </message>
     <message>
@@ -9148,11 +8932,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>&amp;Drift</translation>
     </message>
     <message>
-        <source>Direction they drift to, from north</source>
+        <source>Drift direction, clockwise from north</source>
         <translation>Retning, de driver mod, fra nord</translation>
     </message>
     <message>
-        <source>To either side of it</source>
+        <source>Spread to either side</source>
         <translation>Til hver side af den</translation>
     </message>
     <message>
@@ -9180,15 +8964,15 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>&amp;Vækst q</translation>
     </message>
     <message>
-        <source>Least distance between two icebergs</source>
+        <source>Minimum distance between two icebergs</source>
         <translation>Mindste afstand mellem to isbjerge</translation>
     </message>
     <message>
-        <source>Least &amp;distance</source>
+        <source>&amp;Minimum spacing</source>
         <translation>&amp;Mindste afstand</translation>
     </message>
     <message>
-        <source>The same number draws the same field again.</source>
+        <source>The same seed generates the same field again.</source>
         <translation>Det samme tal giver det samme felt igen.</translation>
     </message>
     <message>
@@ -9204,7 +8988,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>S&amp;tartværdi</translation>
     </message>
     <message>
-        <source>R&amp;eplace the present icebergs</source>
+        <source>R&amp;eplace existing icebergs</source>
         <translation>Erstat de nuværende &amp;isbjerge</translation>
     </message>
     <message>
@@ -9212,7 +8996,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Generér</translation>
     </message>
     <message numerus="yes">
-        <source>The scenario then holds %n icebergs.</source>
+        <source>The scenario will have %n icebergs.</source>
         <translation>
             <numerusform>Scenariet rummer derefter ét isbjerg.</numerusform>
             <numerusform>Scenariet rummer derefter %n isbjerge.</numerusform>
@@ -9223,12 +9007,31 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>ingen</translation>
     </message>
     <message>
-        <source>Not known, changing within 10 h</source>
+        <source>Unknown, changing within 10 h</source>
         <translation>Ikke kendt, ændrer sig inden for 10 t</translation>
     </message>
     <message>
-        <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. The icebergs are then measured in flight.</source>
+        <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
         <translation>Som tilpasset en bøje: 0,15 m/s langs hver akse, i enhver retning. Isbjergene måles derefter under flyvning.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::HistoryActions</name>
+    <message>
+        <source>Undo</source>
+        <translation>Fortryd</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Omgør</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Fortryd</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Omgør</translation>
     </message>
 </context>
 <context>
@@ -9285,7 +9088,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Sæt isbjerge ind</translation>
     </message>
     <message>
-        <source>The column &quot;%1&quot; follows from the others. Nothing was pasted.</source>
+        <source>The column &quot;%1&quot; is computed from others. Nothing was pasted.</source>
         <translation>Kolonnen »%1« følger af de andre. Intet blev sat ind.</translation>
     </message>
 </context>
@@ -9307,6 +9110,30 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Automatic: %1</source>
         <translation>Automatisk: %1</translation>
     </message>
+    <message>
+        <source>Line of the file that names the columns, if a title precedes it.</source>
+        <translation>Linjen i filen med kolonnernes navne, når en titel står over den.</translation>
+    </message>
+    <message>
+        <source>&amp;Header line</source>
+        <translation>&amp;Linje med overskrifter</translation>
+    </message>
+    <message>
+        <source>Columns as for the last file with this header.</source>
+        <translation>Kolonner som for den forrige fil med denne overskrift.</translation>
+    </message>
+    <message>
+        <source>&amp;Forget columns</source>
+        <translation>&amp;Glem kolonner</translation>
+    </message>
+    <message>
+        <source>Headers whose columns were chosen by hand in an earlier import.</source>
+        <translation>Overskrifter, hvis kolonner blev valgt i hånden ved en tidligere import.</translation>
+    </message>
+    <message>
+        <source>All of them</source>
+        <translation>Alle</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportDialog</name>
@@ -9315,7 +9142,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Ingen isbjerge</translation>
     </message>
     <message>
-        <source>None of the sightings is taken.</source>
+        <source>No sighting can be imported.</source>
         <translation>Ingen af observationerne er taget med.</translation>
     </message>
     <message>
@@ -9343,10 +9170,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Isbjerge</translation>
     </message>
     <message>
-        <source>Rejected rows</source>
-        <translation>Afviste rækker</translation>
-    </message>
-    <message>
         <source>Columns</source>
         <translation>Kolonner</translation>
     </message>
@@ -9361,10 +9184,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Icebergs (%1)</source>
         <translation>Isbjerge (%1)</translation>
-    </message>
-    <message>
-        <source>Rejected rows (%1)</source>
-        <translation>Afviste rækker (%1)</translation>
     </message>
     <message>
         <source>Reading %1, %2 ...</source>
@@ -9383,14 +9202,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Isbjerge (de første %1 af %2)</translation>
     </message>
     <message>
-        <source>Rejected rows (first %1 of %2)</source>
-        <translation>Afviste rækker (de første %1 af %2)</translation>
-    </message>
-    <message>
-        <source>Velocities are not known exactly, so the observer becomes the Kalman filter.</source>
-        <translation>Hastighederne er ikke nøjagtigt kendt, så observatøren bliver Kalmanfilteret.</translation>
-    </message>
-    <message>
         <source>Import into a &amp;new scenario</source>
         <translation>Importér i et &amp;nyt scenarie</translation>
     </message>
@@ -9402,16 +9213,62 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Re&amp;port</source>
         <translation>&amp;Meld</translation>
     </message>
+    <message>
+        <source>Report all t&amp;he same</source>
+        <translation>Meld al&amp;ligevel</translation>
+    </message>
+    <message>
+        <source>Import all t&amp;he same</source>
+        <translation>Importér al&amp;ligevel</translation>
+    </message>
+    <message>
+        <source>Choose below which rows belong to the same iceberg.</source>
+        <translation>Vælg nedenfor, hvilke rækker der er observationer af ét isbjerg.</translation>
+    </message>
+    <message>
+        <source>Faster than 1.5 m/s or on land: %1. Check columns, units and ids.</source>
+        <translation>Hurtigere end 1,5 m/s eller på land: %1. Kontrollér kolonner, enheder og id&apos;er.</translation>
+    </message>
+    <message>
+        <source>Velocities are uncertain, so the scenario will use the Kalman filter.</source>
+        <translation>Hastighederne er usikre, så scenariet vil bruge Kalmanfilteret.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportIdentityView</name>
+    <message>
+        <source>Rows with the same “%1”</source>
+        <translation>Rækker med samme »%1«</translation>
+    </message>
+    <message>
+        <source>All rows are one iceberg</source>
+        <translation>Alle rækker er ét isbjerg</translation>
+    </message>
+    <message>
+        <source>Each row is a separate iceberg</source>
+        <translation>Hver række er sit eget isbjerg</translation>
+    </message>
+    <message>
+        <source>up to %1 m/s between sightings</source>
+        <translation>op til %1 m/s mellem observationer</translation>
+    </message>
+    <message>
+        <source>The file does not say which rows belong to the same iceberg. Choose:</source>
+        <translation>Intet i filen fortæller, hvilke rækker der er observationer af ét isbjerg. Vælg:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n isbjerg</numerusform>
+            <numerusform>%n isbjerge</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
     <message>
         <source>S&amp;tart at</source>
         <translation>&amp;Starttidspunkt</translation>
-    </message>
-    <message>
-        <source>UTC time that becomes the start of the scenario. Otherwise the last sighting is.</source>
-        <translation>Det UTC-tidspunkt, der bliver scenariets start. Ellers er det den seneste observation.</translation>
     </message>
     <message>
         <source>Not &amp;before</source>
@@ -9434,7 +9291,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>&amp;Vækst q</translation>
     </message>
     <message>
-        <source>Growth of the uncertainty where the sightings are too few to estimate it.</source>
+        <source>Growth of the uncertainty if there are too few sightings to estimate it.</source>
         <translation>Usikkerhedens vækst, hvor der er for få observationer til at anslå den.</translation>
     </message>
     <message>
@@ -9446,7 +9303,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Et nyt scenarie</translation>
     </message>
     <message>
-        <source>Icebergs that this scenario has already are updated by their ids.</source>
+        <source>Icebergs already in this scenario are updated by their ids.</source>
         <translation>Isbjerge, som dette scenarie allerede har, opdateres efter deres id&apos;er.</translation>
     </message>
     <message>
@@ -9462,7 +9319,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Observationer uden for disse bredder og længder udelades.</translation>
     </message>
     <message>
-        <source>What the &amp;map shows</source>
+        <source>Visible part of the &amp;map</source>
         <translation>Det, &amp;kortet viser</translation>
     </message>
     <message>
@@ -9486,31 +9343,19 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Med &amp;registrerede spor</translation>
     </message>
     <message>
-        <source>Sightings after the start become the true motion of an iceberg. Name the start for that.</source>
+        <source>Sightings after the start become the true motion of an iceberg. Requires a start time.</source>
         <translation>Observationer efter starten bliver et isbjergs sande bevægelse. Angiv starten for at bruge det.</translation>
-    </message>
-    <message>
-        <source>All rows are &amp;one iceberg</source>
-        <translation>&amp;Alle rækker er ét isbjerg</translation>
-    </message>
-    <message>
-        <source>The file names no icebergs: its rows are the track of one beacon, or an iceberg each.</source>
-        <translation>Filen navngiver ingen isbjerge: dens rækker er sporet af én bøje eller ét isbjerg hver.</translation>
     </message>
     <message>
         <source>Position &amp;error</source>
         <translation>&amp;Positionsfejl</translation>
     </message>
     <message>
-        <source>Standard deviation of a position where the file tells none: 20 m by satellite navigation, 300 m by Argos, 1,852 m from an aircraft.</source>
-        <translation>Standardafvigelse for en position, hvor filen ingen angiver: 20 m ved satellitnavigation, 300 m ved Argos, 1.852 m fra et fly.</translation>
-    </message>
-    <message>
         <source>Drift &amp;variation</source>
         <translation>Variation i &amp;drift</translation>
     </message>
     <message>
-        <source>Standard deviation of the drift where it is not known, along each axis. With 0 the drift is taken as known and constant.</source>
+        <source>Standard deviation of an unknown drift along each axis. With 0 the drift counts as known and constant.</source>
         <translation>Standardafvigelse for driften, hvor den ikke er kendt, langs hver akse. Med 0 regnes driften for kendt og konstant.</translation>
     </message>
     <message>
@@ -9518,7 +9363,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Driften ændrer si&amp;g på</translation>
     </message>
     <message>
-        <source>Time in which a drift that was known is known no more. 0: never.</source>
+        <source>Time after which a known drift is no longer valid. 0 means never.</source>
         <translation>Den tid, hvori en kendt drift ophører med at være kendt. 0: aldrig.</translation>
     </message>
     <message>
@@ -9534,12 +9379,75 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Dag først: 31/12/2021</translation>
     </message>
     <message>
-        <source>How dates such as 05/02/2021 are meant.</source>
+        <source>How to read dates such as 05/02/2021.</source>
         <translation>Hvordan datoer som 05/02/2021 skal forstås.</translation>
     </message>
     <message>
         <source>Dat&amp;es</source>
         <translation>Dat&amp;oer</translation>
+    </message>
+    <message>
+        <source>UTC time that becomes the start of the scenario. Otherwise its start stays, or moves to the last sighting if that is later.</source>
+        <translation>UTC-tid, der bliver scenariets start. Ellers bliver starten stående, eller flyttes til den seneste observation, hvor den er senere.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a position along each axis if the file states none and no column names the source.</source>
+        <translation>Standardafvigelse for en position langs hver akse, hvor filen ikke angiver nogen og ingen kolonne nævner kilden.</translation>
+    </message>
+    <message>
+        <source>As stated in the file</source>
+        <translation>Som filen siger</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Som skrevet</translation>
+    </message>
+    <message>
+        <source>Sensor that found the positions. Rows whose column “source”, “method” or “sensor” names another source use its error.</source>
+        <translation>Hvad positionerne blev fundet med. Rækker, hvis kolonne »source«, »method« eller »sensor« nævner en anden kilde, har fejlen for den.</translation>
+    </message>
+    <message>
+        <source>Seen b&amp;y</source>
+        <translation>K&amp;ilde</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportRowsView</name>
+    <message>
+        <source>Rejected rows</source>
+        <translation>Afviste rækker</translation>
+    </message>
+    <message>
+        <source>Rejected rows (%1)</source>
+        <translation>Afviste rækker (%1)</translation>
+    </message>
+    <message>
+        <source>Rejected rows (first %1 of %2)</source>
+        <translation>Afviste rækker (de første %1 af %2)</translation>
+    </message>
+    <message>
+        <source>Changed rows</source>
+        <translation>Ændrede rækker</translation>
+    </message>
+    <message>
+        <source>Changed rows (%1)</source>
+        <translation>Ændrede rækker (%1)</translation>
+    </message>
+    <message>
+        <source>Changed rows (first %1 of %2)</source>
+        <translation>Ændrede rækker (de første %1 af %2)</translation>
+    </message>
+    <message>
+        <source>Outside area or time</source>
+        <translation>Uden for område eller tid</translation>
+    </message>
+    <message>
+        <source>Outside area or time (%1)</source>
+        <translation>Uden for område eller tid (%1)</translation>
+    </message>
+    <message>
+        <source>Outside area or time (first %1 of %2)</source>
+        <translation>Uden for område eller tid (de første %1 af %2)</translation>
     </message>
 </context>
 <context>
@@ -9575,11 +9483,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         </translation>
     </message>
     <message>
-        <source>Only the icebergs selected are edited here.</source>
+        <source>Only the selected icebergs are edited here.</source>
         <translation>Kun de valgte isbjerge redigeres her.</translation>
     </message>
     <message>
-        <source>What is entered here goes to all of them.</source>
+        <source>Edits apply to all of them.</source>
         <translation>Det, der indtastes her, gælder for dem alle.</translation>
     </message>
     <message>
@@ -9598,7 +9506,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Et isbjerg skal have et id.</translation>
     </message>
     <message>
-        <source>The id &quot;%1&quot; is taken. Every iceberg and UAV needs one of its own.</source>
+        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
         <translation>Id&apos;et »%1« er optaget. Hvert isbjerg og hver drone skal have sit eget.</translation>
     </message>
     <message>
@@ -9606,7 +9514,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Ændr id</translation>
     </message>
     <message>
-        <source>Select something on the map to edit it.</source>
+        <source>Select an object on the map to edit it.</source>
         <translation>Vælg noget på kortet for at redigere det.</translation>
     </message>
     <message>
@@ -9622,11 +9530,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Træk i dets hjørner på kortet for at ændre det.</translation>
     </message>
     <message>
-        <source>Names the iceberg in files and lists; each id is there once.</source>
+        <source>Identifies the iceberg in files and lists; must be unique.</source>
         <translation>Navngiver isbjerget i filer og lister; hvert id findes kun én gang.</translation>
     </message>
     <message>
-        <source>Names the UAV in files and lists; each id is there once.</source>
+        <source>Identifies the UAV in files and lists; must be unique.</source>
         <translation>Navngiver dronen i filer og lister; hvert id findes kun én gang.</translation>
     </message>
     <message>
@@ -9636,6 +9544,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>No-fly area</source>
         <translation>Flyveforbudsområde</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
     </message>
 </context>
 <context>
@@ -9649,7 +9561,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Driftpile</translation>
     </message>
     <message>
-        <source>Rings of uncertainty</source>
+        <source>Uncertainty rings</source>
         <translation>Usikkerhedsringe</translation>
     </message>
     <message>
@@ -9669,11 +9581,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>%1: dækkraft i procent</translation>
     </message>
     <message>
-        <source>Opacity; at the left end it is hidden</source>
+        <source>Opacity; at the left end the layer is hidden</source>
         <translation>Dækkraft; helt til venstre er det skjult</translation>
     </message>
     <message>
-        <source>How far ahead drift arrows look; those too long for the map are cut short and dashed</source>
+        <source>Time covered by drift arrows; arrows too long for the map are shortened and dashed</source>
         <translation>Hvor langt frem driftpilene ser; de, der er for lange til kortet, er afkortet og stiplet</translation>
     </message>
     <message>
@@ -9697,7 +9609,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Fjern</translation>
     </message>
     <message>
-        <source>Shows no background any more</source>
+        <source>Removes the background</source>
         <translation>Viser ikke længere nogen baggrund</translation>
     </message>
     <message>
@@ -9705,7 +9617,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Vælg en fil…</translation>
     </message>
     <message>
-        <source>A map of your own below everything: GeoJSON, KML or KMZ, such as an ice chart</source>
+        <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
         <translation>Dit eget kort under alt andet: GeoJSON, KML eller KMZ, f.eks. et iskort</translation>
     </message>
     <message>
@@ -9784,12 +9696,12 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
 </context>
 <context>
-    <name>berg::MapLinks</name>
+    <name>berg::MapController</name>
     <message numerus="yes">
-        <source>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</source>
+        <source>%n icebergs removed from this run. Undo brings them back.</source>
         <translation>
-            <numerusform>%n isbjerg fjernet fra denne flyvning. Fortryd: se tilbage til før det, og vælg Fortsæt herfra.</numerusform>
-            <numerusform>%n isbjerge fjernet fra denne flyvning. Fortryd: se tilbage til før det, og vælg Fortsæt herfra.</numerusform>
+            <numerusform>%n isbjerg fjernet fra denne flyvning. Fortryd henter det tilbage.</numerusform>
+            <numerusform>%n isbjerge fjernet fra denne flyvning. Fortryd henter dem tilbage.</numerusform>
         </translation>
     </message>
 </context>
@@ -9800,7 +9712,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Kort</translation>
     </message>
     <message numerus="yes">
-        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</source>
+        <source>%n icebergs and the UAVs on the sea. Arrow keys move the map or the selection, plus and minus zoom, F fits. The iceberg table lists the icebergs.</source>
         <translation>
             <numerusform>%n isbjerg og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser. Isbjergtabellen viser dem række for række.</numerusform>
             <numerusform>%n isbjerge og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser. Isbjergtabellen viser dem række for række.</numerusform>
@@ -9859,7 +9771,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Behold en sikkerheds&amp;kopi</translation>
     </message>
     <message>
-        <source>Before a file is first overwritten, a copy is kept as NAME.berg~</source>
+        <source>Before the first overwrite of a file, a copy is kept as NAME.berg~</source>
         <translation>Før en fil overskrives første gang, gemmes en kopi som NAVN.berg~</translation>
     </message>
     <message>
@@ -9867,7 +9779,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Gen&amp;dan ikke-gemt arbejde...</translation>
     </message>
     <message>
-        <source>No unsaved work is left to recover</source>
+        <source>There is no unsaved work to recover</source>
         <translation>Der er intet ikke-gemt arbejde at gendanne</translation>
     </message>
     <message>
@@ -9923,22 +9835,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Flyt s&amp;cenariet…</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Fortryd</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Omgør</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Fortryd</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Omgør</translation>
-    </message>
-    <message>
         <source>&amp;View</source>
         <translation>&amp;Vis</translation>
     </message>
@@ -9987,7 +9883,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>&amp;Vis sande positioner</translation>
     </message>
     <message>
-        <source>Where the icebergs are in truth, beside where the observer believes them to be; off: only what an operator would see</source>
+        <source>Shows the true positions of the icebergs beside the estimates. When off, the map shows only what an operator would see.</source>
         <translation>Hvor isbjergene i virkeligheden er, ved siden af hvor observatøren mener, de er; fra: kun det, en operatør ville se</translation>
     </message>
     <message>
@@ -10007,7 +9903,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Stop og &amp;redigér</translation>
     </message>
     <message>
-        <source>Bring the flight b&amp;ack</source>
+        <source>Restore disc&amp;arded flight</source>
         <translation>Hent flyvningen til&amp;bage</translation>
     </message>
     <message>
@@ -10135,7 +10031,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>piletaster</translation>
     </message>
     <message>
-        <source>Close what is drawn, take its last point back</source>
+        <source>Finish drawing, undo last point</source>
         <translation>Luk det, der tegnes, fjern dets sidste punkt</translation>
     </message>
     <message>
@@ -10151,7 +10047,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Skift</translation>
     </message>
     <message>
-        <source>Leave what is drawn, the tool, the selection</source>
+        <source>Cancel drawing, leave tool, clear selection</source>
         <translation>Forlad det, der tegnes, værktøjet, markeringen</translation>
     </message>
     <message>
@@ -10167,7 +10063,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Om Bergwatch</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
+        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans and simulates UAV missions that monitor drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlægger, flyver og måler dronemissioner, der holder øje med drivende isbjerge.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-licens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområder lavet med Natural Earth.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -10316,7 +10212,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Der er ingen flyvning at gemme: scenariet kan ikke planlægges.</translation>
     </message>
     <message>
-        <source>Flown again, this run comes out differently: %1</source>
+        <source>The replay of this run differs from the recording: %1</source>
         <translation>Fløjet igen giver denne flyvning et andet resultat: %1</translation>
     </message>
 </context>
@@ -10354,7 +10250,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Flyt &amp;alt sammen med origo</translation>
     </message>
     <message>
-        <source>&amp;Leave everything where it is on the Earth</source>
+        <source>&amp;Leave everything at its place on the Earth</source>
         <translation>&amp;Lad alt blive, hvor det er på Jorden</translation>
     </message>
     <message>
@@ -10362,15 +10258,15 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>&amp;Flyt</translation>
     </message>
     <message>
-        <source>Not everything could stay where it is: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
+        <source>Not everything can stay at its place: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
         <translation>Ikke alt kunne blive, hvor det er: et scenarie rækker %1 fra sit origo. Flyt alt med, eller vælg et nærmere sted.</translation>
     </message>
     <message>
-        <source>The origin comes to %1, %2 away. Places, courses and drift on the Earth stay the same.</source>
+        <source>The origin moves to %1, %2 away. Positions, courses and drift on the Earth stay the same.</source>
         <translation>Origo flyttes til %1, %2 væk. Steder, kurser og drift på Jorden forbliver de samme.</translation>
     </message>
     <message>
-        <source>Everything comes to %1, %2 away, and keeps its place about the origin.</source>
+        <source>Everything moves to %1, %2 away, and keeps its position relative to the origin.</source>
         <translation>Alt flyttes til %1, %2 væk, og beholder sin plads omkring origo.</translation>
     </message>
     <message>
@@ -10385,7 +10281,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Oversigtskort</translation>
     </message>
     <message>
-        <source>Polar chart of where the map is. A click picks a place for the map.</source>
+        <source>Polar chart showing the location of the map. Click a place to move the map there.</source>
         <translation>Polarkort over, hvor kortet er. Et klik vælger et sted for kortet.</translation>
     </message>
 </context>
@@ -10458,7 +10354,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Etape</translation>
     </message>
     <message>
-        <source>Distance from the one before, the first from the UAV</source>
+        <source>Distance from the previous iceberg, or from the UAV</source>
         <translation>Distance fra det forrige, for det første fra dronen</translation>
     </message>
     <message>
@@ -10485,7 +10381,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         </translation>
     </message>
     <message>
-        <source>There is nothing for it to visit.</source>
+        <source>It has no iceberg to visit.</source>
         <translation>Der er intet for den at besøge.</translation>
     </message>
     <message>
@@ -10498,7 +10394,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Tildelt %1</translation>
     </message>
     <message>
-        <source>It is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
         <translation>Den er på vej hjem, på jorden eller venter: den planlægges igen ved start, eller når den fortsætter.</translation>
     </message>
     <message>
@@ -10506,7 +10402,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>I synsfeltet</translation>
     </message>
     <message>
-        <source>Chance that the iceberg is in view when the UAV is over its estimate</source>
+        <source>Probability that the iceberg is in view when the UAV reaches its estimate</source>
         <translation>Sandsynlighed for, at isbjerget er i synsfeltet, når dronen er over estimatet af det</translation>
     </message>
     <message>
@@ -10535,7 +10431,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Venter</translation>
     </message>
     <message>
-        <source>Uncertainty of the position when the UAV is there</source>
+        <source>Uncertainty of the position on arrival</source>
         <translation>Positionens usikkerhed, når dronen er der</translation>
     </message>
     <message>
@@ -10565,24 +10461,32 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Fart</translation>
     </message>
     <message>
-        <source>Speed over ground in the wind of now</source>
+        <source>Ground speed in the present wind</source>
         <translation>Fart over grunden i den nuværende vind</translation>
     </message>
     <message>
-        <source>When the UAV is there</source>
+        <source>Arrival of the UAV</source>
         <translation>Hvornår UAV&apos;en er der</translation>
     </message>
     <message>
         <source>95 % now</source>
         <translation>95 % nu</translation>
     </message>
+    <message>
+        <source>A later visit of the patrol, %1. Its path is planned when its turn comes.</source>
+        <translation>Et senere besøg i patruljen, %1. Banen planlægges, når det er dets tur.</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Igen</translation>
+    </message>
+    <message>
+        <source>When the patrol comes back to the iceberg</source>
+        <translation>Hvornår patruljen vender tilbage til isbjerget</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanPanel</name>
-    <message>
-        <source>Nothing to visit: there are no icebergs yet, or all of them are in view.</source>
-        <translation>Intet at besøge: der er ingen isbjerge endnu, eller alle er i synsfeltet.</translation>
-    </message>
     <message>
         <source>There is no plan: see Checks.</source>
         <translation>Der er ingen plan: se Kontrol.</translation>
@@ -10597,13 +10501,13 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Predicted for straight legs to the icebergs as they drift,
-with nothing seen on the way and no new plans.</source>
+without sightings en route and without new plans.</source>
         <translation>Forudsagt for lige etaper til isbjergene, som de driver,
 uden noget set undervejs og uden nye planer.</translation>
     </message>
     <message>
         <source>Predicted for the path on the map, with every iceberg that comes into view
-on it, and no new plans.</source>
+on it, without new plans.</source>
         <translation>Forudsagt for banen på kortet, med hvert isbjerg, der kommer i syne
 undervejs, og uden nye planer.</translation>
     </message>
@@ -10612,8 +10516,8 @@ undervejs, og uden nye planer.</translation>
         <translation>Ingen brugbar nedre grænse for ζ</translation>
     </message>
     <message>
-        <source>That limit is proven for this scenario and the noise that it draws,
-whatever the policy and however tightly the UAV turns.</source>
+        <source>The lower bound is proven for this scenario and its random drift,
+for any policy and any turn radius.</source>
         <translation>Denne grænse er bevist for dette scenarie og den støj, det trækker,
 uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
@@ -10626,11 +10530,11 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>Landingsvinduer: %1</translation>
     </message>
     <message>
-        <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
         <translation>Dronen er på vej hjem, på jorden eller venter: den planlægges igen ved start, eller når den fortsætter.</translation>
     </message>
     <message>
-        <source>Against the plan before: %1</source>
+        <source>Compared with the last plan: %1</source>
         <translation>Sammenlignet med den forrige plan: %1</translation>
     </message>
     <message>
@@ -10658,15 +10562,15 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>ζ til sidst: %1</translation>
     </message>
     <message>
-        <source>ζ at %1 without another plan: %2</source>
-        <translation>ζ ved %1 uden ny plan: %2</translation>
+        <source>Expected ζ at %1 with this plan: %2</source>
+        <translation>Forventet ζ ved %1, hvis denne plan flyves: %2</translation>
     </message>
     <message>
-        <source>ζ at the end without another plan: %1</source>
-        <translation>ζ til sidst uden ny plan: %1</translation>
+        <source>Expected ζ at the end with this plan: %1</source>
+        <translation>Forventet ζ, hvis denne plan flyves til slutningen: %1</translation>
     </message>
     <message>
-        <source>Against the plan before: %1, ζ %2</source>
+        <source>Compared with the last plan: %1, ζ %2</source>
         <translation>Mod planen før: %1, ζ %2</translation>
     </message>
     <message>
@@ -10678,8 +10582,17 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>Nedre grænse for ζ: %1</translation>
     </message>
     <message>
-        <source>The length of this sortie is over ground, until the run ends at most.</source>
+        <source>The length of this sortie is over ground, up to the end of the run at most.</source>
         <translation>Længden af dette togt er over grunden, højst til flyvningen slutter.</translation>
+    </message>
+    <message>
+        <source>Nothing to visit: there are no icebergs yet, all of them are in view, or none can be visited without using the reserve.</source>
+        <translation>Intet at besøge: der er ingen isbjerge endnu, alle er i syne, eller ingen kan besøges før reserven.</translation>
+    </message>
+    <message>
+        <source>Longest time unseen: %1 (%2)</source>
+        <comment>duration and iceberg</comment>
+        <translation>Længste tid uset: %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -10693,7 +10606,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>Usikkerhedsgevinst</translation>
     </message>
     <message>
-        <source>Each iceberg&apos;s σ times the number of places after its own in the order: the sooner the uncertain ones come, the more.</source>
+        <source>Sum of each iceberg&apos;s σ times the number of places after it in the order: larger if uncertain icebergs come early.</source>
         <translation>Hvert isbjergs σ gange antallet af pladser efter dets egen i rækkefølgen: jo før de usikre kommer, jo mere.</translation>
     </message>
     <message>
@@ -10737,7 +10650,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>Hele rækkefølgen</translation>
     </message>
     <message>
-        <source>Length of the whole order as it was planned, through the air, in wind the mean of both directions, and with its turns: what the solver weighs, as in the trade-off chart. The plan panel has that of this sortie over ground.</source>
+        <source>Planned length of the whole order through the air, with turns; in wind the mean of both directions. The solver weighs this length and the trade-off chart shows it. The plan panel shows the length of this sortie over ground.</source>
         <translation>Længden af hele rækkefølgen, som den blev planlagt, gennem luften, i vind middel af begge retninger, og med drejningerne: det, som løseren vejer, som i afvejningsdiagrammet. Planpanelet har længden af dette togt over grunden.</translation>
     </message>
 </context>
@@ -10768,7 +10681,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>Planen er stadig under udarbejdelse.</translation>
     </message>
     <message>
-        <source>This scenario cannot be flown. Correct what is reported first.</source>
+        <source>This scenario cannot be flown. Fix the reported errors first.</source>
         <translation>Dette scenarie kan ikke flyves. Ret først det, der er meldt.</translation>
     </message>
     <message>
@@ -10804,7 +10717,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>Vist tid</translation>
     </message>
     <message>
-        <source>Time shown. Type one to look back at it, e.g. 3:20.</source>
+        <source>Time shown. Type a time to look back, e.g. 3:20.</source>
         <translation>Vist tid. Skriv en tid for at se tilbage på den, f.eks. 3:20.</translation>
     </message>
     <message>
@@ -10844,7 +10757,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
         <translation>»%1« er ikke et tidspunkt i denne flyvning. Skriv det som 1215Z, 3:20 eller 45 min.</translation>
     </message>
     <message>
-        <source>Time shown. Type one to look back at it, e.g. 1215Z or, since the start, 3:20.</source>
+        <source>Time shown. Type a time to look back, e.g. 1215Z, or 3:20 since the start.</source>
         <translation>Tiden, der vises. Skriv en for at se tilbage på den, f.eks. 1215Z eller, siden start, 3:20.</translation>
     </message>
     <message>
@@ -11020,7 +10933,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Høj kontrast, mørkt</translation>
     </message>
     <message>
-        <source>The text has this size when Bergwatch is started again.</source>
+        <source>Restart Bergwatch to apply the new text size.</source>
         <translation>Teksten får denne størrelse, når Bergwatch startes igen.</translation>
     </message>
     <message>
@@ -11056,7 +10969,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>&amp;Tider</translation>
     </message>
     <message>
-        <source>UTC, where the scenario has a start</source>
+        <source>UTC, if the scenario has a start time</source>
         <translation>UTC, hvor scenariet har en start</translation>
     </message>
     <message>
@@ -11088,7 +11001,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Retvisende og magnetiske, misvisning %1 …</translation>
     </message>
     <message>
-        <source>True and magnetic, declination typed in...</source>
+        <source>True and magnetic, declination entered by hand...</source>
         <translation>Retvisende og magnetiske, misvisning skrives ind …</translation>
     </message>
 </context>
@@ -11103,7 +11016,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Fjern</translation>
     </message>
     <message>
-        <source>Take it out of this list.</source>
+        <source>Remove it from this list.</source>
         <translation>Fjern den fra denne liste.</translation>
     </message>
 </context>
@@ -11114,7 +11027,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Gendannet arbejde</translation>
     </message>
     <message>
-        <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, then save.</source>
+        <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, and then save them.</source>
         <translation>Bergwatch sluttede uventet. Ændringer, der ikke var gemt, blev bevaret. Gendan dem, og gem derefter.</translation>
     </message>
     <message>
@@ -11157,7 +11070,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Gemte %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n files of these names are there. What is in them would be lost.</source>
+        <source>%n files with these names exist. Their content would be lost.</source>
         <translation>
             <numerusform>%n fil med dette navn findes. Dens indhold ville gå tabt.</numerusform>
             <numerusform>%n filer med disse navne findes. Deres indhold ville gå tabt.</numerusform>
@@ -11179,7 +11092,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Billede af kortet kopieret</translation>
     </message>
     <message>
-        <source>The run is saved when the plan under way is made.</source>
+        <source>The run is saved as soon as the current plan is made.</source>
         <translation>Flyvningen gemmes, når den plan, der er under udarbejdelse, er lavet.</translation>
     </message>
     <message>
@@ -11237,11 +11150,11 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Zeta sammenlignet med A&apos;s på det tidspunkt, begge har fløjet til.</translation>
     </message>
     <message>
-        <source>Runs you have flown come here. The button below flies this scenario along the shortest round tour beside your own settings.</source>
+        <source>Flown runs are listed here. The button below flies this scenario along the shortest round tour for comparison.</source>
         <translation>Flyvninger, du har gennemført, kommer hertil. Knappen nedenfor flyver dette scenarie ad den korteste rundtur ved siden af dine egne indstillinger.</translation>
     </message>
     <message>
-        <source>Another scenario than that of A: they cannot be compared.</source>
+        <source>Its scenario differs from that of A: they cannot be compared.</source>
         <translation>Et andet scenarie end A&apos;s: de kan ikke sammenlignes.</translation>
     </message>
     <message>
@@ -11271,7 +11184,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
 <context>
     <name>berg::RunTimeLine</name>
     <message>
-        <source>%1: point of no return of the plan; later the reserve is needed to come home</source>
+        <source>%1: point of no return; a later return uses the reserve</source>
         <translation>%1: planens sidste vendepunkt; senere kræves reserven for at komme hjem</translation>
     </message>
 </context>
@@ -11328,7 +11241,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Et andet program har ændret den, siden du åbnede den. De ændringer ville gå tabt.</translation>
     </message>
     <message>
-        <source>%1 has it open. What is saved there would be lost.</source>
+        <source>%1 has it open. Changes saved there would be lost.</source>
         <translation>%1 har den åben. Det, der gemmes der, ville gå tabt.</translation>
     </message>
     <message>
@@ -11336,7 +11249,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Gemte %1</translation>
     </message>
     <message>
-        <source>Saved %1; its folder takes no backup copy</source>
+        <source>Saved %1; a backup copy cannot be written to its folder</source>
         <translation>Gemte %1; dens mappe tager ikke imod en sikkerhedskopi</translation>
     </message>
     <message>
@@ -11377,25 +11290,21 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Importér luftrum fra %1</translation>
     </message>
     <message numerus="yes">
-        <source>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</source>
+        <source>Airspace of %1: %n areas added, %2 already present, %3 farther than 100 km, %4 left out</source>
         <translation>
             <numerusform>Luftrum fra %1: %n område tilføjet, %2 fandtes allerede, %3 længere væk end 100 km, %4 udeladt</numerusform>
             <numerusform>Luftrum fra %1: %n områder tilføjet, %2 fandtes allerede, %3 længere væk end 100 km, %4 udeladt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n areas: a scenario holds at most %1</source>
+        <source>%n areas: a scenario can have at most %1</source>
         <translation>
             <numerusform>%n område: et scenario har plads til højst %1</numerusform>
             <numerusform>%n områder: et scenario har plads til højst %1</numerusform>
         </translation>
     </message>
     <message>
-        <source>Airspace left out</source>
-        <translation>Luftrum udeladt</translation>
-    </message>
-    <message>
-        <source>Airspace cannot be imported in flight. Stop the flight to import it.</source>
+        <source>Airspace cannot be imported in flight. Stop the flight before importing.</source>
         <translation>Luftrum kan ikke importeres under flyvningen. Stop flyvningen for at importere det.</translation>
     </message>
     <message>
@@ -11403,7 +11312,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Udklipsholder</translation>
     </message>
     <message>
-        <source>The flight has gone on meanwhile: nothing was reported.</source>
+        <source>The flight has continued in the meantime, so nothing was reported.</source>
         <translation>Flyvningen er gået videre i mellemtiden: intet blev meldt.</translation>
     </message>
     <message numerus="yes">
@@ -11412,6 +11321,10 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
             <numerusform>Meldte %n isbjerg fra %1</numerusform>
             <numerusform>Meldte %n isbjerge fra %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Airspace left out or changed</source>
+        <translation>Luftrum udeladt eller ændret</translation>
     </message>
 </context>
 <context>
@@ -11461,32 +11374,17 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
 </context>
 <context>
-    <name>berg::SolveTimeDesk</name>
-    <message>
-        <source>Solve time</source>
-        <translation>Løsningstid</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv);;All files (*)</source>
-        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>Gemte %1</translation>
-    </message>
-</context>
-<context>
     <name>berg::SolveTimePanel</name>
     <message>
-        <source>Proves the optimum, by dynamic programming or by the bound of our own engine.</source>
+        <source>Proves the optimum by dynamic programming or by the bound of Bergwatch&apos;s engine.</source>
         <translation>Beviser optimum ved dynamisk programmering eller ved vores egen løsers grænse.</translation>
     </message>
     <message>
-        <source>Searches, and proves as far as about a second&apos;s work goes.</source>
+        <source>Searches, and proves as much as about a second of work allows.</source>
         <translation>Søger, og beviser så langt, som omtrent et sekunds arbejde rækker.</translation>
     </message>
     <message>
-        <source>COIN-OR CBC on a MILP with a variable for each leg and position. Uses nothing of our own engine.</source>
+        <source>COIN-OR CBC on a MILP with a variable for each leg and position. Independent of Bergwatch&apos;s engine.</source>
         <translation>COIN-OR CBC på et MILP med en variabel for hver etape og plads. Bruger intet fra vores egen løser.</translation>
     </message>
     <message>
@@ -11494,7 +11392,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>COIN-OR CBC på MILP&apos;et, som artiklen trykker det. Langsom ud over 8 isbjerge.</translation>
     </message>
     <message>
-        <source>COIN-OR CBC on the few legs that the bound of our engine leaves.</source>
+        <source>COIN-OR CBC on the few legs that the bound of Bergwatch&apos;s engine leaves.</source>
         <translation>COIN-OR CBC på de få etaper, som vores løsers grænse lader tilbage.</translation>
     </message>
     <message>
@@ -11514,11 +11412,11 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Tilfældige problemer som i artiklens tabel 1, de samme hver gang.</translation>
     </message>
     <message>
-        <source>Time for everything</source>
+        <source>Total time limit</source>
         <translation>Tid til det hele</translation>
     </message>
     <message>
-        <source>A solver that does not finish a size is not given a larger one.</source>
+        <source>A solver that does not finish a size skips the larger ones.</source>
         <translation>En løser, der ikke bliver færdig med en størrelse, får ikke en større.</translation>
     </message>
     <message>
@@ -11538,7 +11436,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Måler, omtrent %1 tilbage</translation>
     </message>
     <message>
-        <source>Start measures this machine beside the paper&apos;s, with the paper&apos;s problems.</source>
+        <source>Start measures this machine on the problems of the paper, for comparison with the paper&apos;s times.</source>
         <translation>Start måler denne maskine ved siden af artiklens, med artiklens problemer.</translation>
     </message>
     <message>
@@ -11554,43 +11452,12 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Vælg en løser først.</translation>
     </message>
     <message>
-        <source>Stopped. What was measured is kept.</source>
+        <source>Stopped. The times measured so far are kept.</source>
         <translation>Stoppet. Det målte er beholdt.</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>Stop</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StartGuide</name>
-    <message>
-        <source>Untitled</source>
-        <translation>Uden navn</translation>
-    </message>
-    <message>
-        <source>1. Place icebergs</source>
-        <translation>1. Placér isbjerge</translation>
-    </message>
-    <message>
-        <source>2. Drag τ</source>
-        <translation>2. Træk τ</translation>
-    </message>
-    <message>
-        <source>To the left the most uncertain icebergs come first, to the right the route gets shorter. Ticks mark where another order becomes the best one.</source>
-        <translation>Til venstre kommer de mest usikre isbjerge først, til højre bliver ruten kortere. Mærkerne viser, hvor en anden rækkefølge bliver den bedste.</translation>
-    </message>
-    <message>
-        <source>3. Press Space</source>
-        <translation>3. Tryk på mellemrum</translation>
-    </message>
-    <message>
-        <source>Space flies the plan and pauses it; drag along the time line to look back. Stop and edit goes back to the start.</source>
-        <translation>Mellemrum flyver planen og sætter den på pause; træk langs tidslinjen for at se tilbage. Stop og redigér går tilbage til starten.</translation>
-    </message>
-    <message>
-        <source>After this tour, press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
-        <translation>Efter denne rundvisning: tryk på I, og klik på kortet: et isbjerg. Træk det for at flytte det, dobbeltklik på det for at angive dets drift, og hvor usikker dets position er. Planen følger straks med.</translation>
     </message>
 </context>
 <context>
@@ -11641,9 +11508,40 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
 </context>
 <context>
+    <name>berg::StartPageController</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uden navn</translation>
+    </message>
+    <message>
+        <source>1. Place icebergs</source>
+        <translation>1. Placér isbjerge</translation>
+    </message>
+    <message>
+        <source>2. Drag τ</source>
+        <translation>2. Træk τ</translation>
+    </message>
+    <message>
+        <source>Drag left to visit the most uncertain icebergs first, right for a shorter route. Ticks mark where another order becomes optimal.</source>
+        <translation>Til venstre kommer de mest usikre isbjerge først, til højre bliver ruten kortere. Mærkerne viser, hvor en anden rækkefølge bliver den bedste.</translation>
+    </message>
+    <message>
+        <source>3. Press Space</source>
+        <translation>3. Tryk på mellemrum</translation>
+    </message>
+    <message>
+        <source>Press Space to fly and to pause. Drag the time line to look back. Stop and edit returns to the start.</source>
+        <translation>Mellemrum flyver planen og sætter den på pause; træk langs tidslinjen for at se tilbage. Stop og redigér går tilbage til starten.</translation>
+    </message>
+    <message>
+        <source>After this tour, press I and click on the map to place an iceberg. Drag it to move it, double-click it to set its drift and the uncertainty of its position. The plan follows at once.</source>
+        <translation>Efter denne rundvisning: tryk på I, og klik på kortet: et isbjerg. Træk det for at flytte det, dobbeltklik på det for at angive dets drift, og hvor usikker dets position er. Planen følger straks med.</translation>
+    </message>
+</context>
+<context>
     <name>berg::StatusLine</name>
     <message>
-        <source>Shows what is found about the scenario.</source>
+        <source>Shows the findings about the scenario.</source>
         <translation>Viser, hvad der er fundet om scenariet.</translation>
     </message>
     <message>
@@ -11661,98 +11559,14 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
 </context>
 <context>
-    <name>berg::StudyCasesModel</name>
-    <message>
-        <source>reference</source>
-        <translation>reference</translation>
-    </message>
-    <message>
-        <source>stuck</source>
-        <translation>fastlåst</translation>
-    </message>
-    <message>
-        <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
-        <translation>%1 besøg, %2 planer, %3 fløjet. Enter eller et dobbeltklik åbner denne flyvning.</translation>
-    </message>
-    <message>
-        <source>Name of the scenario, or the seed it was drawn from.</source>
-        <translation>Scenariets navn eller den startværdi, det blev trukket fra.</translation>
-    </message>
-    <message>
-        <source>Noise seed</source>
-        <translation>Støjens startværdi</translation>
-    </message>
-    <message>
-        <source>What the true drift was drawn from: the same for every setting.</source>
-        <translation>Det, den sande drift blev trukket fra: det samme for hver indstilling.</translation>
-    </message>
-    <message>
-        <source>ζ, m² s</source>
-        <translation>ζ, m² s</translation>
-    </message>
-    <message>
-        <source>Accumulated uncertainty of this flight: less is better.</source>
-        <translation>Akkumuleret usikkerhed for denne flyvning: mindre er bedre.</translation>
-    </message>
-    <message>
-        <source>vs reference</source>
-        <translation>mod reference</translation>
-    </message>
-    <message>
-        <source>Compared with the flight of this case with the reference.</source>
-        <translation>Sammenlignet med dette tilfældes flyvning med referencen.</translation>
-    </message>
-    <message>
-        <source>Best τ</source>
-        <translation>Bedste τ</translation>
-    </message>
-    <message>
-        <source>The τ with the lowest ζ in this case, in hindsight.</source>
-        <translation>Den τ, der har den laveste ζ i dette tilfælde, bestemt bagefter.</translation>
-    </message>
-    <message>
-        <source>Best of all</source>
-        <translation>Bedst af alle</translation>
-    </message>
-    <message>
-        <source>The setting with the lowest ζ in this case.</source>
-        <translation>Den indstilling, der har den laveste ζ i dette tilfælde.</translation>
-    </message>
-    <message>
-        <source>Stuck</source>
-        <translation>Fastlåst</translation>
-    </message>
-    <message>
-        <source>Flies to two icebergs at most in the second half.</source>
-        <translation>Flyver til højst to isbjerge i anden halvdel.</translation>
-    </message>
-    <message>
-        <source>Random %1</source>
-        <comment>scenario drawn from a seed</comment>
-        <translation>Tilfældigt %1</translation>
-    </message>
-    <message>
-        <source>Case</source>
-        <translation>Tilfælde</translation>
-    </message>
-</context>
-<context>
     <name>berg::StudyChart</name>
     <message>
         <source>Accumulated uncertainty ζ against the trade-off τ</source>
         <translation>Akkumuleret usikkerhed ζ mod afvejningen τ</translation>
     </message>
     <message>
-        <source>Choose what to fly and press Start, or take a figure of the paper.</source>
+        <source>Choose what to fly and press Start, or load a figure from the paper.</source>
         <translation>Vælg, hvad der skal flyves, og tryk på Start, eller tag en figur fra artiklen.</translation>
-    </message>
-    <message>
-        <source>Mean ζ, m² s</source>
-        <translation>Middel ζ, m² s</translation>
-    </message>
-    <message>
-        <source>Zeta ζ, m² s</source>
-        <translation>Zeta ζ, m² s</translation>
     </message>
     <message>
         <source>Trade-off τ</source>
@@ -11795,16 +11609,24 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>fastlåst i %1 af %2 tilfælde</translation>
     </message>
     <message>
-        <source>stuck: flies to two icebergs at most in the second half</source>
+        <source>stuck: visits at most two icebergs in the second half</source>
         <translation>fastlåst: flyver til højst to isbjerge i anden halvdel</translation>
     </message>
     <message>
         <source>%1 vs %2</source>
         <translation>%1 mod %2</translation>
     </message>
+    <message>
+        <source>Mean ζ, %1</source>
+        <translation>Middel ζ, %1</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zeta ζ, %1</translation>
+    </message>
 </context>
 <context>
-    <name>berg::StudyDesk</name>
+    <name>berg::StudyController</name>
     <message>
         <source>Studies (*.bergstudy);;All files (*)</source>
         <translation>Studier (*.bergstudy);;Alle filer (*)</translation>
@@ -11836,6 +11658,21 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Study: %1</source>
         <translation>Studie: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyFigure</name>
+    <message numerus="yes">
+        <source>%n cases</source>
+        <translation>
+            <numerusform>%n tilfælde</numerusform>
+            <numerusform>%n tilfælde</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>name of a study, how many cases</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -11893,21 +11730,6 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
 </context>
 <context>
-    <name>berg::StudyPicture</name>
-    <message numerus="yes">
-        <source>%n cases</source>
-        <translation>
-            <numerusform>%n tilfælde</numerusform>
-            <numerusform>%n tilfælde</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>name of a study, how many cases</comment>
-        <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
     <name>berg::StudyResults</name>
     <message>
         <source>Compared with</source>
@@ -11930,7 +11752,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Gem…</translation>
     </message>
     <message>
-        <source>Saves the study with all that was flown, also while it is being flown.</source>
+        <source>Saves the study with all flights so far, also while it is running.</source>
         <translation>Gemmer studiet med alt, der er fløjet, også mens det flyves.</translation>
     </message>
     <message>
@@ -11990,7 +11812,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Tilfælde for %1</translation>
     </message>
     <message>
-        <source>Flies this case again, the same in every number, and shows it on the map and the time line.</source>
+        <source>Repeats this case exactly and shows it on the map and the time line.</source>
         <translation>Flyver dette tilfælde igen, ens i hvert tal, og viser det på kortet og tidslinjen.</translation>
     </message>
     <message>
@@ -12014,7 +11836,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Vælg et punkt i billedet eller en indstilling.</translation>
     </message>
     <message>
-        <source>Lowest ζ: %1. One case recommends no policy: fly more of them.</source>
+        <source>Lowest ζ: %1. One case is too few for a recommendation: fly more of them.</source>
         <translation>Laveste ζ: %1. Ét tilfælde giver ingen anbefaling: flyv flere.</translation>
     </message>
     <message>
@@ -12055,11 +11877,11 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>omtrent %1 t</translation>
     </message>
     <message>
-        <source>Carry on</source>
+        <source>Continue</source>
         <translation>Fortsæt</translation>
     </message>
     <message>
-        <source>Flies what is missing of the study shown.</source>
+        <source>Flies the missing missions of the study shown.</source>
         <translation>Flyver det, der mangler i det viste studie.</translation>
     </message>
     <message>
@@ -12083,7 +11905,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Omtrent %1 tilbage.</translation>
     </message>
     <message>
-        <source>What has been flown is kept.</source>
+        <source>The flights so far are kept.</source>
         <translation>Det, der er fløjet, bevares.</translation>
     </message>
     <message>
@@ -12093,98 +11915,6 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Stop</source>
         <translation>Stop</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StudySettingsModel</name>
-    <message>
-        <source>Best τ of each case</source>
-        <translation>Bedste τ i hvert tilfælde</translation>
-    </message>
-    <message>
-        <source>%1 – %2</source>
-        <comment>from, to</comment>
-        <translation>%1 – %2</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>reference</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
-    <message>
-        <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
-        <translation>Den τ, der har lavest ζ i hvert tilfælde, valgt bagefter: median %1, kvartiler %2 og %3.</translation>
-    </message>
-    <message>
-        <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
-        <translation>Mindre end referencen i %1 af %2 tilfælde, værst %3. I gennemsnit %4 besøg.</translation>
-    </message>
-    <message>
-        <source>Setting</source>
-        <translation>Indstilling</translation>
-    </message>
-    <message>
-        <source>How the next iceberg is chosen.</source>
-        <translation>Hvordan det næste isbjerg vælges.</translation>
-    </message>
-    <message>
-        <source>Mean ζ</source>
-        <translation>Middel ζ</translation>
-    </message>
-    <message>
-        <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
-        <translation>Akkumuleret usikkerhed i m² s, middel af alle tilfælde: mindre er bedre.</translation>
-    </message>
-    <message>
-        <source>Median ζ</source>
-        <translation>Median ζ</translation>
-    </message>
-    <message>
-        <source>Half of the cases have less.</source>
-        <translation>Halvdelen af tilfældene har mindre.</translation>
-    </message>
-    <message>
-        <source>Quartiles</source>
-        <translation>Kvartiler</translation>
-    </message>
-    <message>
-        <source>A quarter of the cases has less than the first, a quarter more than the second.</source>
-        <translation>En fjerdedel af tilfældene har mindre end den første, en fjerdedel mere end den anden.</translation>
-    </message>
-    <message>
-        <source>vs reference</source>
-        <translation>mod reference</translation>
-    </message>
-    <message>
-        <source>Mean of the differences, case by case, in per cent of the reference.</source>
-        <translation>Middel af forskellene, tilfælde for tilfælde, i procent af referencen.</translation>
-    </message>
-    <message>
-        <source>95 % interval</source>
-        <translation>95 %-interval</translation>
-    </message>
-    <message>
-        <source>Of the mean difference: confidence interval by Student&apos;s t.</source>
-        <translation>For den gennemsnitlige forskel: konfidensinterval efter Students t.</translation>
-    </message>
-    <message>
-        <source>Best in</source>
-        <translation>Bedst i</translation>
-    </message>
-    <message>
-        <source>Cases in which no other setting has less ζ.</source>
-        <translation>Tilfælde, hvor ingen anden indstilling har mindre ζ.</translation>
-    </message>
-    <message>
-        <source>Stuck</source>
-        <translation>Fastlåst</translation>
-    </message>
-    <message>
-        <source>Cases that fly to two icebergs at most in the second half.</source>
-        <translation>Tilfælde, der flyver til højst to isbjerge i anden halvdel.</translation>
     </message>
 </context>
 <context>
@@ -12202,8 +11932,8 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Felter af isbjerge som i tabel 3 i artiklen, ét for hver startværdi.</translation>
     </message>
     <message>
-        <source>How many</source>
-        <translation>Hvor mange</translation>
+        <source>Number</source>
+        <translation>Antal</translation>
     </message>
     <message>
         <source>Number of random scenarios.</source>
@@ -12214,7 +11944,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Første startværdi</translation>
     </message>
     <message>
-        <source>The others have the seeds that follow.</source>
+        <source>Further scenarios use the seeds that follow.</source>
         <translation>De andre har de startværdier, der følger.</translation>
     </message>
     <message>
@@ -12230,7 +11960,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Flyvninger af hvert</translation>
     </message>
     <message>
-        <source>Flights of each scenario with other noise: the true drift is drawn again, the same for every setting.</source>
+        <source>Flights of each scenario with different noise: the true drift is drawn again, identically for every setting.</source>
         <translation>Flyvninger af hvert scenarie med anden støj: den sande drift trækkes igen, den samme for hver indstilling.</translation>
     </message>
     <message>
@@ -12256,7 +11986,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>trin</translation>
     </message>
     <message>
-        <source>Between two values of τ.</source>
+        <source>Step between two values of τ.</source>
         <translation>Mellem to værdier af τ.</translation>
     </message>
     <message numerus="yes">
@@ -12275,7 +12005,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Den største τ er under den mindste.</translation>
     </message>
     <message>
-        <source>These are too many values of τ. Take a larger step.</source>
+        <source>Too many values of τ. Choose a larger step.</source>
         <translation>Det er for mange værdier af τ. Vælg et større trin.</translation>
     </message>
     <message>
@@ -12287,7 +12017,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Et studie har højst %1 missioner.</translation>
     </message>
     <message>
-        <source>What is known of the drift in random scenarios, and how icebergs are seen.</source>
+        <source>Knowledge of the drift in random scenarios, and how icebergs are observed.</source>
         <translation>Hvad der er kendt om driften i tilfældige scenarier, og hvordan isbjerge ses.</translation>
     </message>
     <message>
@@ -12311,7 +12041,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Ukendt hastighed</translation>
     </message>
     <message>
-        <source>Measured; velocities are not known by 0.1 m/s along each axis.</source>
+        <source>Measured; velocities are uncertain by 0.1 m/s along each axis.</source>
         <translation>Målt; hastighederne er ukendte med 0,1 m/s langs hver akse.</translation>
     </message>
     <message>
@@ -12319,7 +12049,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Virkelig drift</translation>
     </message>
     <message>
-        <source>Measured; velocities are not known and change, as those of icebergs with beacons.</source>
+        <source>Measured; velocities are unknown and change, as observed for icebergs with beacons.</source>
         <translation>Målt; hastighederne er ukendte og ændrer sig, som for isbjerge med bøjer.</translation>
     </message>
     <message>
@@ -12403,11 +12133,11 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Rute</translation>
     </message>
     <message>
-        <source>This build of Bergwatch was made without this solver.</source>
+        <source>This build of Bergwatch does not include this solver.</source>
         <translation>Denne udgave af Bergwatch er bygget uden denne løser.</translation>
     </message>
     <message>
-        <source>The policy chosen does not use this.</source>
+        <source>The chosen policy does not use this.</source>
         <translation>Den valgte strategi bruger ikke dette.</translation>
     </message>
     <message>
@@ -12415,7 +12145,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Låst under flyvning. Stop flyvningen for at ændre dette.</translation>
     </message>
     <message>
-        <source>Small: icebergs of great uncertainty come first. Large: the route gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
+        <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
         <translation>Lille: isbjerge med stor usikkerhed kommer først. Stor: ruten bliver kort. Piletaster ændrer τ med 0,01, Page-taster med 0,25.</translation>
     </message>
     <message>
@@ -12423,7 +12153,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Afvejning τ fra 0 til 100.</translation>
     </message>
     <message>
-        <source>What makes the plan. Automatic proves small problems and searches in large ones.</source>
+        <source>Solver of the plan. Automatic proves small problems optimal and searches in large ones.</source>
         <translation>Det, der laver planen. Automatisk beviser små problemer og søger i store.</translation>
     </message>
     <message>
@@ -12433,6 +12163,39 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Locked while looking back. Choose Back to latest or Continue from here to change it.</source>
         <translation>Låst, mens du ser tilbage. Vælg Tilbage til seneste eller Fortsæt herfra for at ændre det.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::UnsavedWorkGuard</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uden navn</translation>
+    </message>
+    <message>
+        <source>Autosaved %1</source>
+        <translation>Gemte %1 automatisk</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Automatisk lagring mislykkedes: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
+%1</source>
+        <translation>Ikke-gemt arbejde fra et program, der sluttede uventet, kan ikke læses. Det er bevaret i denne fil:
+%1</translation>
+    </message>
+    <message>
+        <source>Restored, not saved yet</source>
+        <translation>Gendannet, ikke gemt endnu</translation>
+    </message>
+    <message>
+        <source>%1, in flight</source>
+        <translation>%1, under flyvning</translation>
+    </message>
+    <message>
+        <source>Reading unsaved work</source>
+        <translation>Læser arbejde, der ikke er gemt</translation>
     </message>
 </context>
 <context>
@@ -12469,45 +12232,12 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Blæser &amp;fra</translation>
     </message>
     <message>
-        <source>The UAV will make little way against this wind.</source>
-        <translation>Dronen vil næsten ikke komme frem mod denne vind.</translation>
+        <source>The UAV will make little headway in this wind.</source>
+        <translation>Dronen vil næsten ikke komme frem i denne vind.</translation>
     </message>
     <message>
-        <source>Always slower than the UAV flies: %1.</source>
-        <translation>Altid langsommere, end dronen flyver: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>berg::WorkSafety</name>
-    <message>
-        <source>Untitled</source>
-        <translation>Uden navn</translation>
-    </message>
-    <message>
-        <source>Autosaved %1</source>
-        <translation>Gemte %1 automatisk</translation>
-    </message>
-    <message>
-        <source>Autosaving failed: %1</source>
-        <translation>Automatisk lagring mislykkedes: %1</translation>
-    </message>
-    <message>
-        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
-%1</source>
-        <translation>Ikke-gemt arbejde fra et program, der sluttede uventet, kan ikke læses. Det er bevaret i denne fil:
-%1</translation>
-    </message>
-    <message>
-        <source>Restored, not saved yet</source>
-        <translation>Gendannet, ikke gemt endnu</translation>
-    </message>
-    <message>
-        <source>%1, in flight</source>
-        <translation>%1, under flyvning</translation>
-    </message>
-    <message>
-        <source>Reading unsaved work</source>
-        <translation>Læser arbejde, der ikke er gemt</translation>
+        <source>Must be below the UAV&apos;s airspeed (%1).</source>
+        <translation>Skal være under dronens flyvefart (%1).</translation>
     </message>
 </context>
 <context>
@@ -12529,7 +12259,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Ændr rute</translation>
     </message>
     <message>
-        <source>You are looking back. Continue from here, or go back to the latest, to change this.</source>
+        <source>You are viewing an earlier instant. To change this, continue from here or go back to the latest.</source>
         <translation>Du ser tilbage. Fortsæt herfra, eller gå tilbage til det seneste for at ændre dette.</translation>
     </message>
     <message>
@@ -12549,7 +12279,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Scenariet blev ændret før start: intet blev fløjet.</translation>
     </message>
     <message>
-        <source>Bring the flight back</source>
+        <source>Restore flight</source>
         <translation>Hent flyvningen tilbage</translation>
     </message>
 </context>

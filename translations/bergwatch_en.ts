@@ -39,30 +39,6 @@
     </message>
 </context>
 <context>
-    <name>ExportText</name>
-    <message numerus="yes">
-        <source>A file holds one UAV: %n files are written, named after the UAVs.</source>
-        <translation>
-            <numerusform>A file holds one UAV: %n file is written, named after the UAV.</numerusform>
-            <numerusform>A file holds one UAV: %n files are written, named after the UAVs.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The path becomes %n waypoints close to it.</source>
-        <translation>
-            <numerusform>The path becomes %n waypoint close to it.</numerusform>
-            <numerusform>The path becomes %n waypoints close to it.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs have no iceberg to visit.</source>
-        <translation>
-            <numerusform>%n UAV has no iceberg to visit.</numerusform>
-            <numerusform>%n UAVs have no iceberg to visit.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>FlightNotices</name>
     <message numerus="yes">
         <source>%1, and %n more</source>
@@ -82,92 +58,15 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Drag gives all %n icebergs selected the same drift.</source>
+        <source>Drag to give all %n selected icebergs the same drift.</source>
         <translation>
-            <numerusform>Drag sets the drift of the iceberg selected.</numerusform>
-            <numerusform>Drag gives all %n icebergs selected the same drift.</numerusform>
+            <numerusform>Drag to set the drift of the selected iceberg.</numerusform>
+            <numerusform>Drag to give all %n selected icebergs the same drift.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>ImportWords</name>
-    <message numerus="yes">
-        <source>%n UAVs</source>
-        <translation>
-            <numerusform>%n UAV</numerusform>
-            <numerusform>%n UAVs</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n no-fly areas</source>
-        <translation>
-            <numerusform>%n no-fly area</numerusform>
-            <numerusform>%n no-fly areas</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs (too many)</source>
-        <translation>
-            <numerusform>%n UAV (too many)</numerusform>
-            <numerusform>%n UAVs (too many)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs (more than 1000 km from the origin)</source>
-        <translation>
-            <numerusform>%n UAV (more than 1000 km from the origin)</numerusform>
-            <numerusform>%n UAVs (more than 1000 km from the origin)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n further areas</source>
-        <translation>
-            <numerusform>%n further area</numerusform>
-            <numerusform>%n further areas</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n holes of the area</source>
-        <translation>
-            <numerusform>%n hole of the area</numerusform>
-            <numerusform>%n holes of the area</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n circles of the geofence</source>
-        <translation>
-            <numerusform>%n circle of the geofence</numerusform>
-            <numerusform>%n circles of the geofence</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
-        <translation>
-            <numerusform>%n no-fly area (a UAV starts or lands in it, or its heights are wrong)</numerusform>
-            <numerusform>%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rally points</source>
-        <translation>
-            <numerusform>%n rally point</numerusform>
-            <numerusform>%n rally points</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n further assets</source>
-        <translation>
-            <numerusform>%n further asset</numerusform>
-            <numerusform>%n further assets</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n numbers out of range</source>
-        <translation>
-            <numerusform>%n number out of range</numerusform>
-            <numerusform>%n numbers out of range</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n new</source>
         <translation>
@@ -217,6 +116,27 @@
             <numerusform>%n rows rejected</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n rows changed</source>
+        <translation>
+            <numerusform>%n row changed</numerusform>
+            <numerusform>%n rows changed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sightings are more than 1000 km from the origin of this scenario. Import them into a new one, or choose others with Inside.</source>
+        <translation>
+            <numerusform>%n sighting is more than 1000 km from the origin of this scenario. Import it into a new one, or choose others with Inside.</numerusform>
+            <numerusform>%n sightings are more than 1000 km from the origin of this scenario. Import them into a new one, or choose others with Inside.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sightings are more than 1000 km from the origin, which is in their densest group. Choose others with Inside.</source>
+        <translation>
+            <numerusform>%n sighting is more than 1000 km from the origin, which is in their densest group. Choose others with Inside.</numerusform>
+            <numerusform>%n sightings are more than 1000 km from the origin, which is in their densest group. Choose others with Inside.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>InspectorRows</name>
@@ -256,6 +176,83 @@
         <translation>
             <numerusform>%n hint</numerusform>
             <numerusform>%n hints</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) taken over</source>
+        <translation>
+            <numerusform>%n UAV taken over</numerusform>
+            <numerusform>%n UAVs taken over</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no-fly area(s) taken over</source>
+        <translation>
+            <numerusform>%n no-fly area taken over</numerusform>
+            <numerusform>%n no-fly areas taken over</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) left out: too many</source>
+        <translation>
+            <numerusform>%n UAV left out: too many</numerusform>
+            <numerusform>%n UAVs left out: too many</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>
+            <numerusform>%n UAV left out: more than 1000 km east, west, north or south of the origin</numerusform>
+            <numerusform>%n UAVs left out: more than 1000 km east, west, north or south of the origin</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n area(s) left out: unreadable</source>
+        <translation>
+            <numerusform>%n area left out: unreadable</numerusform>
+            <numerusform>%n areas left out: unreadable</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further area(s) left out</source>
+        <translation>
+            <numerusform>%n further area left out</numerusform>
+            <numerusform>%n further areas left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s) of the area left out</source>
+        <translation>
+            <numerusform>%n hole of the area left out</numerusform>
+            <numerusform>%n holes of the area left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no-fly area(s) left out: a UAV starts or lands inside, or the heights are wrong</source>
+        <translation>
+            <numerusform>%n no-fly area left out: a UAV starts or lands inside, or the heights are wrong</numerusform>
+            <numerusform>%n no-fly areas left out: a UAV starts or lands inside, or the heights are wrong</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rally point(s) left out</source>
+        <translation>
+            <numerusform>%n rally point left out</numerusform>
+            <numerusform>%n rally points left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further asset(s) left out</source>
+        <translation>
+            <numerusform>%n further asset left out</numerusform>
+            <numerusform>%n further assets left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n number(s) out of range left out</source>
+        <translation>
+            <numerusform>%n number out of range left out</numerusform>
+            <numerusform>%n numbers out of range left out</numerusform>
         </translation>
     </message>
 </context>
@@ -395,10 +392,20 @@
 <context>
     <name>berg::GenerateDialog</name>
     <message numerus="yes">
-        <source>The scenario then holds %n icebergs.</source>
+        <source>The scenario will have %n icebergs.</source>
         <translation>
-            <numerusform>The scenario then holds one iceberg.</numerusform>
-            <numerusform>The scenario then holds %n icebergs.</numerusform>
+            <numerusform>The scenario will have one iceberg.</numerusform>
+            <numerusform>The scenario will have %n icebergs.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportIdentityView</name>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n iceberg</numerusform>
+            <numerusform>%n icebergs</numerusform>
         </translation>
     </message>
 </context>
@@ -420,22 +427,22 @@
     </message>
 </context>
 <context>
-    <name>berg::MapLinks</name>
+    <name>berg::MapController</name>
     <message numerus="yes">
-        <source>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</source>
+        <source>%n icebergs removed from this run. Undo brings them back.</source>
         <translation>
-            <numerusform>%n iceberg removed from this run. To undo that, look back to before it and choose Continue from here.</numerusform>
-            <numerusform>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</numerusform>
+            <numerusform>%n iceberg removed from this run. Undo brings it back.</numerusform>
+            <numerusform>%n icebergs removed from this run. Undo brings them back.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>berg::MapView</name>
     <message numerus="yes">
-        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</source>
+        <source>%n icebergs and the UAVs on the sea. Arrow keys move the map or the selection, plus and minus zoom, F fits. The iceberg table lists the icebergs.</source>
         <translation>
-            <numerusform>%n iceberg and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</numerusform>
-            <numerusform>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</numerusform>
+            <numerusform>%n iceberg and the UAVs on the sea. Arrow keys move the map or the selection, plus and minus zoom, F fits. The iceberg table lists the iceberg.</numerusform>
+            <numerusform>%n icebergs and the UAVs on the sea. Arrow keys move the map or the selection, plus and minus zoom, F fits. The iceberg table lists the icebergs.</numerusform>
         </translation>
     </message>
 </context>
@@ -452,10 +459,10 @@
 <context>
     <name>berg::ResultFiles</name>
     <message numerus="yes">
-        <source>%n files of these names are there. What is in them would be lost.</source>
+        <source>%n files with these names exist. Their content would be lost.</source>
         <translation>
-            <numerusform>%n file of this name is there. What is in it would be lost.</numerusform>
-            <numerusform>%n files of these names are there. What is in them would be lost.</numerusform>
+            <numerusform>%n file with this name exists. Its content would be lost.</numerusform>
+            <numerusform>%n files with these names exist. Their content would be lost.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -503,17 +510,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</source>
+        <source>Airspace of %1: %n areas added, %2 already present, %3 farther than 100 km, %4 left out</source>
         <translation>
-            <numerusform>Airspace of %1: %n area added, %2 there already, %3 farther than 100 km, %4 left out</numerusform>
-            <numerusform>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</numerusform>
+            <numerusform>Airspace of %1: %n area added, %2 already present, %3 farther than 100 km, %4 left out</numerusform>
+            <numerusform>Airspace of %1: %n areas added, %2 already present, %3 farther than 100 km, %4 left out</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n areas: a scenario holds at most %1</source>
+        <source>%n areas: a scenario can have at most %1</source>
         <translation>
-            <numerusform>%n area: a scenario holds at most %1</numerusform>
-            <numerusform>%n areas: a scenario holds at most %1</numerusform>
+            <numerusform>%n area: a scenario can have at most %1</numerusform>
+            <numerusform>%n areas: a scenario can have at most %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -535,7 +542,7 @@
     </message>
 </context>
 <context>
-    <name>berg::StudyPicture</name>
+    <name>berg::StudyFigure</name>
     <message numerus="yes">
         <source>%n cases</source>
         <translation>

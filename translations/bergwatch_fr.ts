@@ -12,7 +12,7 @@
         <translation>Remplacer la zone</translation>
     </message>
     <message>
-        <source>An area needs three corners. Esc drops what is drawn.</source>
+        <source>An area needs at least three corners. Esc cancels the drawing.</source>
         <translation>Une zone a besoin de trois sommets. Esc abandonne le tracé.</translation>
     </message>
     <message numerus="yes">
@@ -23,19 +23,19 @@
         </translation>
     </message>
     <message>
-        <source>A click on the first corner or Enter closes the area. Backspace takes a corner back, Esc all.</source>
+        <source>Click the first corner or press Enter to close the area. Backspace removes a corner, Esc cancels.</source>
         <translation>Un clic sur le premier sommet ou Entrée ferme la zone. Retour arrière retire un sommet, Esc les retire tous.</translation>
     </message>
     <message>
-        <source>Click sets the next corner. Backspace takes one back, Esc drops the area.</source>
+        <source>Click to set the next corner. Backspace removes a corner, Esc cancels.</source>
         <translation>Un clic place le sommet suivant. Retour arrière en retire un, Esc abandonne la zone.</translation>
     </message>
     <message>
-        <source>Drag a corner or an edge&apos;s middle; a click begins another area. Esc leaves the tool.</source>
+        <source>Drag a corner or the middle of an edge; clicking starts a new area. Esc leaves the tool.</source>
         <translation>Faites glisser un sommet ou le milieu d&apos;un côté ; un clic commence une autre zone. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
-        <source>Click sets the first corner of the area. Esc leaves the tool.</source>
+        <source>Click to set the first corner of the area. Esc leaves the tool.</source>
         <translation>Un clic place le premier sommet de la zone. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
@@ -50,7 +50,7 @@
         </translation>
     </message>
     <message>
-        <source>Click sets the first corner of a no-fly area. Corners and edges&apos; middles of those there are can be dragged. Esc leaves the tool.</source>
+        <source>Click to set the first corner of a no-fly area, or drag a corner or the middle of an edge of an existing one. Esc leaves the tool.</source>
         <translation>Un clic place le premier sommet d&apos;une zone interdite. Les sommets et les milieux des côtés des zones existantes peuvent être déplacés. Esc quitte l&apos;outil.</translation>
     </message>
 </context>
@@ -87,7 +87,7 @@
         <translation>résolution</translation>
     </message>
     <message>
-        <source>interrupted: the table ends early</source>
+        <source>interrupted: the table is incomplete</source>
         <translation>interrompu : le tableau est incomplet</translation>
     </message>
     <message>
@@ -123,15 +123,15 @@
         <translation>--format : %1 n&apos;est aucun des suivants : %2</translation>
     </message>
     <message>
-        <source>--output: no format has the suffix of %1; --format names one of %2</source>
+        <source>--output: no format has the suffix of %1; choose one with --format: %2</source>
         <translation>--output : aucun format n&apos;a le suffixe de %1 ; --format en choisit un parmi %2</translation>
     </message>
     <message>
-        <source>--format %1: is painted by the program bergwatch, which was found neither beside this one nor on the PATH</source>
+        <source>--format %1: the program bergwatch paints this format, but it is neither in this folder nor on the PATH</source>
         <translation>--format %1 : est dessiné par le programme bergwatch, introuvable à côté de celui-ci comme dans PATH</translation>
     </message>
     <message>
-        <source>%1: %2 is no UTC time such as 2026-05-01T12:00:00Z</source>
+        <source>%1: %2 is not a UTC time such as 2026-05-01T12:00:00Z</source>
         <translation>%1 : %2 n&apos;est pas une heure UTC comme 2026-05-01T12:00:00Z</translation>
     </message>
     <message>
@@ -143,11 +143,11 @@
         <translation>--map : %1 n&apos;est pas FIELD=COLUMN avec un champ parmi %2</translation>
     </message>
     <message>
-        <source>--position-error: %1 is neither metres nor one of %2</source>
+        <source>--position-error: %1 is neither a number of metres nor one of %2</source>
         <translation>--position-error : %1 n&apos;est ni un nombre de mètres ni l&apos;un des suivants : %2</translation>
     </message>
     <message>
-        <source>--with-tracks needs --at: the tracks are what was sighted after it</source>
+        <source>--with-tracks needs --at: tracks consist of the sightings after that time</source>
         <translation>--with-tracks a besoin de --at : les traces sont ce qui a été observé après cet instant</translation>
     </message>
     <message>
@@ -155,15 +155,15 @@
         <translation>et %1 de plus</translation>
     </message>
     <message>
-        <source>and %1 more notes on icebergs</source>
+        <source>and %1 more notes about icebergs</source>
         <translation>et %1 remarques de plus sur des icebergs</translation>
     </message>
     <message>
-        <source>--format airspace needs --into, the scenario that it is added to</source>
+        <source>--format airspace needs --into, the scenario to add it to</source>
         <translation>--format airspace a besoin de --into, le scénario auquel il est ajouté</translation>
     </message>
     <message>
-        <source>the processes of MPI were given different options</source>
+        <source>the MPI processes have different options</source>
         <translation>les processus MPI ont reçu des options différentes</translation>
     </message>
     <message>
@@ -179,15 +179,15 @@
         <translation>%1 n&apos;est pas un nombre</translation>
     </message>
     <message>
-        <source>%1 is an input of this command: name another file</source>
+        <source>%1 is an input of this command; name another file</source>
         <translation>%1 est une entrée de cette commande : nommez un autre fichier</translation>
     </message>
     <message>
-        <source>%1 is an input of this command (%2): name another file</source>
+        <source>%1 is an input of this command (%2); name another file</source>
         <translation>%1 est une entrée de cette commande (%2) : nommez un autre fichier</translation>
     </message>
     <message>
-        <source>%1 is the file of %2 already: name another file</source>
+        <source>%1 is already the file of %2; name another file</source>
         <translation>%1 est déjà le fichier de %2 : nommez un autre fichier</translation>
     </message>
     <message>
@@ -195,15 +195,15 @@
         <translation>%1 et --json ont tous deux besoin de la sortie standard</translation>
     </message>
     <message>
-        <source>%1: exists; --force overwrites it</source>
+        <source>%1 exists; use --force to overwrite it</source>
         <translation>%1 : existe déjà ; --force l&apos;écrase</translation>
     </message>
     <message>
-        <source>%1: %2 and %3 contradict each other: one of the two is wrong. Do not trust this order.</source>
+        <source>%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order.</source>
         <translation>%1 : %2 et %3 se contredisent : l&apos;un des deux se trompe. Ne vous fiez pas à cet ordre.</translation>
     </message>
     <message>
-        <source>there is not enough memory for this</source>
+        <source>there is not enough memory</source>
         <translation>il n&apos;y a pas assez de mémoire pour cela</translation>
     </message>
     <message>
@@ -227,11 +227,11 @@
         <translation>Nommez les colonnes d&apos;un tableau : --map latitude=COLUMN --map longitude=COLUMN.</translation>
     </message>
     <message>
-        <source>Is this a file of Bergwatch? Sightings are read by &apos;import&apos;.</source>
+        <source>This is not a Bergwatch file. To read sightings, use &apos;import&apos;.</source>
         <translation>Est-ce un fichier de Bergwatch ? Les observations sont lues par « import ».</translation>
     </message>
     <message>
-        <source>there is no script for %1</source>
+        <source>there is no completion script for %1</source>
         <translation>il n&apos;y a pas de script pour %1</translation>
     </message>
     <message>
@@ -251,7 +251,7 @@
         <translation>vol en cours</translation>
     </message>
     <message>
-        <source>a run file is replayed as it was flown; --tau, --policy, --duration, --dt, --seed and --no-noise are for scenarios</source>
+        <source>a run file is replayed exactly as flown; --tau, --policy, --duration, --dt, --seed and --no-noise apply to scenarios only</source>
         <translation>un vol enregistré est rejoué tel quel ; --tau, --policy, --duration, --dt, --seed et --no-noise valent pour les scénarios</translation>
     </message>
     <message>
@@ -259,11 +259,11 @@
         <translation>relecture</translation>
     </message>
     <message>
-        <source>--bound is for what the UAV sees by itself; in this run an iceberg was reported seen</source>
+        <source>--bound does not apply to runs with reported sightings</source>
         <translation>--bound vaut pour ce que le drone voit lui-même ; dans ce vol, un iceberg a été signalé comme vu</translation>
     </message>
     <message>
-        <source>--bound is for the scenario&apos;s wind; in this run it changed</source>
+        <source>--bound does not apply to runs in which the wind changed</source>
         <translation>--bound vaut pour le vent du scénario ; dans ce vol, il a changé</translation>
     </message>
     <message>
@@ -271,11 +271,11 @@
         <translation>recherche de la borne inférieure</translation>
     </message>
     <message>
-        <source>interrupted: the flight is complete, its lower bound is missing</source>
+        <source>interrupted: the flight is complete, but its lower bound is missing</source>
         <translation>interrompu : le vol est complet, sa borne inférieure manque</translation>
     </message>
     <message>
-        <source>not complete: %1 of %2 missions are flown; counted are the cases with all their settings</source>
+        <source>incomplete: %1 of %2 missions are flown; the results use only cases with all settings</source>
         <translation>incomplet : %1 missions sur %2 ont été effectuées ; seuls comptent les cas avec tous leurs réglages</translation>
     </message>
     <message>
@@ -283,7 +283,7 @@
         <translation>--reference : %1 n&apos;est pas POLICY[:TAU] avec l&apos;un des suivants : %2</translation>
     </message>
     <message>
-        <source>--reference: %1 is not flown in this study</source>
+        <source>--reference: this study does not contain %1</source>
         <translation>--reference : %1 n&apos;est pas joué dans cette étude</translation>
     </message>
     <message>
@@ -291,7 +291,7 @@
         <translation>--tau : %1 n&apos;est pas A:B:STEP avec 0 &lt;= A &lt;= B &lt;= 100</translation>
     </message>
     <message>
-        <source>--tau: %1 makes it more than %2 values</source>
+        <source>--tau: with %1 there are more than %2 values</source>
         <translation>--tau : avec %1, cela fait plus de %2 valeurs</translation>
     </message>
     <message>
@@ -299,11 +299,11 @@
         <translation>--policies : %1 n&apos;est aucun des suivants : %2</translation>
     </message>
     <message>
-        <source>--regime is for --random N; scenarios say themselves how icebergs drift</source>
+        <source>--regime needs --random N; scenario files define their own drift</source>
         <translation>--regime vaut pour --random N ; les scénarios disent eux-mêmes comment les icebergs dérivent</translation>
     </message>
     <message>
-        <source>name scenarios, or give --random N</source>
+        <source>name scenarios, or use --random N</source>
         <translation>nommez des scénarios ou donnez --random N</translation>
     </message>
     <message>
@@ -311,15 +311,15 @@
         <translation>--shard : %1 n&apos;est pas I/N avec 1 &lt;= I &lt;= N</translation>
     </message>
     <message>
-        <source>--shard: the part needs a file to be kept in: --study FILE</source>
+        <source>--shard needs --study FILE, in which the part is stored</source>
         <translation>--shard : la partie a besoin d&apos;un fichier où être conservée : --study FILE</translation>
     </message>
     <message>
-        <source>--shard: the files of all shards are written by &apos;study&apos;</source>
+        <source>--shard: to write tables and reports of all shards, use &apos;study&apos;</source>
         <translation>--shard : les fichiers de toutes les parties sont écrits par « study »</translation>
     </message>
     <message>
-        <source>--replace-study: is for --study FILE</source>
+        <source>--replace-study needs --study FILE</source>
         <translation>--replace-study : vaut pour --study FILE</translation>
     </message>
     <message>
@@ -327,7 +327,7 @@
         <translation>%1 missions en cours</translation>
     </message>
     <message>
-        <source>interrupted: %1 of %2 missions are kept in %3; the same command carries on</source>
+        <source>interrupted: %1 of %2 missions are stored in %3; repeat the command to continue</source>
         <translation>interrompu : %1 missions sur %2 sont conservées dans %3 ; la même commande reprend</translation>
     </message>
     <message>
@@ -367,135 +367,11 @@
         <translation>%1 est obligatoire</translation>
     </message>
     <message>
-        <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
-        <translation>un fichier contient un seul drone : %1 fichiers sont écrits, nommés d&apos;après les drones</translation>
-    </message>
-    <message>
-        <source>the scenario has no start time, so the file has no dates</source>
-        <translation>le scénario n&apos;a pas d&apos;heure de début ; le fichier n&apos;a donc pas de dates</translation>
-    </message>
-    <message>
-        <source>the geofence is left out: the format has no place for it</source>
-        <translation>la barrière virtuelle est omise : le format ne la prévoit pas</translation>
-    </message>
-    <message>
-        <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
-        <translation>les zones interdites et l&apos;anneau de sécurité sont omis : le format ne les prévoit pas</translation>
-    </message>
-    <message>
-        <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
-        <translation>les zones interdites n&apos;ont pas de hauteurs : celles à l&apos;altitude du drone sont écrites</translation>
-    </message>
-    <message>
-        <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
-        <translation>%1 peut tracer la barrière en faisant le tour du globe : elle franchit l&apos;antiméridien</translation>
-    </message>
-    <message>
-        <source>the places where icebergs were reached are written, not the track</source>
-        <translation>les lieux où les icebergs ont été atteints sont écrits, pas la trace</translation>
-    </message>
-    <message>
-        <source>the path becomes %1 waypoints within %2 m of it</source>
-        <translation>la trajectoire devient %1 points de cheminement à moins de %2 m d&apos;elle</translation>
-    </message>
-    <message>
-        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
-        <translation>%1 conserve les rayons d&apos;acceptation jusqu&apos;à %3 m : %2 m devient %3 m</translation>
-    </message>
-    <message>
-        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
-        <translation>%1 conserve les rayons d&apos;attente supérieurs à 255 m par pas de 10 m : %2 m devient %3 m</translation>
-    </message>
-    <message>
-        <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
-        <translation>%1 lit la vitesse de croisière en nombre entier : %2 m/s devient %3 m/s ; la vitesse dans la mission est exacte</translation>
-    </message>
-    <message>
-        <source>the file is about the whole flight, whatever is chosen to be exported</source>
-        <translation>le fichier porte sur tout le vol, quel que soit le choix à exporter</translation>
-    </message>
-    <message>
-        <source>UAVs without an iceberg to visit: %1</source>
-        <translation>Drones sans iceberg à visiter : %1</translation>
-    </message>
-    <message>
-        <source>straight legs that lead out of the geofence or through a no-fly area: %1; the path (--what path) leads round</source>
-        <translation>segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite : %1 ; la trajectoire (--what path) les contourne</translation>
-    </message>
-    <message>
-        <source>this sortie alone is written: icebergs of the order left for later ones: %1</source>
-        <translation>seule cette sortie est écrite : icebergs de l&apos;ordre laissés aux sorties suivantes : %1</translation>
-    </message>
-    <message>
-        <source>velocity unknown</source>
-        <translation>vitesse inconnue</translation>
-    </message>
-    <message>
-        <source>velocity from the file</source>
-        <translation>vitesse tirée du fichier</translation>
-    </message>
-    <message>
-        <source>velocity limited to 5 m/s per axis</source>
-        <translation>vitesse limitée à 5 m/s par axe</translation>
-    </message>
-    <message>
-        <source>q estimated</source>
-        <translation>q estimé</translation>
-    </message>
-    <message>
-        <source>q limited to 1e6 m2/s</source>
-        <translation>q limité à 1e6 m2/s</translation>
-    </message>
-    <message>
-        <source>stationary</source>
-        <translation>stationnaire</translation>
-    </message>
-    <message>
-        <source>sightings of one time</source>
-        <translation>plusieurs observations au même instant</translation>
-    </message>
-    <message>
-        <source>sightings at impossible places not used</source>
-        <translation>observations en des lieux impossibles, non utilisées</translation>
-    </message>
-    <message>
-        <source>recorded track attached</source>
-        <translation>trace enregistrée ajoutée</translation>
-    </message>
-    <message>
-        <source>no track: not sighted after the start</source>
-        <translation>aucune trace : pas observé après le début</translation>
-    </message>
-    <message>
-        <source>older than what the scenario has</source>
-        <translation>plus ancien que ce que contient le scénario</translation>
-    </message>
-    <message>
-        <source>sighted only after the start</source>
-        <translation>observé seulement après le début</translation>
-    </message>
-    <message>
-        <source>more than 1000 km from the origin at the start</source>
-        <translation>à plus de 1000 km de l&apos;origine au début</translation>
-    </message>
-    <message>
-        <source>the scenario is full</source>
-        <translation>le scénario est plein</translation>
-    </message>
-    <message>
-        <source>an aircraft has this id</source>
-        <translation>un drone a cet identifiant</translation>
-    </message>
-    <message>
-        <source>--format airspace goes with --into, --output, --force and --json alone</source>
+        <source>--format airspace accepts only --into, --output, --force and --json</source>
         <translation>--format airspace ne va qu&apos;avec --into, --output, --force et --json</translation>
     </message>
     <message>
-        <source>no time: counts as seen at the start</source>
-        <translation>sans heure : compte comme vu au départ</translation>
-    </message>
-    <message>
-        <source>%1 is airspace: use --format airspace with --into SCENARIO</source>
+        <source>%1 is airspace; use --format airspace with --into SCENARIO</source>
         <translation>%1 est un fichier d’espace aérien : utilisez --format airspace avec --into SCENARIO</translation>
     </message>
     <message>
@@ -503,15 +379,15 @@
         <translation>%1 exclut %2</translation>
     </message>
     <message>
-        <source>--bound is for all icebergs; in this run one was removed</source>
+        <source>--bound does not apply to runs from which an iceberg was removed</source>
         <translation>--bound vaut pour tous les icebergs ; dans ce vol, un a été retiré</translation>
     </message>
     <message>
-        <source>--output: this format has a file for each UAV; choose one with --uav</source>
+        <source>--output: this format writes one file per UAV; choose a UAV with --uav</source>
         <translation>--output : ce format a un fichier par drone ; choisissez-en un avec --uav</translation>
     </message>
     <message>
-        <source>%1: &apos;-&apos; is not possible here: give a name</source>
+        <source>%1: &apos;-&apos; is not possible here; give a file name</source>
         <translation>%1 : « - » n’est pas possible ici : donnez un nom</translation>
     </message>
     <message>
@@ -531,12 +407,16 @@
         <translation>--dt, --duration : le pas de temps est plus long que la durée</translation>
     </message>
     <message>
-        <source>--first-seed is for --random N; scenarios hold their own seeds</source>
+        <source>--first-seed needs --random N; scenario files have their own seeds</source>
         <translation>--first-seed va avec --random N ; les scénarios ont leurs propres graines</translation>
     </message>
     <message>
-        <source>--%1 is not used: nothing in the file depends on it</source>
-        <translation>--%1 ne sert pas : rien dans le fichier n&apos;en dépend</translation>
+        <source>%1 sightings are too far from the origin of the scenario, %2; import them without --into, or choose others with --area</source>
+        <translation>%1 observations sont trop loin de l&apos;origine du scénario, %2 : importez-les sans --into, ou choisissez-en d&apos;autres par --area</translation>
+    </message>
+    <message>
+        <source>%1 sightings are too far from the origin, %2, which lies in their densest group; choose others with --area</source>
+        <translation>%1 observations sont trop loin de l&apos;origine, %2, qui est dans leur groupe le plus dense : choisissez-en d&apos;autres par --area</translation>
     </message>
 </context>
 <context>
@@ -592,7 +472,7 @@
         <translation>Σσ moyen, m²</translation>
     </message>
     <message>
-        <source>Zeta over time: how uncertain all icebergs were together on average.</source>
+        <source>Mean total uncertainty of all icebergs: ζ divided by the flown time.</source>
         <translation>Zêta rapporté au temps : incertitude moyenne de tous les icebergs ensemble.</translation>
     </message>
     <message>
@@ -604,7 +484,7 @@
         <translation>Plans</translation>
     </message>
     <message>
-        <source>Times the visiting order was planned.</source>
+        <source>Number of plans made.</source>
         <translation>Nombre de fois que l&apos;ordre de visite a été planifié.</translation>
     </message>
     <message>
@@ -612,7 +492,7 @@
         <translation>Distance parcourue dans l&apos;air.</translation>
     </message>
     <message>
-        <source>Unseen up to</source>
+        <source>Longest unseen</source>
         <translation>Non vu, max.</translation>
     </message>
     <message>
@@ -620,15 +500,15 @@
         <translation>Durée la plus longue pendant laquelle un iceberg était hors de vue.</translation>
     </message>
     <message>
-        <source>which was</source>
-        <translation>à savoir</translation>
+        <source>Iceberg</source>
+        <translation>Iceberg</translation>
     </message>
     <message>
         <source>The iceberg that was out of view for the longest time.</source>
         <translation>Iceberg resté le plus longtemps hors de vue.</translation>
     </message>
     <message>
-        <source>Unseen for %1 in all in A.</source>
+        <source>Unseen for %1 in total in A.</source>
         <translation>Non vu pendant %1 au total dans A.</translation>
     </message>
     <message>
@@ -644,11 +524,11 @@
         <translation>Icebergs que %1 a atteints.</translation>
     </message>
     <message>
-        <source>What %1 has flown through the air.</source>
+        <source>Distance that %1 has flown through the air.</source>
         <translation>Distance que %1 a parcourue dans l&apos;air.</translation>
     </message>
     <message>
-        <source>Icebergs that were targets and were reached.</source>
+        <source>Icebergs reached as targets.</source>
         <translation>Icebergs qui étaient des cibles et ont été atteints.</translation>
     </message>
 </context>
@@ -678,11 +558,11 @@
         <translation>Enregistrer les modifications de « %1 » ?</translation>
     </message>
     <message>
-        <source>They are lost if you do not save them.</source>
+        <source>Your changes will be lost if you don&apos;t save them.</source>
         <translation>Elles seront perdues si vous ne les enregistrez pas.</translation>
     </message>
     <message>
-        <source>They are lost if you do not save them. The flight under way ends unless you cancel.</source>
+        <source>Your changes will be lost if you don&apos;t save them. The flight in progress ends unless you cancel.</source>
         <translation>Elles seront perdues si vous ne les enregistrez pas. Le vol en cours prendra fin, sauf si vous annulez.</translation>
     </message>
     <message>
@@ -706,7 +586,7 @@
         <translation>« %1 » est ouvert dans une autre fenêtre.</translation>
     </message>
     <message>
-        <source>%1 has it open. A copy can be changed freely and saved under another name; if both windows save to the file, the last one wins.</source>
+        <source>%1 has it open. You can open a copy and save it under another name. If both windows save to this file, the last one wins.</source>
         <translation>%1 l&apos;a ouvert. Une copie peut être modifiée librement et enregistrée sous un autre nom ; si les deux fenêtres enregistrent dans le fichier, la dernière l&apos;emporte.</translation>
     </message>
     <message>
@@ -738,11 +618,11 @@
         <translation>Fichier modifié</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was changed by another program.</source>
+        <source>Another program has changed &quot;%1&quot;.</source>
         <translation>« %1 » a été modifié par un autre programme.</translation>
     </message>
     <message>
-        <source>You have no unsaved changes of your own.</source>
+        <source>You have no unsaved changes.</source>
         <translation>Vous n&apos;avez aucune modification non enregistrée.</translation>
     </message>
     <message>
@@ -758,19 +638,19 @@
         <translation>Vol en cours</translation>
     </message>
     <message>
-        <source>A flight has begun in the meantime. End it?</source>
+        <source>A flight has started in the meantime. End it?</source>
         <translation>Un vol a commencé entre-temps. Y mettre fin ?</translation>
     </message>
     <message>
-        <source>A flight is under way. End it?</source>
+        <source>A flight is in progress. End it?</source>
         <translation>Un vol est en cours. Y mettre fin ?</translation>
     </message>
     <message>
-        <source>The scenario can only be changed when no flight is under way. The flight stays in the list of runs.</source>
+        <source>The scenario can only be changed when no flight is in progress. The flight stays in the list of runs.</source>
         <translation>Le scénario ne peut être modifié que lorsqu&apos;aucun vol n&apos;est en cours. Le vol reste dans la liste des vols.</translation>
     </message>
     <message>
-        <source>As far as it went, it stays in the list of runs.</source>
+        <source>What has been flown so far stays in the list of runs.</source>
         <translation>La partie effectuée reste dans la liste des vols.</translation>
     </message>
     <message>
@@ -790,7 +670,7 @@
         <translation>Enregistrer le vol ?</translation>
     </message>
     <message>
-        <source>What was flown is lost if you do not save it.</source>
+        <source>The flight will be lost if you don&apos;t save it.</source>
         <translation>Ce qui a été volé est perdu si vous ne l’enregistrez pas.</translation>
     </message>
     <message>
@@ -821,10 +701,6 @@
         </translation>
     </message>
     <message>
-        <source>%1: the UAV visits them no more. In flight, Undo does not bring them back.</source>
-        <translation>%1 : le drone ne les visite plus. En vol, Annuler ne les ramène pas.</translation>
-    </message>
-    <message>
         <source>&amp;Remove</source>
         <translation>&amp;Retirer</translation>
     </message>
@@ -836,11 +712,31 @@
         <source>Degrees from true to magnetic north, positive east, negative west:</source>
         <translation>Degrés du nord vrai au nord magnétique, positifs vers l&apos;est, négatifs vers l&apos;ouest :</translation>
     </message>
+    <message>
+        <source>%1: the UAV will not visit them any more.</source>
+        <translation>%1 : le drone ne les visite plus.</translation>
+    </message>
+    <message>
+        <source>Undo in flight</source>
+        <translation>Annuler en vol</translation>
+    </message>
+    <message>
+        <source>Undo &quot;%1&quot; of %2?</source>
+        <translation>Annuler « %1 » de %2 ?</translation>
+    </message>
+    <message>
+        <source>The flight goes back to that time and continues without the change. The flight since then is discarded; &quot;Restore&quot; brings it back.</source>
+        <translation>Le vol revient à cet instant et continue sans la modification. Ce qui a été volé depuis est abandonné ; « Rétablir le vol » y retourne.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>
     <message>
-        <source>The arrow is the drift over %1. Shift keeps to steps of %2°, Esc takes it back.</source>
+        <source>The arrow shows the drift over %1. Shift snaps to steps of %2°; Esc cancels.</source>
         <translation>La flèche représente la dérive sur %1. Maj impose des pas de %2°, Esc annule.</translation>
     </message>
     <message>
@@ -863,15 +759,15 @@
         <translation>Le fichier ne peut pas être écrit. Vérifiez que le dossier existe, que vous avez le droit d&apos;y écrire et que le disque n&apos;est pas plein.</translation>
     </message>
     <message>
-        <source>The file is too large to be one of Bergwatch&apos;s.</source>
+        <source>The file is too large for a Bergwatch file.</source>
         <translation>Le fichier est trop volumineux pour être un fichier de Bergwatch.</translation>
     </message>
     <message>
-        <source>The file is not well-formed JSON. Correct it at the place named.</source>
-        <translation>Le fichier n&apos;est pas du JSON bien formé. Corrigez-le à l&apos;endroit indiqué.</translation>
+        <source>This is not a Bergwatch file, or it is damaged at the place named.</source>
+        <translation>Ce n&apos;est pas un fichier Bergwatch, ou il est endommagé à l&apos;endroit indiqué.</translation>
     </message>
     <message>
-        <source>The file is of another kind than the one expected here.</source>
+        <source>This file is of a different type than expected here.</source>
         <translation>Le fichier n&apos;est pas du type attendu ici.</translation>
     </message>
     <message>
@@ -879,7 +775,7 @@
         <translation>Le fichier provient d&apos;une version plus récente de Bergwatch. Mettez le programme à jour pour l&apos;ouvrir.</translation>
     </message>
     <message>
-        <source>The values named cannot be used. Correct them and try again.</source>
+        <source>These values are not valid. Correct them and try again.</source>
         <translation>Les valeurs indiquées ne peuvent pas être utilisées. Corrigez-les et réessayez.</translation>
     </message>
     <message>
@@ -887,11 +783,11 @@
         <translation>Cette version de Bergwatch ne peut pas le faire.</translation>
     </message>
     <message>
-        <source>The planner failed. Choose another planner back end.</source>
+        <source>The planner failed. Choose another solver.</source>
         <translation>Le planificateur a échoué. Choisissez un autre solveur.</translation>
     </message>
     <message>
-        <source>Flying the run again gave another result than the one it recorded. It may come from another version of Bergwatch.</source>
+        <source>The replay of the run differs from the recording. The file may come from another version of Bergwatch.</source>
         <translation>En rejouant le vol, on obtient un autre résultat que celui qu&apos;il contient. Il provient peut-être d&apos;une autre version de Bergwatch.</translation>
     </message>
     <message numerus="yes">
@@ -904,10 +800,6 @@
 </context>
 <context>
     <name>EventText</name>
-    <message>
-        <source>Every iceberg is in view: circling</source>
-        <translation>Tous les icebergs sont en vue : vol d&apos;attente</translation>
-    </message>
     <message>
         <source>Planned: next %1</source>
         <translation>Plan établi : %1 ensuite</translation>
@@ -1096,6 +988,10 @@
         <source>%1 assigned to %2</source>
         <translation>%1 attribué à %2</translation>
     </message>
+    <message>
+        <source>Nothing to visit now: circling</source>
+        <translation>Rien à visiter pour l&apos;instant : tourne en rond</translation>
+    </message>
 </context>
 <context>
     <name>ExportPicture</name>
@@ -1113,10 +1009,6 @@
     <message>
         <source>Waypoint list</source>
         <translation>Liste de points de cheminement</translation>
-    </message>
-    <message>
-        <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One UAV a file.</source>
-        <translation>Éléments de mission au format QGC WPL 110, la base en première ligne, pour Mission Planner et MAVProxy. Sans barrière virtuelle. Un drone par fichier.</translation>
     </message>
     <message>
         <source>QGIS and other map programs</source>
@@ -1183,18 +1075,6 @@
         <translation>Tableau de l&apos;ordre avec segments, coordonnées et arrivées ; pour une trajectoire ou le vol effectué, une ligne par point.</translation>
     </message>
     <message>
-        <source>%1 shows the cruise speed as a whole number: %2 m/s becomes %3 m/s. The speed in the mission is exact.</source>
-        <translation>%1 affiche la vitesse de croisière en nombre entier : %2 m/s devient %3 m/s. La vitesse dans la mission est exacte.</translation>
-    </message>
-    <message>
-        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m.</source>
-        <translation>%1 conserve les rayons d&apos;attente supérieurs à 255 m par pas de 10 m : %2 m devient %3 m.</translation>
-    </message>
-    <message>
-        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m.</source>
-        <translation>%1 conserve les rayons d&apos;acceptation jusqu&apos;à %3 m : %2 m devient %3 m.</translation>
-    </message>
-    <message>
         <source>Autopilots</source>
         <translation>Autopilotes</translation>
     </message>
@@ -1217,43 +1097,6 @@
     <message>
         <source>Left out</source>
         <translation>Omis</translation>
-    </message>
-    <message numerus="yes">
-        <source>A file holds one UAV: %n files are written, named after the UAVs.</source>
-        <translation>
-            <numerusform>Un fichier contient un seul drone : %n fichier est écrit, au nom du drone.</numerusform>
-            <numerusform>Un fichier contient un seul drone : %n fichiers sont écrits, aux noms des drones.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The scenario has no start time, so the file has no dates.</source>
-        <translation>Le scénario n&apos;a pas d&apos;heure de début ; le fichier ne contient donc aucune date.</translation>
-    </message>
-    <message>
-        <source>The format has no place for the geofence.</source>
-        <translation>Le format ne prévoit pas la barrière virtuelle.</translation>
-    </message>
-    <message>
-        <source>%1 may draw the fence the long way round: it crosses the antimeridian.</source>
-        <translation>%1 peut tracer la barrière en faisant le tour du globe : elle franchit l&apos;antiméridien.</translation>
-    </message>
-    <message>
-        <source>The places where icebergs were reached are written, not the track.</source>
-        <translation>Les positions où les icebergs ont été atteints sont écrites, pas la trace.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The path becomes %n waypoints close to it.</source>
-        <translation>
-            <numerusform>La trajectoire devient %n point de cheminement proche d&apos;elle.</numerusform>
-            <numerusform>La trajectoire devient %n points de cheminement proches d&apos;elle.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs have no iceberg to visit.</source>
-        <translation>
-            <numerusform>%n drone n&apos;a aucun iceberg à visiter.</numerusform>
-            <numerusform>%n drones n&apos;ont aucun iceberg à visiter.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Map as %1</source>
@@ -1292,26 +1135,6 @@
         <translation>Images et impression</translation>
     </message>
     <message>
-        <source>The file is about the whole flight, whatever is chosen.</source>
-        <translation>Le fichier porte sur le vol entier, quel que soit le choix.</translation>
-    </message>
-    <message>
-        <source>This sortie alone is written. Icebergs of the order left for later ones: %1.</source>
-        <translation>Seule cette sortie est écrite. Icebergs de l&apos;ordre laissés aux sorties suivantes : %1.</translation>
-    </message>
-    <message>
-        <source>The format has no place for no-fly areas and the stand-off ring.</source>
-        <translation>Le format ne prévoit ni les zones interdites ni l&apos;anneau de sécurité.</translation>
-    </message>
-    <message>
-        <source>No-fly areas have no heights in it: those at the altitude of the UAV are written.</source>
-        <translation>Les zones interdites n&apos;y ont pas de hauteurs : celles qui valent à l&apos;altitude du drone sont écrites.</translation>
-    </message>
-    <message>
-        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. Export the path instead: it leads round.</source>
-        <translation>Segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite : %1. Exportez plutôt la trajectoire : elle les contourne.</translation>
-    </message>
-    <message>
         <source>Altitude</source>
         <translation>Altitude</translation>
     </message>
@@ -1348,28 +1171,24 @@
         <translation>Deux ou trois pages : vol planifié et vol effectué, carte, zêta par rapport à la prévision, observations, écarts.</translation>
     </message>
     <message>
-        <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
-        <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; avec un volume d&apos;exploitation, une seconde page à son sujet.</translation>
-    </message>
-    <message>
-        <source>Nothing in the file depends on: %1.</source>
-        <translation>Rien dans le fichier ne dépend de : %1.</translation>
-    </message>
-    <message>
         <source>Return home</source>
         <translation>Retour à la base</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
-        <translation>Éléments de mission avec altitude, vitesse et rayons, la barrière virtuelle et un point de ralliement à la base ; ni décollage ni atterrissage. Lu aussi par Mission Planner et MAVSDK. Un drone par fichier.</translation>
+        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Éléments de mission avec altitude, vitesse et rayons, la barrière virtuelle et un point de ralliement à la base ; ni décollage ni atterrissage. Lu aussi par Mission Planner et MAVSDK. Un fichier par drone.</translation>
+    </message>
+    <message>
+        <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
+        <translation>Éléments de mission au format QGC WPL 110, la base en première ligne, pour Mission Planner et MAVProxy. Sans barrière virtuelle. Un fichier par drone.</translation>
+    </message>
+    <message>
+        <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
+        <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; avec une seconde page s&apos;il y a un volume d&apos;exploitation.</translation>
     </message>
 </context>
 <context>
     <name>FieldNames</name>
-    <message>
-        <source>Corner of the area</source>
-        <translation>Sommet de la zone</translation>
-    </message>
     <message>
         <source>Time of the recorded track</source>
         <translation>Instant de la trace enregistrée</translation>
@@ -1377,14 +1196,6 @@
     <message>
         <source>Place of the recorded track</source>
         <translation>Position de la trace enregistrée</translation>
-    </message>
-    <message>
-        <source>Trade-off τ</source>
-        <translation>Compromis τ</translation>
-    </message>
-    <message>
-        <source>Corner of the no-fly area</source>
-        <translation>Sommet de la zone interdite</translation>
     </message>
     <message>
         <source>South</source>
@@ -1417,22 +1228,6 @@
     <message>
         <source>Origin</source>
         <translation>Origine</translation>
-    </message>
-    <message>
-        <source>Airspace</source>
-        <translation>Espace aérien</translation>
-    </message>
-    <message>
-        <source>Corner of the airspace</source>
-        <translation>Sommet de l&apos;espace aérien</translation>
-    </message>
-    <message>
-        <source>Start of the airspace</source>
-        <translation>Début de l&apos;espace aérien</translation>
-    </message>
-    <message>
-        <source>End of the airspace</source>
-        <translation>Fin de l&apos;espace aérien</translation>
     </message>
 </context>
 <context>
@@ -1549,11 +1344,11 @@
         <translation>Autonomie</translation>
     </message>
     <message>
-        <source>Positions WGS 84: icebergs drift, each is given where it was when it was reached. Courses and distances are over ground.</source>
+        <source>Positions are WGS 84. Icebergs drift: each is listed where it was when reached. Courses and distances are over ground.</source>
         <translation>Positions WGS 84 : les icebergs dérivent ; chacun est donné là où il était lorsqu&apos;il a été atteint. Routes et distances sur le fond.</translation>
     </message>
     <message>
-        <source>Positions WGS 84: icebergs drift, each is given where it is expected at arrival. Courses and distances are over ground.</source>
+        <source>Positions are WGS 84. Icebergs drift: each is listed where it is expected at arrival. Courses and distances are over ground.</source>
         <translation>Positions WGS 84 : les icebergs dérivent ; chacun est donné là où il est attendu à l&apos;arrivée. Routes et distances sur le fond.</translation>
     </message>
     <message>
@@ -1625,23 +1420,23 @@
         <translation>σ actuel</translation>
     </message>
     <message>
-        <source>and %1 more; the whole list: export CSV</source>
+        <source>and %1 more; export CSV for the whole list</source>
         <translation>et %1 de plus ; liste complète : exporter en CSV</translation>
     </message>
     <message>
-        <source>and %1 more UAVs; the whole list: export CSV</source>
+        <source>and %1 more UAVs; export CSV for the whole list</source>
         <translation>et %1 drones de plus ; liste complète : exporter en CSV</translation>
     </message>
     <message>
-        <source>Lost, not where they were expected (%1): %2</source>
+        <source>Lost, not found where expected (%1): %2</source>
         <translation>Perdus, pas à l&apos;endroit attendu (%1) : %2</translation>
     </message>
     <message>
-        <source>Given up after a search (%1): %2</source>
+        <source>Search given up (%1): %2</source>
         <translation>Abandonnés après une recherche (%1) : %2</translation>
     </message>
     <message>
-        <source>Not flown to (%1): %2</source>
+        <source>Not visited (%1): %2</source>
         <translation>Non rejoints (%1) : %2</translation>
     </message>
     <message>
@@ -1649,7 +1444,7 @@
         <translation>Hors de l&apos;ordre de visite (%1) : %2</translation>
     </message>
     <message>
-        <source>The order is not proven to be the best one: %1.</source>
+        <source>The order is not proven optimal: %1.</source>
         <translation>Il n&apos;est pas prouvé que cet ordre soit le meilleur : %1.</translation>
     </message>
     <message>
@@ -1657,7 +1452,7 @@
         <translation>Barrière virtuelle en vigueur : rester dans la zone.</translation>
     </message>
     <message>
-        <source>UAVs in one altitude layer: keep them %1 apart, nothing steers them.</source>
+        <source>UAVs share an altitude layer: keep them %1 apart. They do not avoid each other.</source>
         <translation>Drones dans une même tranche d&apos;altitude : les maintenir à %1 les uns des autres, rien ne les dévie.</translation>
     </message>
     <message>
@@ -1693,7 +1488,7 @@
         <translation>Erreur : %1</translation>
     </message>
     <message>
-        <source>The planner reached its limit without an order: the rest of the plan before, or the nearest iceberg, is flown.</source>
+        <source>The planner reached its limit without an order. The UAV flies the rest of the previous plan, or to the nearest iceberg.</source>
         <translation>Le planificateur a atteint sa limite sans trouver d&apos;ordre : le reste du plan précédent, ou l&apos;iceberg le plus proche, est suivi.</translation>
     </message>
     <message>
@@ -1709,7 +1504,7 @@
         <translation>%1 (%2) : %3</translation>
     </message>
     <message>
-        <source>Times are without the loiter turns: %1 more at each iceberg, %2 in all.</source>
+        <source>Times do not include the loiter turns, which add %1 at each iceberg, %2 in total.</source>
         <translation>Les temps ne comprennent pas les tours d&apos;attente : %1 de plus à chaque iceberg, %2 au total.</translation>
     </message>
     <message>
@@ -1745,11 +1540,11 @@
         <translation>Hors de portée radio</translation>
     </message>
     <message>
-        <source>Chance of being in view on arrival: %1</source>
+        <source>Probability of being in view on arrival: %1</source>
         <translation>Probabilité d&apos;être en vue à l&apos;arrivée : %1</translation>
     </message>
     <message>
-        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. The UAV goes round.</source>
+        <source>Straight legs that leave the geofence or cross a no-fly area: %1. The UAV flies around.</source>
         <translation>Segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite : %1. Le drone les contourne.</translation>
     </message>
     <message>
@@ -1817,19 +1612,19 @@
         <translation>Modifier le vent</translation>
     </message>
     <message>
-        <source>Let go: this wind blows from now on. Esc takes it back.</source>
+        <source>Release to apply this wind from now on. Esc cancels.</source>
         <translation>Relâchez : ce vent souffle désormais. Esc annule.</translation>
     </message>
     <message>
-        <source>Let go to keep this wind. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <source>Release to keep this wind. Shift snaps to steps of %1°; Esc cancels.</source>
         <translation>Relâchez pour garder ce vent. Maj impose des pas de %1°, Esc annule.</translation>
     </message>
     <message>
-        <source>Let go: the asset is here from now on. Esc takes it back.</source>
+        <source>Release to move the asset here now. Esc cancels.</source>
         <translation>Relâchez : le bien protégé est désormais ici. Esc annule.</translation>
     </message>
     <message>
-        <source>The UAV makes little way against this wind. Esc takes it back.</source>
+        <source>The UAV makes little headway in this wind. Esc cancels.</source>
         <translation>Le drone progresse peu contre ce vent. Esc annule.</translation>
     </message>
 </context>
@@ -1859,11 +1654,11 @@
         <translation>Le planificateur a échoué : poursuite du plan précédent</translation>
     </message>
     <message>
-        <source>It is asked again when the next plan is needed.</source>
+        <source>It runs again when the next plan is needed.</source>
         <translation>Il sera sollicité de nouveau lorsque le prochain plan sera nécessaire.</translation>
     </message>
     <message>
-        <source>Home cannot be reached in time any more</source>
+        <source>Home can no longer be reached in time</source>
         <translation>La base ne peut plus être atteinte à temps</translation>
     </message>
     <message>
@@ -1875,7 +1670,7 @@
         <translation>%1 et %2 sont distants de %3</translation>
     </message>
     <message>
-        <source>They fly at about the same altitude. The separation set is %1.</source>
+        <source>They fly at about the same altitude. The required separation is %1.</source>
         <translation>Ils volent à peu près à la même altitude. L&apos;espacement réglé est de %1.</translation>
     </message>
     <message>
@@ -1887,15 +1682,15 @@
         <translation>En attente sur ordre</translation>
     </message>
     <message>
-        <source>On the ground until it is told to resume</source>
-        <translation>Au sol jusqu&apos;à l&apos;ordre de reprendre</translation>
+        <source>On the ground. Choose Resume to continue</source>
+        <translation>Au sol. Choisissez Reprendre pour continuer</translation>
     </message>
     <message>
         <source>%1 is lost</source>
         <translation>%1 est perdu</translation>
     </message>
     <message>
-        <source>%1 is lost, the search was given up</source>
+        <source>%1 is lost; the search was abandoned</source>
         <translation>%1 est perdu, la recherche a été abandonnée</translation>
     </message>
     <message>
@@ -1903,7 +1698,7 @@
         <translation>Il n&apos;était pas en vue à l&apos;endroit attendu.</translation>
     </message>
     <message>
-        <source>Makes little way: wind %1, airspeed %2</source>
+        <source>Makes little headway: wind %1, airspeed %2</source>
         <translation>N’avance presque pas : vent %1, vitesse air %2</translation>
     </message>
 </context>
@@ -1921,7 +1716,7 @@
         <translation>Orienter le drone</translation>
     </message>
     <message>
-        <source>Let go to keep this heading. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <source>Release to keep this heading. Shift snaps to steps of %1°; Esc cancels.</source>
         <translation>Relâchez pour garder ce cap. Maj impose des pas de %1°, Esc annule.</translation>
     </message>
     <message>
@@ -1933,34 +1728,34 @@
         <translation>Déplacer le sommet</translation>
     </message>
     <message>
-        <source>Let go to place the corner here. Esc takes it back.</source>
+        <source>Release to place the corner here. Esc cancels.</source>
         <translation>Relâchez pour placer le sommet ici. Esc annule.</translation>
     </message>
     <message numerus="yes">
-        <source>Drag gives all %n icebergs selected the same drift.</source>
+        <source>Drag to give all %n selected icebergs the same drift.</source>
         <translation>
             <numerusform>Faire glisser donne cette dérive à %n iceberg sélectionné.</numerusform>
             <numerusform>Faire glisser donne la même dérive aux %n icebergs sélectionnés.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Drag sets the drift of the iceberg.</source>
+        <source>Drag to set the drift of the iceberg.</source>
         <translation>Faire glisser règle la dérive de l&apos;iceberg.</translation>
     </message>
     <message>
-        <source>Drag turns the UAV.</source>
+        <source>Drag to turn the UAV.</source>
         <translation>Faire glisser oriente le drone.</translation>
     </message>
     <message>
-        <source>Drag moves the corner, a click and Del remove it.</source>
+        <source>Drag to move the corner. To remove it, click it and press Del.</source>
         <translation>Faire glisser déplace le sommet ; un clic suivi de Suppr l&apos;enlève.</translation>
     </message>
     <message>
-        <source>Drag makes a new corner here.</source>
+        <source>Drag to add a corner here.</source>
         <translation>Faire glisser crée un nouveau sommet ici.</translation>
     </message>
     <message>
-        <source>An area has at least three corners. Remove the area as a whole.</source>
+        <source>An area needs at least three corners. Delete the whole area instead.</source>
         <translation>Une zone a au moins trois sommets. Retirez la zone entière.</translation>
     </message>
     <message>
@@ -1976,11 +1771,11 @@
         <translation>Le contour se croiserait ici.</translation>
     </message>
     <message>
-        <source>Drag changes the wind from now on; in flight that cannot be undone.</source>
+        <source>Drag to change the wind from now on. In flight this cannot be undone.</source>
         <translation>Faire glisser change le vent à partir de maintenant ; en vol, cela ne peut pas être annulé.</translation>
     </message>
     <message>
-        <source>Drag sets the wind: the arrow points where it blows to.</source>
+        <source>Drag to set the wind. The arrow points downwind.</source>
         <translation>Faire glisser règle le vent : la flèche pointe vers où il souffle.</translation>
     </message>
 </context>
@@ -1998,7 +1793,7 @@
         <translation>Iceberg</translation>
     </message>
     <message>
-        <source>Name of the iceberg, its id where it has none</source>
+        <source>Name of the iceberg, or its id if it has none</source>
         <translation>Nom de l&apos;iceberg, ou son identifiant s&apos;il n&apos;en a pas</translation>
     </message>
     <message>
@@ -2022,7 +1817,7 @@
         <translation>Non vu depuis, s</translation>
     </message>
     <message>
-        <source>Time since it was last in view, or since it is known</source>
+        <source>Time since it was last in view, or since it became known</source>
         <translation>Temps écoulé depuis qu&apos;il était en vue, ou depuis qu&apos;il est connu</translation>
     </message>
     <message>
@@ -2034,7 +1829,7 @@
         <translation>Arrivée dans, s</translation>
     </message>
     <message>
-        <source>Time from now until the UAV is there, by the plan in force</source>
+        <source>Time until the UAV arrives, by the present plan</source>
         <translation>Temps d&apos;ici à l&apos;arrivée du drone, selon le plan en vigueur</translation>
     </message>
     <message>
@@ -2042,7 +1837,7 @@
         <translation>Visites</translation>
     </message>
     <message>
-        <source>How often it was the target and was reached</source>
+        <source>Number of times it was reached as the target</source>
         <translation>Nombre de fois qu&apos;il était la cible et a été atteint</translation>
     </message>
     <message>
@@ -2054,7 +1849,7 @@
         <translation>Position au nord de l&apos;origine du scénario : avant le décollage, celle du début ; en vol, l&apos;estimation</translation>
     </message>
     <message>
-        <source>Known drift; in flight the current is in it</source>
+        <source>Known drift; in flight it includes the current</source>
         <translation>Dérive connue ; en vol, le courant y est compris</translation>
     </message>
     <message>
@@ -2062,7 +1857,7 @@
         <translation>Direction, °</translation>
     </message>
     <message>
-        <source>Where it drifts to, degrees clockwise from north</source>
+        <source>Drift direction, degrees clockwise from north</source>
         <translation>Vers où il dérive, en degrés dans le sens horaire à partir du nord</translation>
     </message>
     <message>
@@ -2090,7 +1885,7 @@
         <translation>CPA, %1</translation>
     </message>
     <message>
-        <source>Closest point of approach: least distance from the asset within the next hour, by the estimate. A warning sign beside the name: it comes into the inner ring</source>
+        <source>Closest point of approach: smallest predicted distance from the asset within the next hour. A warning sign beside the name means that the iceberg will enter the inner ring</source>
         <translation>Point de rapprochement maximal (CPA) : plus petite distance au bien protégé dans l&apos;heure qui vient, selon l&apos;estimation. Un signe d&apos;avertissement à côté du nom : il entre dans l&apos;anneau intérieur</translation>
     </message>
     <message>
@@ -2106,11 +1901,11 @@
         <translation>Temps jusqu&apos;au point de rapprochement maximal</translation>
     </message>
     <message>
-        <source>The UAV that has it in its plan</source>
+        <source>UAV that plans to visit it</source>
         <translation>Drone qui l&apos;a dans son plan</translation>
     </message>
     <message>
-        <source>Where it is, in flight the estimate; typed and pasted in any form, a whole coordinate sets both</source>
+        <source>Position, in flight the estimate. Type or paste any form; a whole coordinate sets both</source>
         <translation>Où il se trouve, en vol selon l&apos;estimation ; saisi ou collé sous toute forme ; une coordonnée complète règle les deux</translation>
     </message>
     <message>
@@ -2118,7 +1913,7 @@
         <translation>Dérive est, %1</translation>
     </message>
     <message>
-        <source>Known drift to the east; the current comes on top</source>
+        <source>Known drift to the east, without the current</source>
         <translation>Dérive connue vers l&apos;est ; le courant s&apos;y ajoute</translation>
     </message>
     <message>
@@ -2126,7 +1921,7 @@
         <translation>Dérive nord, %1</translation>
     </message>
     <message>
-        <source>Known drift to the north; the current comes on top</source>
+        <source>Known drift to the north, without the current</source>
         <translation>Dérive connue vers le nord ; le courant s&apos;y ajoute</translation>
     </message>
     <message>
@@ -2142,7 +1937,7 @@
         <translation>Rayon à 95 %, m</translation>
     </message>
     <message>
-        <source>With 95 % the iceberg is inside a circle of this radius round its position now</source>
+        <source>Radius around the present position that contains the iceberg with a probability of 95 %</source>
         <translation>À 95 %, l&apos;iceberg est dans un cercle de ce rayon autour de sa position actuelle</translation>
     </message>
 </context>
@@ -2200,7 +1995,7 @@
         <translation>hors de l&apos;ordre</translation>
     </message>
     <message>
-        <source>not there yet</source>
+        <source>not appeared yet</source>
         <translation>pas encore présent</translation>
     </message>
     <message>
@@ -2212,7 +2007,7 @@
         <translation>Apparaît à %1</translation>
     </message>
     <message>
-        <source>It stands still.</source>
+        <source>It does not drift.</source>
         <translation>Il est immobile.</translation>
     </message>
     <message>
@@ -2224,7 +2019,7 @@
         <translation>&gt; 1 h</translation>
     </message>
     <message>
-        <source>lost, searched for</source>
+        <source>lost, being searched for</source>
         <translation>perdu, recherché</translation>
     </message>
     <message>
@@ -2232,11 +2027,11 @@
         <translation>perdu</translation>
     </message>
     <message>
-        <source>given up</source>
+        <source>search abandoned</source>
         <translation>abandonné</translation>
     </message>
     <message>
-        <source>It still comes nearer in an hour, to this distance by then.</source>
+        <source>It is still approaching after one hour; this is its distance then.</source>
         <translation>Dans une heure il se rapproche encore ; il sera alors à cette distance.</translation>
     </message>
     <message>
@@ -2322,6 +2117,10 @@
         <source>Packet</source>
         <translation>Paquet</translation>
     </message>
+    <message>
+        <source>Velocity from</source>
+        <translation>Vitesse d&apos;après</translation>
+    </message>
 </context>
 <context>
     <name>ImportWords</name>
@@ -2334,72 +2133,8 @@
         <translation>Le fichier est endommagé. Corrigez-le à l&apos;endroit indiqué ou exportez-le de nouveau.</translation>
     </message>
     <message>
-        <source>This is no file of sightings that can be recognised. If it is a table, name its columns for latitude and longitude.</source>
-        <translation>Ce n&apos;est pas un fichier d&apos;observations reconnu. S&apos;il s&apos;agit d&apos;un tableau, indiquez ses colonnes de latitude et de longitude.</translation>
-    </message>
-    <message>
         <source>Nothing of it can be used like this.</source>
         <translation>Rien n&apos;y est utilisable tel quel.</translation>
-    </message>
-    <message>
-        <source>velocity unknown</source>
-        <translation>vitesse inconnue</translation>
-    </message>
-    <message>
-        <source>velocity from the file</source>
-        <translation>vitesse tirée du fichier</translation>
-    </message>
-    <message>
-        <source>velocity limited to 5 m/s per axis</source>
-        <translation>vitesse limitée à 5 m/s par axe</translation>
-    </message>
-    <message>
-        <source>q estimated</source>
-        <translation>q estimé</translation>
-    </message>
-    <message>
-        <source>q limited to 10⁶ m²/s</source>
-        <translation>q limité à 10⁶ m²/s</translation>
-    </message>
-    <message>
-        <source>stationary</source>
-        <translation>stationnaire</translation>
-    </message>
-    <message>
-        <source>several sightings at one time</source>
-        <translation>plusieurs observations au même instant</translation>
-    </message>
-    <message>
-        <source>sightings at impossible places not used</source>
-        <translation>observations en des lieux impossibles, non utilisées</translation>
-    </message>
-    <message>
-        <source>recorded track</source>
-        <translation>trace enregistrée</translation>
-    </message>
-    <message>
-        <source>no track: not sighted after the start</source>
-        <translation>aucune trace : pas observé après le début</translation>
-    </message>
-    <message>
-        <source>older than what the scenario has</source>
-        <translation>plus ancien que ce que contient le scénario</translation>
-    </message>
-    <message>
-        <source>sighted only after the start</source>
-        <translation>observé seulement après le début</translation>
-    </message>
-    <message>
-        <source>more than 1000 km from the origin at the start</source>
-        <translation>à plus de 1000 km de l&apos;origine au début</translation>
-    </message>
-    <message>
-        <source>the scenario is full</source>
-        <translation>le scénario est plein</translation>
-    </message>
-    <message>
-        <source>a UAV has this id</source>
-        <translation>un drone a cet identifiant</translation>
     </message>
     <message>
         <source>new</source>
@@ -2590,146 +2325,63 @@
         <source>ArduPilot mission (QGC WPL)</source>
         <translation>Mission ArduPilot (QGC WPL)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n UAVs</source>
-        <translation>
-            <numerusform>%n drone</numerusform>
-            <numerusform>%n drones</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the area</source>
-        <translation>la zone</translation>
-    </message>
-    <message>
-        <source>the area as geofence</source>
-        <translation>la zone comme barrière virtuelle</translation>
-    </message>
-    <message>
-        <source>the asset</source>
-        <translation>le bien protégé</translation>
-    </message>
-    <message>
-        <source>UAVs, area and asset (the scenario has its own)</source>
-        <translation>drones, zone et bien protégé (le scénario a les siens)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs (too many)</source>
-        <translation>
-            <numerusform>%n drone (de trop)</numerusform>
-            <numerusform>%n drones (de trop)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs (more than 1000 km from the origin)</source>
-        <translation>
-            <numerusform>%n drone (à plus de 1000 km de l&apos;origine)</numerusform>
-            <numerusform>%n drones (à plus de 1000 km de l&apos;origine)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>an area (unreadable)</source>
-        <translation>une zone (illisible)</translation>
-    </message>
-    <message>
-        <source>the area (too few or too many corners)</source>
-        <translation>la zone (trop peu ou trop de sommets)</translation>
-    </message>
-    <message>
-        <source>the area (more than 1000 km from the origin)</source>
-        <translation>la zone (à plus de 1000 km de l&apos;origine)</translation>
-    </message>
-    <message>
-        <source>the area (touches or crosses itself)</source>
-        <translation>la zone (se touche ou se croise elle-même)</translation>
-    </message>
-    <message>
-        <source>the area (in several parts)</source>
-        <translation>la zone (en plusieurs parties)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n further areas</source>
-        <translation>
-            <numerusform>%n autre zone</numerusform>
-            <numerusform>%n autres zones</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n holes of the area</source>
-        <translation>
-            <numerusform>%n trou dans la zone</numerusform>
-            <numerusform>%n trous dans la zone</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n circles of the geofence</source>
-        <translation>
-            <numerusform>%n cercle de la barrière virtuelle</numerusform>
-            <numerusform>%n cercles de la barrière virtuelle</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the geofence (too many corners)</source>
-        <translation>la barrière virtuelle (trop de sommets)</translation>
-    </message>
-    <message>
-        <source>the geofence (a UAV starts or lands outside)</source>
-        <translation>la barrière virtuelle (un drone part ou se pose à l&apos;extérieur)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rally points</source>
-        <translation>
-            <numerusform>%n point de ralliement</numerusform>
-            <numerusform>%n points de ralliement</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n further assets</source>
-        <translation>
-            <numerusform>%n autre bien protégé</numerusform>
-            <numerusform>%n autres biens protégés</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the asset (more than 1000 km from the origin)</source>
-        <translation>le bien protégé (à plus de 1000 km de l&apos;origine)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n numbers out of range</source>
-        <translation>
-            <numerusform>%n nombre hors limites</numerusform>
-            <numerusform>%n nombres hors limites</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Also from the file: %1</source>
-        <translation>Également tiré du fichier : %1</translation>
-    </message>
-    <message>
-        <source>Left out: %1</source>
-        <translation>Omis : %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n no-fly areas</source>
-        <translation>
-            <numerusform>%n zone interdite</numerusform>
-            <numerusform>%n zones interdites</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
-        <translation>
-            <numerusform>%n zone interdite (un drone y part ou s&apos;y pose, ou ses hauteurs sont erronées)</numerusform>
-            <numerusform>%n zones interdites (un drone y part ou s&apos;y pose, ou leurs hauteurs sont erronées)</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
         <translation>Ligne %1 : %2 est lu avec le mois en premier, ce que rien n&apos;indique dans le fichier. Choisissez sous « Dates » si le jour vient en premier.</translation>
     </message>
     <message>
-        <source>no time: counts as seen at the start</source>
-        <translation>sans heure : compte comme vu au départ</translation>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnue</translation>
+    </message>
+    <message>
+        <source>positions</source>
+        <translation>positions</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>fichier</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>les deux</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>source, age</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows changed</source>
+        <translation>
+            <numerusform>%n ligne modifiée</numerusform>
+            <numerusform>%n lignes modifiées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sightings are more than 1000 km from the origin of this scenario. Import them into a new one, or choose others with Inside.</source>
+        <translation>
+            <numerusform>%n observation est à plus de 1000 km de l&apos;origine de ce scénario. Importez-la dans un nouveau, ou choisissez-en d&apos;autres avec À l&apos;intérieur.</numerusform>
+            <numerusform>%n observations sont à plus de 1000 km de l&apos;origine de ce scénario. Importez-les dans un nouveau, ou choisissez-en d&apos;autres avec À l&apos;intérieur.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sightings are more than 1000 km from the origin, which is in their densest group. Choose others with Inside.</source>
+        <translation>
+            <numerusform>%n observation est à plus de 1000 km de l&apos;origine, qui est dans le groupe le plus dense. Choisissez-en d&apos;autres avec À l&apos;intérieur.</numerusform>
+            <numerusform>%n observations sont à plus de 1000 km de l&apos;origine, qui est dans leur groupe le plus dense. Choisissez-en d&apos;autres avec À l&apos;intérieur.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From the file: %1</source>
+        <translation>Du fichier : %1</translation>
+    </message>
+    <message>
+        <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
+        <translation>Bergwatch ne reconnaît pas ce fichier. Si c&apos;est un tableau, choisissez ci-dessous ses colonnes de latitude et de longitude.</translation>
     </message>
 </context>
 <context>
@@ -2739,97 +2391,17 @@
         <translation>Modifier la dérive</translation>
     </message>
     <message>
-        <source>Drift east</source>
-        <translation>Dérive est</translation>
-    </message>
-    <message>
-        <source>Known drift to the east; the current comes on top.</source>
-        <translation>Dérive connue vers l&apos;est ; le courant s&apos;y ajoute.</translation>
-    </message>
-    <message>
-        <source>Drift north</source>
-        <translation>Dérive nord</translation>
-    </message>
-    <message>
-        <source>Known drift to the north; the current comes on top.</source>
-        <translation>Dérive connue vers le nord ; le courant s&apos;y ajoute.</translation>
-    </message>
-    <message>
-        <source>Uncertainty σ₀</source>
-        <translation>Incertitude σ₀</translation>
-    </message>
-    <message>
-        <source>Variance of the position when it was last seen.</source>
-        <translation>Variance de la position lors de la dernière observation.</translation>
-    </message>
-    <message>
         <source>Change uncertainty</source>
         <translation>Modifier l&apos;incertitude</translation>
-    </message>
-    <message>
-        <source>Growth q</source>
-        <translation>Croissance q</translation>
-    </message>
-    <message>
-        <source>What the uncertainty grows by in a second out of view.</source>
-        <translation>Croissance de l&apos;incertitude par seconde hors de vue.</translation>
-    </message>
-    <message>
-        <source>Change growth of uncertainty</source>
-        <translation>Modifier la croissance de l&apos;incertitude</translation>
     </message>
     <message>
         <source>standard deviation %1 m</source>
         <translation>écart-type %1 m</translation>
     </message>
     <message>
-        <source>Last seen</source>
-        <translation>Dernière observation</translation>
-    </message>
-    <message>
-        <source>How long before the start it was last seen; σ has grown since.</source>
-        <translation>Temps entre la dernière observation et le début ; σ a augmenté depuis.</translation>
-    </message>
-    <message>
-        <source>Change time last seen</source>
-        <translation>Modifier l&apos;instant de la dernière observation</translation>
-    </message>
-    <message>
         <source> s ago</source>
         <comment>unit after a number</comment>
         <translation> s avant</translation>
-    </message>
-    <message>
-        <source>Appears at</source>
-        <translation>Apparaît à</translation>
-    </message>
-    <message>
-        <source>Time of the run from which on it is known; 0 is the start.</source>
-        <translation>Instant du vol à partir duquel il est connu ; 0 est le début.</translation>
-    </message>
-    <message>
-        <source>Change time of appearing</source>
-        <translation>Modifier l&apos;instant d&apos;apparition</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Rayon</translation>
-    </message>
-    <message>
-        <source>Half its length: its size on the map, and how far outside the area it is still monitored.</source>
-        <translation>La moitié de sa longueur : sa taille sur la carte, et jusqu&apos;à quelle distance hors de la zone il est encore surveillé.</translation>
-    </message>
-    <message>
-        <source>Change radius</source>
-        <translation>Modifier le rayon</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Shown on the map in place of the id.</source>
-        <translation>Affiché sur la carte à la place de l&apos;identifiant.</translation>
     </message>
     <message>
         <source>Change name</source>
@@ -2840,44 +2412,12 @@
         <translation>Modifier la position</translation>
     </message>
     <message>
-        <source>East</source>
-        <translation>Est</translation>
-    </message>
-    <message>
-        <source>Position at the start, east of the scenario&apos;s origin.</source>
-        <translation>Position au début, à l&apos;est de l&apos;origine du scénario.</translation>
-    </message>
-    <message>
-        <source>North</source>
-        <translation>Nord</translation>
-    </message>
-    <message>
-        <source>Position at the start, north of the scenario&apos;s origin.</source>
-        <translation>Position au début, au nord de l&apos;origine du scénario.</translation>
-    </message>
-    <message>
-        <source>stands still</source>
+        <source>stationary</source>
         <translation>immobile</translation>
     </message>
     <message>
         <source>Change wind</source>
         <translation>Modifier le vent</translation>
-    </message>
-    <message>
-        <source>Wind east</source>
-        <translation>Vent est</translation>
-    </message>
-    <message>
-        <source>Towards the east; always slower than the UAV flies.</source>
-        <translation>Vers l&apos;est ; toujours plus lent que le vol du drone.</translation>
-    </message>
-    <message>
-        <source>Wind north</source>
-        <translation>Vent nord</translation>
-    </message>
-    <message>
-        <source>Towards the north; always slower than the UAV flies.</source>
-        <translation>Vers le nord ; toujours plus lent que le vol du drone.</translation>
     </message>
     <message>
         <source>no wind</source>
@@ -2888,207 +2428,11 @@
         <translation>Modifier le courant</translation>
     </message>
     <message>
-        <source>Current east</source>
-        <translation>Courant est</translation>
-    </message>
-    <message>
-        <source>Carries every iceberg towards the east.</source>
-        <translation>Entraîne tous les icebergs vers l&apos;est.</translation>
-    </message>
-    <message>
-        <source>Current north</source>
-        <translation>Courant nord</translation>
-    </message>
-    <message>
-        <source>Carries every iceberg towards the north.</source>
-        <translation>Entraîne tous les icebergs vers le nord.</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Durée</translation>
-    </message>
-    <message>
-        <source>Length of the run, at most seven days.</source>
-        <translation>Durée du vol, sept jours au plus.</translation>
-    </message>
-    <message>
-        <source>Change duration</source>
-        <translation>Modifier la durée</translation>
-    </message>
-    <message>
-        <source>Time step</source>
-        <translation>Pas de temps</translation>
-    </message>
-    <message>
-        <source>Step of the simulation; small is exact and slow.</source>
-        <translation>Pas de la simulation ; un petit pas est exact et lent.</translation>
-    </message>
-    <message>
-        <source>Change time step</source>
-        <translation>Modifier le pas de temps</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Graine</translation>
-    </message>
-    <message>
-        <source>Names the random drift: the same seed, the same run.</source>
-        <translation>Détermine la dérive aléatoire : même graine, même vol.</translation>
-    </message>
-    <message>
-        <source>Change seed</source>
-        <translation>Modifier la graine</translation>
-    </message>
-    <message>
-        <source>Random drift</source>
-        <translation>Dérive aléatoire</translation>
-    </message>
-    <message>
-        <source>Off: icebergs drift exactly as known.</source>
-        <translation>Désactivée : les icebergs dérivent exactement comme connu.</translation>
-    </message>
-    <message>
-        <source>Change random drift</source>
-        <translation>Modifier la dérive aléatoire</translation>
-    </message>
-    <message>
-        <source>Title of the scenario, shown on the map.</source>
-        <translation>Titre du scénario, affiché sur la carte.</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Notes</translation>
-    </message>
-    <message>
-        <source>Anything worth knowing, kept in the file.</source>
-        <translation>Tout ce qu&apos;il est utile de savoir, conservé dans le fichier.</translation>
-    </message>
-    <message>
-        <source>Change notes</source>
-        <translation>Modifier les notes</translation>
-    </message>
-    <message>
-        <source>Heading</source>
-        <translation>Cap</translation>
-    </message>
-    <message>
-        <source>Clockwise from north, at the start.</source>
-        <translation>Dans le sens horaire à partir du nord, au début.</translation>
-    </message>
-    <message>
-        <source>Change heading</source>
-        <translation>Modifier le cap</translation>
-    </message>
-    <message>
-        <source>Airspeed</source>
-        <translation>Vitesse air</translation>
-    </message>
-    <message>
-        <source>Always faster than the wind.</source>
-        <translation>Toujours supérieure à celle du vent.</translation>
-    </message>
-    <message>
-        <source>Change airspeed</source>
-        <translation>Modifier la vitesse air</translation>
-    </message>
-    <message>
-        <source>Change field of view</source>
-        <translation>Modifier le champ de vision</translation>
-    </message>
-    <message>
-        <source>View along-track</source>
-        <translation>Champ longitudinal</translation>
-    </message>
-    <message>
-        <source>Extent of the field of view along the heading.</source>
-        <translation>Étendue du champ de vision dans le sens du cap.</translation>
-    </message>
-    <message>
-        <source>View cross-track</source>
-        <translation>Champ transversal</translation>
-    </message>
-    <message>
-        <source>Extent of the field of view across the heading.</source>
-        <translation>Étendue du champ de vision en travers du cap.</translation>
-    </message>
-    <message>
-        <source>Maximum bank angle</source>
-        <translation>Inclinaison maximale</translation>
-    </message>
-    <message>
-        <source>Bank in a turn; the larger, the tighter the turns.</source>
-        <translation>Inclinaison latérale en virage ; plus elle est grande, plus les virages sont serrés.</translation>
-    </message>
-    <message>
-        <source>Change maximum bank angle</source>
-        <translation>Modifier l&apos;inclinaison maximale</translation>
-    </message>
-    <message>
-        <source>Altitude</source>
-        <translation>Altitude</translation>
-    </message>
-    <message>
-        <source>Change altitude</source>
-        <translation>Modifier l&apos;altitude</translation>
-    </message>
-    <message>
-        <source>Endurance</source>
-        <translation>Autonomie</translation>
-    </message>
-    <message>
-        <source>Change endurance</source>
-        <translation>Modifier l&apos;autonomie</translation>
-    </message>
-    <message>
-        <source>unlimited</source>
-        <translation>illimitée</translation>
-    </message>
-    <message>
         <source>Change velocity of the asset</source>
         <translation>Modifier la vitesse du bien protégé</translation>
     </message>
     <message>
-        <source>Speed east</source>
-        <translation>Vitesse est</translation>
-    </message>
-    <message>
-        <source>What a ship makes to the east; 0 for a platform.</source>
-        <translation>Vitesse d&apos;un navire vers l&apos;est ; 0 pour une plateforme.</translation>
-    </message>
-    <message>
-        <source>Speed north</source>
-        <translation>Vitesse nord</translation>
-    </message>
-    <message>
-        <source>What a ship makes to the north; 0 for a platform.</source>
-        <translation>Vitesse d&apos;un navire vers le nord ; 0 pour une plateforme.</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Rayon d&apos;influence</translation>
-    </message>
-    <message>
-        <source>How near an iceberg matters to it.</source>
-        <translation>Distance à laquelle un iceberg le concerne.</translation>
-    </message>
-    <message>
-        <source>Change range of the asset</source>
-        <translation>Modifier le rayon d&apos;influence du bien protégé</translation>
-    </message>
-    <message>
-        <source>Gain</source>
-        <translation>Pondération</translation>
-    </message>
-    <message>
-        <source>How much more an iceberg near it matters.</source>
-        <translation>De combien un iceberg proche de lui compte davantage.</translation>
-    </message>
-    <message>
-        <source>Change gain of the asset</source>
-        <translation>Modifier la pondération du bien protégé</translation>
-    </message>
-    <message>
-        <source>Takes the asset off the map.</source>
+        <source>Removes the asset from the map.</source>
         <translation>Retire le bien protégé de la carte.</translation>
     </message>
     <message>
@@ -3096,7 +2440,7 @@
         <translation>Retirer le bien protégé</translation>
     </message>
     <message>
-        <source>Takes the area off the map.</source>
+        <source>Removes the area from the map.</source>
         <translation>Retire la zone de la carte.</translation>
     </message>
     <message>
@@ -3104,52 +2448,16 @@
         <translation>Retirer la zone</translation>
     </message>
     <message>
-        <source>Acceptance radius</source>
-        <translation>Rayon d&apos;acceptation</translation>
-    </message>
-    <message>
-        <source>How near the UAV has to come to an iceberg; at 0 it is reached when it is in view.</source>
-        <translation>À quelle distance d&apos;un iceberg le drone doit arriver ; à 0, l&apos;iceberg est atteint lorsqu&apos;il est en vue.</translation>
-    </message>
-    <message>
-        <source>Change acceptance radius</source>
-        <translation>Modifier le rayon d&apos;acceptation</translation>
-    </message>
-    <message>
-        <source>in view</source>
-        <translation>en vue</translation>
-    </message>
-    <message>
-        <source>Field of view</source>
-        <translation>Champ de vision</translation>
-    </message>
-    <message>
-        <source>Shape of what the camera covers.</source>
-        <translation>Forme de ce que couvre la caméra.</translation>
-    </message>
-    <message>
         <source>turns with the UAV</source>
         <translation>tourne avec le drone</translation>
     </message>
     <message>
-        <source>along the north</source>
+        <source>aligned with north</source>
         <translation>orienté au nord</translation>
     </message>
     <message>
         <source>a disk</source>
         <translation>un disque</translation>
-    </message>
-    <message>
-        <source>Formulation</source>
-        <translation>Formulation</translation>
-    </message>
-    <message>
-        <source>Integer program that COIN-OR CBC solves when it is the solver.</source>
-        <translation>Programme en nombres entiers que résout COIN-OR CBC lorsqu&apos;il est le solveur.</translation>
-    </message>
-    <message>
-        <source>Change formulation</source>
-        <translation>Modifier la formulation</translation>
     </message>
     <message>
         <source>by position</source>
@@ -3172,24 +2480,8 @@
         <translation>Latitude</translation>
     </message>
     <message>
-        <source>Of the origin, north positive; everything moves along with it.</source>
-        <translation>De l&apos;origine, positive au nord ; tout se déplace avec elle.</translation>
-    </message>
-    <message>
         <source>Longitude</source>
         <translation>Longitude</translation>
-    </message>
-    <message>
-        <source>Of the origin, east positive; everything moves along with it.</source>
-        <translation>De l&apos;origine, positive à l&apos;est ; tout se déplace avec elle.</translation>
-    </message>
-    <message>
-        <source>Start (UTC)</source>
-        <translation>Début (UTC)</translation>
-    </message>
-    <message>
-        <source>Change start</source>
-        <translation>Modifier le début</translation>
     </message>
     <message>
         <source>relative times</source>
@@ -3230,62 +2522,6 @@
         <translation>%1 vers %2°</translation>
     </message>
     <message>
-        <source>Inner ring</source>
-        <translation>Anneau intérieur</translation>
-    </message>
-    <message>
-        <source>An iceberg on its way into it within an hour is an alarm; at 0 it is half the range.</source>
-        <translation>Un iceberg qui doit y entrer dans l&apos;heure déclenche une alarme ; à 0, c&apos;est la moitié du rayon d&apos;influence.</translation>
-    </message>
-    <message>
-        <source>Change inner ring of the asset</source>
-        <translation>Modifier l&apos;anneau intérieur du bien protégé</translation>
-    </message>
-    <message>
-        <source>half the range</source>
-        <translation>moitié du rayon d&apos;influence</translation>
-    </message>
-    <message>
-        <source>Planning time</source>
-        <translation>Temps de planification</translation>
-    </message>
-    <message>
-        <source>How long a plan takes in flight; until it is there the UAV continues with the previous plan.</source>
-        <translation>Temps que prend un plan en vol ; d&apos;ici là, le drone poursuit le précédent.</translation>
-    </message>
-    <message>
-        <source>Change planning time</source>
-        <translation>Modifier le temps de planification</translation>
-    </message>
-    <message>
-        <source>Autopilot rate</source>
-        <translation>Cadence de l&apos;autopilote</translation>
-    </message>
-    <message>
-        <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
-        <translation>Temps entre deux commandes de l&apos;autopilote ; à 0, il commande à chaque pas de temps.</translation>
-    </message>
-    <message>
-        <source>Change autopilot rate</source>
-        <translation>Modifier la cadence de l&apos;autopilote</translation>
-    </message>
-    <message>
-        <source>each time step</source>
-        <translation>à chaque pas de temps</translation>
-    </message>
-    <message>
-        <source>Geofence</source>
-        <translation>Barrière virtuelle</translation>
-    </message>
-    <message>
-        <source>UAVs that start clear of its edge stay inside the area.</source>
-        <translation>Les drones qui partent à l&apos;écart du bord restent dans la zone.</translation>
-    </message>
-    <message>
-        <source>Change geofence</source>
-        <translation>Modifier la barrière virtuelle</translation>
-    </message>
-    <message>
         <source>Change home</source>
         <translation>Modifier la base</translation>
     </message>
@@ -3294,7 +2530,7 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>It lands elsewhere than it starts.</source>
+        <source>Landing place other than the start.</source>
         <translation>Il se pose ailleurs qu&apos;à son point de départ.</translation>
     </message>
     <message>
@@ -3306,92 +2542,8 @@
         <translation>à %1 du départ</translation>
     </message>
     <message>
-        <source>Home east</source>
-        <translation>Base est</translation>
-    </message>
-    <message>
-        <source>Where it lands, east of the scenario&apos;s origin.</source>
-        <translation>Lieu d&apos;atterrissage, à l&apos;est de l&apos;origine du scénario.</translation>
-    </message>
-    <message>
-        <source>Home north</source>
-        <translation>Base nord</translation>
-    </message>
-    <message>
-        <source>Where it lands, north of the scenario&apos;s origin.</source>
-        <translation>Lieu d&apos;atterrissage, au nord de l&apos;origine du scénario.</translation>
-    </message>
-    <message>
-        <source>Turn-around</source>
-        <translation>Temps au sol</translation>
-    </message>
-    <message>
-        <source>Time on the ground between landing and the next take-off.</source>
-        <translation>Temps au sol entre l&apos;atterrissage et le décollage suivant.</translation>
-    </message>
-    <message>
-        <source>Change turn-around</source>
-        <translation>Modifier le temps au sol</translation>
-    </message>
-    <message>
-        <source>Drift error</source>
-        <translation>Erreur de dérive</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the known drift, along each axis: its true drift differs from it by as much.</source>
-        <translation>Écart-type de la dérive connue, selon chaque axe : la dérive réelle s&apos;en écarte d&apos;autant.</translation>
-    </message>
-    <message>
-        <source>Change drift error</source>
-        <translation>Modifier l&apos;erreur de dérive</translation>
-    </message>
-    <message>
-        <source>Position error</source>
-        <translation>Erreur de position</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured position, along each axis.</source>
-        <translation>Écart-type d&apos;une position mesurée, selon chaque axe.</translation>
-    </message>
-    <message>
-        <source>Change position error</source>
-        <translation>Modifier l&apos;erreur de position</translation>
-    </message>
-    <message>
-        <source>Sensor interval</source>
-        <translation>Intervalle du capteur</translation>
-    </message>
-    <message>
-        <source>Time between two samples of the sensor, each of which measures what is in view.</source>
-        <translation>Temps entre deux prises du capteur ; chacune mesure ce qui est en vue.</translation>
-    </message>
-    <message>
-        <source>Change sensor interval</source>
-        <translation>Modifier l&apos;intervalle du capteur</translation>
-    </message>
-    <message>
-        <source>Detection probability</source>
-        <translation>Probabilité de détection</translation>
-    </message>
-    <message>
-        <source>Chance that one sample shows an iceberg in view.</source>
-        <translation>Probabilité qu&apos;une prise montre un iceberg en vue.</translation>
-    </message>
-    <message>
-        <source>Change detection probability</source>
-        <translation>Modifier la probabilité de détection</translation>
-    </message>
-    <message>
         <source>Observer</source>
         <translation>Observateur</translation>
-    </message>
-    <message>
-        <source>Exact: an iceberg in view is where it is seen. Filter: noisy measurements, from which position and velocity are estimated, and icebergs can get lost.</source>
-        <translation>Exact : un iceberg en vue est là où il est vu. Filtre : mesures bruitées, dont la position et la vitesse sont estimées ; des icebergs peuvent être perdus.</translation>
-    </message>
-    <message>
-        <source>Change observer</source>
-        <translation>Modifier l&apos;observateur</translation>
     </message>
     <message>
         <source>exact</source>
@@ -3400,14 +2552,6 @@
     <message>
         <source>Kalman filter</source>
         <translation>filtre de Kalman</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Recherche</translation>
-    </message>
-    <message>
-        <source>Change search</source>
-        <translation>Modifier la recherche</translation>
     </message>
     <message>
         <source>none</source>
@@ -3422,120 +2566,8 @@
         <translation>secteurs</translation>
     </message>
     <message>
-        <source>Group nearby icebergs</source>
-        <translation>Grouper les icebergs proches</translation>
-    </message>
-    <message>
-        <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
-        <translation>Les icebergs qui tiennent dans un même champ de vision sont planifiés comme un seul point, d&apos;où tous sont vus.</translation>
-    </message>
-    <message>
-        <source>Change grouping of nearby icebergs</source>
-        <translation>Modifier le groupement des icebergs proches</translation>
-    </message>
-    <message>
-        <source>Longest flight: it is home before that; at 0 it lands only when told to return.</source>
-        <translation>Vol le plus long : il est à la base avant ; à 0, il ne se pose que sur ordre de retour.</translation>
-    </message>
-    <message>
-        <source>Visited by</source>
-        <translation>Visité par</translation>
-    </message>
-    <message>
-        <source>The UAV that alone is to visit it.</source>
-        <translation>Le seul drone qui doit le visiter.</translation>
-    </message>
-    <message>
-        <source>Change UAV of an iceberg</source>
-        <translation>Modifier le drone d&apos;un iceberg</translation>
-    </message>
-    <message>
         <source>any UAV</source>
         <translation>n&apos;importe quel drone</translation>
-    </message>
-    <message>
-        <source>Separation</source>
-        <translation>Espacement</translation>
-    </message>
-    <message>
-        <source>Change separation</source>
-        <translation>Modifier l&apos;espacement</translation>
-    </message>
-    <message>
-        <source>not kept apart</source>
-        <translation>non maintenu</translation>
-    </message>
-    <message>
-        <source>Reserve</source>
-        <translation>Réserve</translation>
-    </message>
-    <message>
-        <source>Fixed reserve</source>
-        <translation>Réserve fixe</translation>
-    </message>
-    <message>
-        <source>Climb</source>
-        <translation>Montée</translation>
-    </message>
-    <message>
-        <source>Landing</source>
-        <translation>Atterrissage</translation>
-    </message>
-    <message>
-        <source>Wind limit</source>
-        <translation>Limite de vent</translation>
-    </message>
-    <message>
-        <source>Gust limit</source>
-        <translation>Limite de rafales</translation>
-    </message>
-    <message>
-        <source>Stand-off ring</source>
-        <translation>Distance de sécurité</translation>
-    </message>
-    <message>
-        <source>Stand-off ceiling</source>
-        <translation>Plafond de sécurité</translation>
-    </message>
-    <message>
-        <source>Floor</source>
-        <translation>Plancher</translation>
-    </message>
-    <message>
-        <source>Ceiling</source>
-        <translation>Plafond</translation>
-    </message>
-    <message>
-        <source>Antenna height</source>
-        <translation>Hauteur d&apos;antenne</translation>
-    </message>
-    <message>
-        <source>Link range</source>
-        <translation>Portée de la liaison</translation>
-    </message>
-    <message>
-        <source>Gusts</source>
-        <translation>Rafales</translation>
-    </message>
-    <message>
-        <source>Temperature</source>
-        <translation>Température</translation>
-    </message>
-    <message>
-        <source>Dew point</source>
-        <translation>Point de rosée</translation>
-    </message>
-    <message>
-        <source>Icing conditions</source>
-        <translation>Conditions givrantes</translation>
-    </message>
-    <message>
-        <source>Whether it may be flown below 0 °C in air that is nearly saturated.</source>
-        <translation>Indique s&apos;il peut voler sous 0 °C dans un air presque saturé.</translation>
-    </message>
-    <message>
-        <source>Change icing limit</source>
-        <translation>Modifier la limite de givrage</translation>
     </message>
     <message>
         <source>Move ground station</source>
@@ -3546,116 +2578,12 @@
         <translation>Station sol</translation>
     </message>
     <message>
-        <source>Where the radio link to the UAVs is kept from. Its range is a ring on the map.</source>
+        <source>Position of the radio link to the UAVs. Its range is a ring on the map.</source>
         <translation>D&apos;où la liaison radio avec les drones est assurée. Sa portée est un cercle sur la carte.</translation>
     </message>
     <message>
         <source>Change ground station</source>
         <translation>Modifier la station sol</translation>
-    </message>
-    <message>
-        <source>Height above the sea.</source>
-        <translation>Hauteur au-dessus de la mer.</translation>
-    </message>
-    <message>
-        <source>Change antenna height</source>
-        <translation>Modifier la hauteur d&apos;antenne</translation>
-    </message>
-    <message>
-        <source>How far the link reaches; at the lowest value to the radio horizon of the antenna and the UAV&apos;s altitude.</source>
-        <translation>Portée de la liaison ; à la valeur la plus basse, jusqu&apos;à l&apos;horizon radio de l&apos;antenne et de l&apos;altitude du drone.</translation>
-    </message>
-    <message>
-        <source>Change link range</source>
-        <translation>Modifier la portée de la liaison</translation>
-    </message>
-    <message>
-        <source>radio horizon</source>
-        <translation>horizon radio</translation>
-    </message>
-    <message>
-        <source>Station east</source>
-        <translation>Station est</translation>
-    </message>
-    <message>
-        <source>East of the scenario&apos;s origin.</source>
-        <translation>À l&apos;est de l&apos;origine du scénario.</translation>
-    </message>
-    <message>
-        <source>Station north</source>
-        <translation>Station nord</translation>
-    </message>
-    <message>
-        <source>North of the scenario&apos;s origin.</source>
-        <translation>Au nord de l&apos;origine du scénario.</translation>
-    </message>
-    <message>
-        <source>Part of the endurance that no flight is planned to use.</source>
-        <translation>Part de l&apos;autonomie qu&apos;aucun vol ne prévoit d&apos;utiliser.</translation>
-    </message>
-    <message>
-        <source>Change reserve</source>
-        <translation>Modifier la réserve</translation>
-    </message>
-    <message>
-        <source>A time in place of the percentage.</source>
-        <translation>Un temps au lieu du pourcentage.</translation>
-    </message>
-    <message>
-        <source>by percentage</source>
-        <translation>en pourcentage</translation>
-    </message>
-    <message>
-        <source>Time from take-off to the altitude.</source>
-        <translation>Temps du décollage à l&apos;altitude de vol.</translation>
-    </message>
-    <message>
-        <source>Change climb time</source>
-        <translation>Modifier le temps de montée</translation>
-    </message>
-    <message>
-        <source>Time from the altitude, over home, to the ground.</source>
-        <translation>Temps de l&apos;altitude de vol, au-dessus de la base, jusqu&apos;au sol.</translation>
-    </message>
-    <message>
-        <source>Change landing time</source>
-        <translation>Modifier le temps d&apos;atterrissage</translation>
-    </message>
-    <message>
-        <source>Strongest wind in which it is flown.</source>
-        <translation>Vent le plus fort dans lequel il vole.</translation>
-    </message>
-    <message>
-        <source>Change wind limit</source>
-        <translation>Modifier la limite de vent</translation>
-    </message>
-    <message>
-        <source>Strongest gusts in which it is flown.</source>
-        <translation>Rafales les plus fortes dans lesquelles il vole.</translation>
-    </message>
-    <message>
-        <source>Change gust limit</source>
-        <translation>Modifier la limite de rafales</translation>
-    </message>
-    <message>
-        <source>Change weather</source>
-        <translation>Modifier la météo</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>valeur inconnue</translation>
-    </message>
-    <message>
-        <source>Speed of the gusts, compared with the limits of the UAVs.</source>
-        <translation>Vitesse des rafales, comparée aux limites des drones.</translation>
-    </message>
-    <message>
-        <source>Of the air at the sea.</source>
-        <translation>De l&apos;air au niveau de la mer.</translation>
-    </message>
-    <message>
-        <source>With the temperature it tells whether ice may form.</source>
-        <translation>Avec la température, il indique si du givre peut se former.</translation>
     </message>
     <message>
         <source>do not fly</source>
@@ -3666,47 +2594,11 @@
         <translation>vol autorisé</translation>
     </message>
     <message>
-        <source>No UAV comes nearer to it; of a ship, to all of its track.</source>
-        <translation>Aucun drone ne s&apos;en approche davantage ; pour un navire, cela vaut pour toute sa route.</translation>
-    </message>
-    <message>
-        <source>Change stand-off ring</source>
-        <translation>Modifier l&apos;anneau de sécurité</translation>
-    </message>
-    <message>
-        <source>Above it UAVs may fly over the ring.</source>
-        <translation>Au-dessus, les drones peuvent survoler l&apos;anneau.</translation>
-    </message>
-    <message>
-        <source>Change stand-off ceiling</source>
-        <translation>Modifier le plafond de l&apos;anneau de sécurité</translation>
-    </message>
-    <message>
-        <source>Shown on the map.</source>
-        <translation>Affiché sur la carte.</translation>
-    </message>
-    <message>
-        <source>UAVs lower than this fly below it.</source>
-        <translation>Les drones plus bas volent en dessous.</translation>
-    </message>
-    <message>
-        <source>Change floor of the no-fly area</source>
-        <translation>Modifier le plancher de la zone interdite</translation>
-    </message>
-    <message>
-        <source>UAVs higher than this fly above it.</source>
-        <translation>Les drones plus hauts volent au-dessus.</translation>
-    </message>
-    <message>
-        <source>Change ceiling of the no-fly area</source>
-        <translation>Modifier le plafond de la zone interdite</translation>
-    </message>
-    <message>
         <source>Outline</source>
         <translation>Contour</translation>
     </message>
     <message>
-        <source>Takes the no-fly area off the map.</source>
+        <source>Removes the no-fly area from the map.</source>
         <translation>Retire la zone interdite de la carte.</translation>
     </message>
     <message>
@@ -3730,35 +2622,11 @@
         <translation>Séparer les altitudes</translation>
     </message>
     <message>
-        <source>Drift variation</source>
-        <translation>Variabilité de la dérive</translation>
-    </message>
-    <message>
-        <source>Standard deviation of its drift in the long run, along each axis, about that of the current. A beacon off Canada: 0.15 m/s.</source>
-        <translation>Écart-type de sa dérive à long terme, selon chaque axe, autour de celle du courant. Une balise au large du Canada : 0,15 m/s.</translation>
-    </message>
-    <message>
-        <source>Change drift variation</source>
-        <translation>Modifier la variabilité de la dérive</translation>
-    </message>
-    <message>
-        <source>Drift changes in</source>
-        <translation>La dérive change en</translation>
-    </message>
-    <message>
-        <source>Time in which a drift that was known is known no more: it fades to the current. 0: the drift is constant. A beacon off Canada: 36,000 s.</source>
-        <translation>Temps au bout duquel une dérive qui était connue ne l&apos;est plus : elle tend vers le courant. 0 : la dérive est constante. Une balise au large du Canada : 36 000 s.</translation>
-    </message>
-    <message>
-        <source>Change time of drift</source>
-        <translation>Modifier le temps de changement de la dérive</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>What a ship makes; 0 for a platform.</source>
+        <source>Speed of a ship; 0 for a platform.</source>
         <translation>Vitesse d&apos;un navire ; 0 pour une plateforme.</translation>
     </message>
     <message>
@@ -3766,7 +2634,7 @@
         <translation>Route</translation>
     </message>
     <message>
-        <source>Where it goes, clockwise from north.</source>
+        <source>Course over ground, clockwise from north.</source>
         <translation>Où il va, dans le sens horaire à partir du nord.</translation>
     </message>
     <message>
@@ -3774,7 +2642,7 @@
         <translation>Dérive</translation>
     </message>
     <message>
-        <source>Known drift; the current comes on top.</source>
+        <source>Known drift, without the current.</source>
         <translation>Dérive connue ; le courant s&apos;y ajoute.</translation>
     </message>
     <message>
@@ -3782,11 +2650,11 @@
         <translation>Dérive vers</translation>
     </message>
     <message>
-        <source>Where it drifts to, clockwise from north.</source>
+        <source>Drift direction, clockwise from north.</source>
         <translation>Vers où il dérive, dans le sens horaire à partir du nord.</translation>
     </message>
     <message>
-        <source>In any form; a whole coordinate sets both.</source>
+        <source>Any form; a whole coordinate sets both.</source>
         <translation>Sous toute forme ; une coordonnée complète règle les deux.</translation>
     </message>
     <message>
@@ -3794,15 +2662,15 @@
         <translation>Vent</translation>
     </message>
     <message>
-        <source>Always slower than the UAV flies.</source>
-        <translation>Toujours plus lent que le vol du drone.</translation>
+        <source>Must be below the UAV&apos;s airspeed.</source>
+        <translation>Doit être inférieur à la vitesse air du drone.</translation>
     </message>
     <message>
         <source>Wind from</source>
         <translation>Vent du</translation>
     </message>
     <message>
-        <source>Where it blows from, clockwise from north.</source>
+        <source>Direction the wind blows from, clockwise from north.</source>
         <translation>D&apos;où il souffle, dans le sens horaire à partir du nord.</translation>
     </message>
     <message>
@@ -3822,171 +2690,15 @@
         <translation>Courant vers</translation>
     </message>
     <message>
-        <source>Where it flows to, clockwise from north.</source>
+        <source>Direction the current flows to, clockwise from north.</source>
         <translation>Vers où il va, dans le sens horaire à partir du nord.</translation>
-    </message>
-    <message>
-        <source>Pattern that finds an iceberg which was not where it was believed to be.</source>
-        <translation>Parcours qui permet de retrouver un iceberg qui n&apos;était pas là où on le croyait.</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Marge</translation>
-    </message>
-    <message>
-        <source>Round all places that a plan may lead to, for turns and changes of the plan. With a geofence it is not used.</source>
-        <translation>Autour de tous les lieux où un plan peut mener, pour les virages et les changements de plan. Avec une barrière virtuelle, elle n&apos;est pas utilisée.</translation>
-    </message>
-    <message>
-        <source>UAV size</source>
-        <translation>Taille du drone</translation>
-    </message>
-    <message>
-        <source>Largest dimension of a UAV, half of it widens the ground-risk buffer.</source>
-        <translation>Plus grande dimension d&apos;un drone ; la moitié élargit la zone tampon de risque au sol.</translation>
-    </message>
-    <message>
-        <source>Satellite position error</source>
-        <translation>Erreur de position par satellite</translation>
-    </message>
-    <message>
-        <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
-        <translation>Partie de la largeur du volume de contingence. Source : Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse : 3 m.</translation>
-    </message>
-    <message>
-        <source>Path-keeping error</source>
-        <translation>Erreur de suivi de trajectoire</translation>
-    </message>
-    <message>
-        <source>Of the autopilot, likewise. Same source: 3 m.</source>
-        <translation>De l&apos;autopilote, de même. Même source : 3 m.</translation>
-    </message>
-    <message>
-        <source>Map error</source>
-        <translation>Erreur de la carte</translation>
-    </message>
-    <message>
-        <source>Likewise. Same source: 1 m.</source>
-        <translation>De même. Même source : 1 m.</translation>
-    </message>
-    <message>
-        <source>Reaction time</source>
-        <translation>Temps de réaction</translation>
-    </message>
-    <message>
-        <source>At full speed until something is done. Same source: 1 s.</source>
-        <translation>À pleine vitesse, jusqu&apos;à ce que quelque chose soit fait. Même source : 1 s.</translation>
-    </message>
-    <message>
-        <source>Bank of the turn back</source>
-        <translation>Inclinaison du demi-tour</translation>
-    </message>
-    <message>
-        <source>Radius v²/(g tan bank). Same source: 30°.</source>
-        <translation>Rayon v²/(g tan inclinaison). Même source : 30°.</translation>
-    </message>
-    <message>
-        <source>Height error</source>
-        <translation>Erreur de hauteur</translation>
-    </message>
-    <message>
-        <source>Part of the height of the contingency volume. Same source: 4 m.</source>
-        <translation>Partie de la hauteur du volume de contingence. Même source : 4 m.</translation>
-    </message>
-    <message>
-        <source>Climb part</source>
-        <translation>Part de montée</translation>
-    </message>
-    <message>
-        <source>Part of the speed that leads upwards during the reaction time. Same source: 0.707, a climb of 45°.</source>
-        <translation>Part de la vitesse dirigée vers le haut pendant le temps de réaction. Même source : 0,707, une montée à 45°.</translation>
-    </message>
-    <message>
-        <source>Pull-up part</source>
-        <translation>Part de mise en palier</translation>
-    </message>
-    <message>
-        <source>Part of v²/g that levelling out takes. Same source: 0.3.</source>
-        <translation>Part de v²/g que demande la mise en palier. Même source : 0,3.</translation>
-    </message>
-    <message>
-        <source>Buffer ratio</source>
-        <translation>Rapport de la zone tampon</translation>
-    </message>
-    <message>
-        <source>Width of the ground-risk buffer by the height of the contingency volume. Same source: 1, the rule 1:1.</source>
-        <translation>Largeur de la zone tampon de risque au sol divisée par la hauteur du volume de contingence. Même source : 1, la règle 1:1.</translation>
-    </message>
-    <message>
-        <source>Adjacent area, time</source>
-        <translation>Zone adjacente, temps</translation>
-    </message>
-    <message>
-        <source>Of flight at full speed. Same source: 180 s.</source>
-        <translation>De vol à pleine vitesse. Même source : 180 s.</translation>
-    </message>
-    <message>
-        <source>Adjacent area, least</source>
-        <translation>Zone adjacente, minimum</translation>
-    </message>
-    <message>
-        <source>Same source: 5 km.</source>
-        <translation>Même source : 5 km.</translation>
-    </message>
-    <message>
-        <source>Adjacent area, most</source>
-        <translation>Zone adjacente, maximum</translation>
-    </message>
-    <message>
-        <source>Same source: 35 km.</source>
-        <translation>Même source : 35 km.</translation>
-    </message>
-    <message>
-        <source>Crew</source>
-        <translation>Équipage</translation>
-    </message>
-    <message>
-        <source>Who flies, printed in the flight brief; empty: a blank line.</source>
-        <translation>Qui effectue le vol, imprimé sur la fiche de vol ; vide : une ligne à remplir.</translation>
-    </message>
-    <message>
-        <source>Call sign</source>
-        <translation>Indicatif d&apos;appel</translation>
-    </message>
-    <message>
-        <source>Likewise.</source>
-        <translation>De même.</translation>
-    </message>
-    <message>
-        <source>Contacts</source>
-        <translation>Contacts</translation>
-    </message>
-    <message>
-        <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
-        <translation>Navire, services de la circulation aérienne, secours : noms, numéros, fréquences.</translation>
-    </message>
-    <message>
-        <source>Command link</source>
-        <translation>Liaison de commande</translation>
-    </message>
-    <message>
-        <source>How the UAVs are commanded, and what they do without it.</source>
-        <translation>Comment les drones sont commandés, et ce qu&apos;ils font sans elle.</translation>
-    </message>
-    <message>
-        <source>Checklist</source>
-        <translation>Liste de vérification</translation>
-    </message>
-    <message>
-        <source>One line for each item, printed with a box to tick.</source>
-        <translation>Une ligne par point, imprimée avec une case à cocher.</translation>
     </message>
     <message>
         <source>Change operation</source>
         <translation>Modifier l&apos;opération</translation>
     </message>
     <message>
-        <source>Airspace that the operation may enter becomes no-fly areas: then the UAVs keep out of it.</source>
+        <source>Makes airspace that the operation may enter no-fly areas, so that the UAVs stay out of it.</source>
         <translation>L&apos;espace aérien où l&apos;opération peut entrer est converti en zones interdites : les drones s&apos;en tiennent alors à l&apos;écart.</translation>
     </message>
     <message>
@@ -3994,7 +2706,7 @@
         <translation>Convertir l&apos;espace aérien concerné en zones interdites</translation>
     </message>
     <message>
-        <source>All of it; undo brings it back.</source>
+        <source>Removes all airspace. Undo restores it.</source>
         <translation>Tout l&apos;espace aérien ; annuler le rétablit.</translation>
     </message>
     <message>
@@ -4006,7 +2718,7 @@
         <translation>Volume opérationnel</translation>
     </message>
     <message>
-        <source>Proposal for an application for a permit, to be checked with your authority: on the map, in KML and GeoJSON, and as a second page of the flight brief.</source>
+        <source>Proposed volume for a permit application; check it with your authority. Shown on the map, in KML and GeoJSON, and on a second page of the flight brief.</source>
         <translation>Proposition pour une demande d&apos;autorisation, à vérifier avec votre autorité : sur la carte, en KML et GeoJSON, et en deuxième page de la fiche de vol.</translation>
     </message>
     <message>
@@ -4024,10 +2736,6 @@ Zone adjacente %4</translation>
     <message>
         <source>and %1 more</source>
         <translation>et %1 de plus</translation>
-    </message>
-    <message>
-        <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
-        <translation>Date et heure du départ, par exemple 2026-11-29 12:00 ou 29 Nov 2026 12:00 ; 1200Z garde la date. Vide : les temps sont relatifs.</translation>
     </message>
     <message>
         <source>Position and course</source>
@@ -4090,7 +2798,7 @@ Zone adjacente %4</translation>
         <translation>95 % dans un rayon de</translation>
     </message>
     <message>
-        <source>With 95 % the iceberg was inside a circle of this radius when it was last seen: the square root of 5.99 σ₀.</source>
+        <source>When last seen, the iceberg was within this radius with a probability of 95 %: the square root of 5.99 σ₀.</source>
         <translation>À 95 %, l&apos;iceberg était dans un cercle de ce rayon quand il a été vu pour la dernière fois : racine carrée de 5,99 σ₀.</translation>
     </message>
     <message>
@@ -4098,7 +2806,7 @@ Zone adjacente %4</translation>
         <translation>Observé par</translation>
     </message>
     <message>
-        <source>Sets the uncertainty to the usual one of this source, for icebergs placed from now on as well.</source>
+        <source>Sets the usual uncertainty of this source, also for icebergs placed later.</source>
         <translation>Donne à l&apos;incertitude la valeur usuelle de cette source, aussi pour les icebergs placés ensuite.</translation>
     </message>
     <message>
@@ -4106,192 +2814,55 @@ Zone adjacente %4</translation>
         <translation>saisie</translation>
     </message>
     <message>
-        <source>UAVs are kept so far from each other, unless their altitudes are %1 apart.</source>
-        <translation>Les drones sont maintenus à cette distance les uns des autres, sauf si leurs altitudes diffèrent de %1.</translation>
-    </message>
-    <message>
         <source>Raises UAVs until their altitudes are %1 apart, so that none has to wait for another.</source>
         <translation>Élève les drones jusqu&apos;à ce que leurs altitudes diffèrent de %1, afin qu&apos;aucun n&apos;ait à en attendre un autre.</translation>
     </message>
     <message>
-        <source>Height above the sea: UAVs that are %1 apart in it pass each other.</source>
-        <translation>Hauteur au-dessus de la mer : les drones dont l&apos;altitude diffère de %1 peuvent se croiser.</translation>
+        <source>Change %1</source>
+        <translation>Modifier : %1</translation>
+    </message>
+</context>
+<context>
+    <name>InterventionText</name>
+    <message>
+        <source>Change policy</source>
+        <translation>Modifier la stratégie</translation>
+    </message>
+    <message>
+        <source>Change wind</source>
+        <translation>Modifier le vent</translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Déplacer le bien protégé</translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Ajouter un iceberg</translation>
+    </message>
+    <message>
+        <source>Report sighting</source>
+        <translation>Signaler une observation</translation>
+    </message>
+    <message>
+        <source>Remove icebergs</source>
+        <translation>Retirer des icebergs</translation>
+    </message>
+    <message>
+        <source>Assign iceberg</source>
+        <translation>Attribuer l&apos;iceberg</translation>
+    </message>
+    <message>
+        <source>Order UAV</source>
+        <translation>Donner un ordre au drone</translation>
+    </message>
+    <message>
+        <source>Change trade-off</source>
+        <translation>Modifier le compromis</translation>
     </message>
 </context>
 <context>
     <name>IssueText</name>
-    <message>
-        <source>%1 must be UTF-8 text.</source>
-        <translation>%1 : un texte UTF-8 est attendu.</translation>
-    </message>
-    <message>
-        <source>%1 must be a finite number.</source>
-        <translation>%1 : un nombre fini est attendu.</translation>
-    </message>
-    <message>
-        <source>The wind must be two finite numbers.</source>
-        <translation>Le vent doit être donné par deux nombres finis.</translation>
-    </message>
-    <message>
-        <source>%1 must be from %2 to %3, not %4.</source>
-        <translation>%1 : une valeur de %2 à %3 est attendue, et non %4.</translation>
-    </message>
-    <message>
-        <source>%1 must be above %2 and at most %3, not %4.</source>
-        <translation>%1 : une valeur supérieure à %2 et d&apos;au plus %3 est attendue, et non %4.</translation>
-    </message>
-    <message>
-        <source>The start must be a UTC date and time such as 2024-05-01T06:00:00Z.</source>
-        <translation>Le début doit être une date et une heure UTC, par exemple 2024-05-01T06:00:00Z.</translation>
-    </message>
-    <message>
-        <source>The area must have from 3 to %2 corners, not %3.</source>
-        <translation>La zone doit avoir de 3 à %2 sommets, et non %3.</translation>
-    </message>
-    <message>
-        <source>The area must neither touch nor cross itself.</source>
-        <translation>La zone ne doit ni se toucher ni se croiser elle-même.</translation>
-    </message>
-    <message>
-        <source>The id must not be empty.</source>
-        <translation>L&apos;identifiant ne doit pas être vide.</translation>
-    </message>
-    <message>
-        <source>The id &quot;%2&quot; is taken already.</source>
-        <translation>L&apos;identifiant « %2 » est déjà pris.</translation>
-    </message>
-    <message>
-        <source>A scenario holds from 1 to %2 UAVs, not %3.</source>
-        <translation>Un scénario contient de 1 à %2 drones, et non %3.</translation>
-    </message>
-    <message>
-        <source>A scenario holds at most %2 icebergs, not %3.</source>
-        <translation>Un scénario contient au plus %2 icebergs, et non %3.</translation>
-    </message>
-    <message>
-        <source>The recorded track must have from 2 to %2 points, not %3.</source>
-        <translation>La trace enregistrée doit avoir de 2 à %2 points, et non %3.</translation>
-    </message>
-    <message>
-        <source>The recorded track has %2 times, but %3 places.</source>
-        <translation>La trace enregistrée a %2 instants, mais %3 positions.</translation>
-    </message>
-    <message>
-        <source>The times of the recorded track must rise.</source>
-        <translation>Les instants de la trace enregistrée doivent être croissants.</translation>
-    </message>
-    <message>
-        <source>There are %2 more errors.</source>
-        <translation>Il y a %2 erreurs de plus.</translation>
-    </message>
-    <message>
-        <source>The time step must not be longer than the run.</source>
-        <translation>Le pas de temps ne doit pas dépasser la durée du vol.</translation>
-    </message>
-    <message>
-        <source>With a limited endurance, the time between two commands of the autopilot must be at most %2, not %3.</source>
-        <translation>Si l&apos;autonomie est limitée, le temps entre deux commandes de l&apos;autopilote doit être au plus %2, et non %3.</translation>
-    </message>
-    <message>
-        <source>A geofence has at most %2 corners, not %3.</source>
-        <translation>Une barrière virtuelle a au plus %2 sommets, et non %3.</translation>
-    </message>
-    <message>
-        <source>There is no UAV &quot;%2&quot; in this scenario.</source>
-        <translation>Il n&apos;y a pas de drone « %2 » dans ce scénario.</translation>
-    </message>
-    <message>
-        <source>The sensor interval must not be shorter than the time step.</source>
-        <translation>L&apos;intervalle du capteur ne doit pas être inférieur au pas de temps.</translation>
-    </message>
-    <message>
-        <source>Drifts so fast that the UAV may not catch up with it.</source>
-        <translation>Dérive si vite que le drone risque de ne pas le rattraper.</translation>
-    </message>
-    <message>
-        <source>The UAV will make little way against this wind.</source>
-        <translation>Le drone progressera peu contre ce vent.</translation>
-    </message>
-    <message>
-        <source>There are no icebergs yet, so there is nothing to plan.</source>
-        <translation>Il n&apos;y a pas encore d&apos;icebergs ; il n&apos;y a donc rien à planifier.</translation>
-    </message>
-    <message>
-        <source>Appears after the end of the run, so it is never planned.</source>
-        <translation>Apparaît après la fin du vol ; il n&apos;est donc jamais planifié.</translation>
-    </message>
-    <message>
-        <source>The endurance is too short for the path to the nearest iceberg and back.</source>
-        <translation>L&apos;autonomie est insuffisante pour aller à l&apos;iceberg le plus proche et en revenir.</translation>
-    </message>
-    <message>
-        <source>Starts outside the area.</source>
-        <translation>Part de l&apos;extérieur de la zone.</translation>
-    </message>
-    <message>
-        <source>The turn radius is larger than half the field of view, so that an iceberg may be missed.</source>
-        <translation>Le rayon de virage dépasse la moitié du champ de vision ; un iceberg peut donc être manqué.</translation>
-    </message>
-    <message>
-        <source>The radius that counts as reached is smaller than the turn radius, so that the UAV flies on and comes back.</source>
-        <translation>Le rayon d&apos;acceptation est inférieur au rayon de virage ; le drone passe donc l&apos;iceberg et revient.</translation>
-    </message>
-    <message>
-        <source>Lies outside the area.</source>
-        <translation>Se trouve hors de la zone.</translation>
-    </message>
-    <message>
-        <source>Drifts out of the area before the end of the run.</source>
-        <translation>Dérive hors de la zone avant la fin du vol.</translation>
-    </message>
-    <message>
-        <source>Lies where another iceberg lies. Is it the same one?</source>
-        <translation>Se trouve à la position d&apos;un autre iceberg. Est-ce le même ?</translation>
-    </message>
-    <message>
-        <source>So far away that the UAV cannot get there before the end of the run.</source>
-        <translation>Si éloigné que le drone ne peut pas y arriver avant la fin du vol.</translation>
-    </message>
-    <message>
-        <source>The run is over before the UAV can get to the first iceberg.</source>
-        <translation>Le vol se termine avant que le drone puisse arriver au premier iceberg.</translation>
-    </message>
-    <message>
-        <source>Drifts faster than icebergs do. Is the unit right?</source>
-        <translation>Dérive plus vite que ne le font les icebergs. L&apos;unité est-elle juste ?</translation>
-    </message>
-    <message>
-        <source>Its recorded track ends before the run does; from then on it stands still.</source>
-        <translation>Sa trace enregistrée se termine avant le vol ; il est ensuite immobile.</translation>
-    </message>
-    <message>
-        <source>Its recorded track begins so far from the estimate that the UAV will not see it there.</source>
-        <translation>Sa trace enregistrée commence si loin de l&apos;estimation que le drone ne l&apos;y verra pas.</translation>
-    </message>
-    <message>
-        <source>The asset lies inside an iceberg.</source>
-        <translation>Le bien protégé se trouve à l&apos;intérieur d&apos;un iceberg.</translation>
-    </message>
-    <message>
-        <source>No iceberg is uncertain at the start, so distance alone makes the first plan.</source>
-        <translation>Aucun iceberg n&apos;est incertain au début ; la distance seule détermine donc le premier plan.</translation>
-    </message>
-    <message>
-        <source>More icebergs than can be proven optimal; the plan comes with a bound.</source>
-        <translation>Trop d&apos;icebergs pour prouver l&apos;optimum ; le plan est accompagné d&apos;une borne.</translation>
-    </message>
-    <message>
-        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
-        <translation>Ce solveur ne peut pas planifier autant d&apos;icebergs. Choisissez « Automatique ».</translation>
-    </message>
-    <message>
-        <source>Proving the optimum of so many icebergs can take a minute and more.</source>
-        <translation>Prouver l&apos;optimum pour autant d&apos;icebergs peut prendre une minute et plus.</translation>
-    </message>
-    <message>
-        <source>The wind must be slower than the UAV flies.</source>
-        <translation>Le vent doit être plus lent que le vol du drone.</translation>
-    </message>
     <message numerus="yes">
         <source>%n errors</source>
         <translation>
@@ -4312,118 +2883,6 @@ Zone adjacente %4</translation>
             <numerusform>%n conseil</numerusform>
             <numerusform>%n conseils</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Icebergs outside the area are not monitored; the UAV may fly beyond it.</source>
-        <translation>Les icebergs hors de la zone ne sont pas surveillés ; le drone peut voler au-delà.</translation>
-    </message>
-    <message>
-        <source>The endurance is too short for the path home from the start.</source>
-        <translation>L&apos;autonomie est insuffisante pour aller du départ à la base.</translation>
-    </message>
-    <message>
-        <source>Without a limited endurance, home is used only when you order a return or export with the return home.</source>
-        <translation>Sans autonomie limitée, la base n&apos;est utilisée que si vous ordonnez un retour ou exportez avec le retour à la base.</translation>
-    </message>
-    <message>
-        <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
-        <translation>Le temps entre deux commandes de l&apos;autopilote est trop long pour que le drone suive un segment.</translation>
-    </message>
-    <message>
-        <source>A geofence needs an area.</source>
-        <translation>Une barrière virtuelle a besoin d&apos;une zone.</translation>
-    </message>
-    <message>
-        <source>Must be inside the area, which is a geofence.</source>
-        <translation>Doit se trouver à l&apos;intérieur de la zone, qui est une barrière virtuelle.</translation>
-    </message>
-    <message>
-        <source>This policy plans icebergs one by one; nearby icebergs are not grouped.</source>
-        <translation>Cette stratégie planifie les icebergs un par un ; les icebergs proches ne sont pas groupés.</translation>
-    </message>
-    <message>
-        <source>A scenario holds at most %2 no-fly areas, not %3.</source>
-        <translation>Un scénario contient au plus %2 zones interdites, et non %3.</translation>
-    </message>
-    <message>
-        <source>The ceiling must be above the floor.</source>
-        <translation>Le plafond doit être au-dessus du plancher.</translation>
-    </message>
-    <message>
-        <source>The endurance must be longer than reserve, climb and landing together.</source>
-        <translation>L&apos;autonomie doit dépasser la réserve, la montée et l&apos;atterrissage réunis.</translation>
-    </message>
-    <message>
-        <source>The wind is above the limit of this UAV: %2, limit %3.</source>
-        <translation>Le vent dépasse la limite de ce drone : %2, limite %3.</translation>
-    </message>
-    <message>
-        <source>The gusts are above the limit of this UAV: %2, limit %3.</source>
-        <translation>Les rafales dépassent la limite de ce drone : %2, limite %3.</translation>
-    </message>
-    <message>
-        <source>Icing conditions at its altitude: not for this UAV.</source>
-        <translation>Conditions givrantes à son altitude : pas pour ce drone.</translation>
-    </message>
-    <message>
-        <source>The plan leads out of the range of the ground station for %2.</source>
-        <translation>Le plan sort de la portée de la station sol pendant %2.</translation>
-    </message>
-    <message>
-        <source>With the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %2 corners, not %3.</source>
-        <translation>Avec la barrière virtuelle et l&apos;anneau de sécurité, les zones interdites à l&apos;altitude d&apos;un drone ont au plus %2 sommets, et non %3.</translation>
-    </message>
-    <message>
-        <source>Must be outside the no-fly area &quot;%2&quot;.</source>
-        <translation>Doit se trouver hors de la zone interdite « %2 ».</translation>
-    </message>
-    <message>
-        <source>Must be outside the stand-off ring round the asset.</source>
-        <translation>Doit se trouver hors de l&apos;anneau de sécurité autour du bien protégé.</translation>
-    </message>
-    <message>
-        <source>In flight, the velocity&apos;s deviation counts with the Kalman filter only.</source>
-        <translation>En vol, l&apos;écart-type de la vitesse ne compte qu&apos;avec le filtre de Kalman.</translation>
-    </message>
-    <message>
-        <source>Home is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home.</source>
-        <translation>La base est si proche de la barrière virtuelle ou d&apos;une zone interdite que le drone ne peut pas y redécoller en étant sûr d&apos;y revenir.</translation>
-    </message>
-    <message>
-        <source>For its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe.</source>
-        <translation>Compte tenu de son cap, le drone n&apos;a depuis son point de départ aucun trajet vers la base à l&apos;intérieur de la barrière virtuelle et hors des zones interdites : aucun départ n&apos;est sûr.</translation>
-    </message>
-    <message>
-        <source>The UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time.</source>
-        <translation>Compte tenu de son cap, le drone part si près de la barrière virtuelle ou d&apos;une zone interdite qu&apos;il ne peut pas virer à temps.</translation>
-    </message>
-    <message>
-        <source>So near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to.</source>
-        <translation>Si proche de la barrière virtuelle, ou dans une zone interdite, que le drone ne peut pas s&apos;en approcher autant qu&apos;il le doit.</translation>
-    </message>
-    <message>
-        <source>This policy plans without geofence and no-fly areas; they are kept in flight.</source>
-        <translation>Cette stratégie planifie sans barrière virtuelle ni zones interdites ; elles sont respectées en vol.</translation>
-    </message>
-    <message>
-        <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
-        <translation>Le rayon d&apos;acceptation dépasse la moitié du champ de vision ; des icebergs comptent donc comme atteints sans être vus.</translation>
-    </message>
-    <message>
-        <source>On the way home this UAV may have to wait %2 for others of its altitude layer, longer than its reserve. Separate altitudes, or a greater reserve, avoid it.</source>
-        <translation>Au retour, ce drone devra peut-être attendre %2 d&apos;autres drones de sa tranche d&apos;altitude, plus longtemps que sa réserve. Des altitudes séparées, ou une réserve plus grande, l&apos;évitent.</translation>
-    </message>
-    <message>
-        <source>Other UAVs of this altitude layer land on the same pad, so this UAV is planned home %2 early, in a recovery slot of its own. Separate altitudes or pads avoid it.</source>
-        <translation>D&apos;autres drones de cette tranche d&apos;altitude se posent sur la même aire : le retour de ce drone est planifié %2 plus tôt, dans son propre créneau d&apos;atterrissage. Des altitudes ou des aires distinctes l&apos;évitent.</translation>
-    </message>
-    <message>
-        <source>With these drifts and a round of %2 minutes, %3 of %4 icebergs will be out of view at the next visit.</source>
-        <translation>Avec ces dérives et un tour de %2 minutes, %3 icebergs sur %4 seront hors de vue à la visite suivante.</translation>
-    </message>
-    <message>
-        <source>Seen %2 h ago: may be %3 away (%4 × the field of view).</source>
-        <translation>Vu il y a %2 h : peut se trouver à %3 (%4 × le champ de vision).</translation>
     </message>
     <message>
         <source>line %1, column %2: %3</source>
@@ -4694,10 +3153,6 @@ Zone adjacente %4</translation>
         <translation>il n&apos;y a pas de format d&apos;importation « %1 » ; il y a %2</translation>
     </message>
     <message>
-        <source>is of no known format, and no columns for latitude and longitude are named; known formats: %1</source>
-        <translation>est d&apos;un format inconnu, et aucune colonne de latitude et de longitude n&apos;est indiquée ; formats connus : %1</translation>
-    </message>
-    <message>
         <source>columns of the format %1 cannot be mapped</source>
         <translation>les colonnes du format %1 ne peuvent pas être affectées</translation>
     </message>
@@ -4764,14 +3219,6 @@ Zone adjacente %4</translation>
     <message>
         <source>has no position</source>
         <translation>n&apos;a pas de position</translation>
-    </message>
-    <message>
-        <source>latitude is no number from -90 to 90</source>
-        <translation>la latitude n&apos;est pas un nombre de -90 à 90</translation>
-    </message>
-    <message>
-        <source>longitude is no number from -180 to 360</source>
-        <translation>la longitude n&apos;est pas un nombre de -180 à 360</translation>
     </message>
     <message>
         <source>a number is out of range</source>
@@ -4942,14 +3389,6 @@ Zone adjacente %4</translation>
         <translation>nomme un iceberg, mais le vol n&apos;en contient aucun</translation>
     </message>
     <message>
-        <source>A scenario holds at most %2 airspace areas, not %3.</source>
-        <translation>Un scénario contient au plus %2 zones d&apos;espace aérien, et non %3.</translation>
-    </message>
-    <message>
-        <source>The operation may enter the airspace &quot;%2&quot;, which begins at %3.</source>
-        <translation>L&apos;opération peut entrer dans l&apos;espace aérien « %2 », qui commence à %3.</translation>
-    </message>
-    <message>
         <source>is no airspace: neither OpenAir nor GeoJSON</source>
         <translation>n&apos;est pas un espace aérien : ni OpenAir ni GeoJSON</translation>
     </message>
@@ -4960,10 +3399,6 @@ Zone adjacente %4</translation>
     <message>
         <source>airspace left out: a place or an arc cannot be read</source>
         <translation>espace aérien omis : une position ou un arc est illisible</translation>
-    </message>
-    <message>
-        <source>airspace left out: its outline touches or crosses itself, has too many corners, or the ceiling is not above the floor</source>
-        <translation>espace aérien omis : son contour se touche ou se croise lui-même, a trop de sommets, ou le plafond n&apos;est pas au-dessus du plancher</translation>
     </message>
     <message>
         <source>there is no folder %1</source>
@@ -5018,10 +3453,6 @@ Zone adjacente %4</translation>
         <translation>doit être un nombre fini</translation>
     </message>
     <message>
-        <source>must be two finite numbers</source>
-        <translation>doit être donné par deux nombres finis</translation>
-    </message>
-    <message>
         <source>must be from %1 to %2, not %3</source>
         <translation>doit être de %1 à %2, et non %3</translation>
     </message>
@@ -5034,76 +3465,24 @@ Zone adjacente %4</translation>
         <translation>doit être une date et une heure UTC, par exemple 2024-05-01T06:00:00Z</translation>
     </message>
     <message>
-        <source>must have from 3 to %1 corners, not %2</source>
-        <translation>doit avoir de 3 à %1 sommets, et non %2</translation>
-    </message>
-    <message>
-        <source>must be a polygon that neither touches nor crosses itself</source>
-        <translation>doit être un polygone qui ne se touche ni ne se croise lui-même</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 areas, not %2</source>
-        <translation>doit contenir au plus %1 zones, et non %2</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 airspaces, not %2</source>
-        <translation>doit contenir au plus %1 zones d&apos;espace aérien, et non %2</translation>
-    </message>
-    <message>
         <source>must not be empty</source>
         <translation>ne doit pas être vide</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is the id of %2 already</source>
-        <translation>« %1 » est déjà l&apos;identifiant de %2</translation>
-    </message>
-    <message>
-        <source>must hold from 1 to %1 UAVs, not %2</source>
-        <translation>doit contenir de 1 à %1 drones, et non %2</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 icebergs, not %2</source>
-        <translation>doit contenir au plus %1 icebergs, et non %2</translation>
     </message>
     <message>
         <source>must have from 2 to %1 entries, not %2</source>
         <translation>doit avoir de 2 à %1 valeurs, et non %2</translation>
     </message>
     <message>
-        <source>must have one entry for each of time_s: %1, not %2</source>
-        <translation>doit avoir une valeur pour chacune de time_s : %1, et non %2</translation>
-    </message>
-    <message>
         <source>must be later than the entry before</source>
         <translation>doit être postérieur à la valeur précédente</translation>
-    </message>
-    <message>
-        <source>and %1 more faults</source>
-        <translation>et %1 erreurs de plus</translation>
-    </message>
-    <message>
-        <source>must not be longer than duration_s</source>
-        <translation>ne doit pas dépasser duration_s</translation>
     </message>
     <message>
         <source>must be at most %1 where the endurance is limited, not %2</source>
         <translation>doit être au plus %1 si l&apos;autonomie est limitée, et non %2</translation>
     </message>
     <message>
-        <source>needs an area, area_m, to stay inside</source>
-        <translation>a besoin d&apos;une zone, area_m, dans laquelle rester</translation>
-    </message>
-    <message>
-        <source>must have at most %1 corners to be a geofence, not %2</source>
-        <translation>doit avoir au plus %1 sommets pour être une barrière virtuelle, et non %2</translation>
-    </message>
-    <message>
         <source>must be inside the area, which is a geofence</source>
         <translation>doit se trouver dans la zone, qui est une barrière virtuelle</translation>
-    </message>
-    <message>
-        <source>must have, with the geofence and the stand-off ring, at most %1 corners at the altitude of a UAV, not %2</source>
-        <translation>doit avoir, avec la barrière virtuelle et l&apos;anneau de sécurité, au plus %1 sommets à l&apos;altitude d&apos;un drone, et non %2</translation>
     </message>
     <message>
         <source>must be outside the no-fly area &quot;%1&quot;</source>
@@ -5114,52 +3493,8 @@ Zone adjacente %4</translation>
         <translation>doit se trouver hors de l&apos;anneau de sécurité autour du bien protégé</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is the id of no UAV of this scenario</source>
-        <translation>« %1 » n&apos;est l&apos;identifiant d&apos;aucun drone de ce scénario</translation>
-    </message>
-    <message>
-        <source>must be slower than the UAV flies: wind of %1 m/s, airspeed of %2 %3 m/s</source>
-        <translation>doit être plus lent que le drone : vent de %1 m/s, vitesse air de %2 %3 m/s</translation>
-    </message>
-    <message>
-        <source>the UAV will make little way against it: wind of %1 m/s, airspeed of %2 %3 m/s</source>
-        <translation>le drone progressera peu contre lui : vent de %1 m/s, vitesse air de %2 %3 m/s</translation>
-    </message>
-    <message>
         <source>drifts so fast that the UAV may not catch up with it</source>
         <translation>dérive si vite que le drone risque de ne pas le rattraper</translation>
-    </message>
-    <message>
-        <source>must not be shorter than the time step dt_s</source>
-        <translation>ne doit pas être inférieur au pas de temps dt_s</translation>
-    </message>
-    <message>
-        <source>must be above the floor of %1 m, not %2 m</source>
-        <translation>doit être au-dessus du plancher de %1 m, et non %2 m</translation>
-    </message>
-    <message>
-        <source>must be longer than reserve, climb and landing: %1 s, not above %2 s</source>
-        <translation>doit dépasser réserve, montée et atterrissage : %1 s, pas plus de %2 s</translation>
-    </message>
-    <message>
-        <source>none yet, so there is nothing to plan</source>
-        <translation>aucun pour l&apos;instant ; il n&apos;y a donc rien à planifier</translation>
-    </message>
-    <message>
-        <source>is after the end of the run</source>
-        <translation>est après la fin du vol</translation>
-    </message>
-    <message>
-        <source>icebergs outside it are not monitored; the UAV may fly beyond it</source>
-        <translation>les icebergs en dehors ne sont pas surveillés ; le drone peut en sortir</translation>
-    </message>
-    <message>
-        <source>is used in flight with the observer kalman only</source>
-        <translation>n&apos;est utilisé en vol qu&apos;avec l&apos;observateur kalman</translation>
-    </message>
-    <message>
-        <source>%1 h old: may be %2 m away (%3 x the field of view)</source>
-        <translation>vieux de %1 h : peut se trouver à %2 m (%3 x le champ de vision)</translation>
     </message>
     <message>
         <source>with these drifts and a round of %1 minutes, %2 of %3 icebergs will be out of view at the next visit</source>
@@ -5170,10 +3505,6 @@ Zone adjacente %4</translation>
         <translation>est insuffisante pour rentrer à la base depuis le départ</translation>
     </message>
     <message>
-        <source>is too short for the path to the nearest iceberg and back</source>
-        <translation>est insuffisante pour aller à l&apos;iceberg le plus proche et en revenir</translation>
-    </message>
-    <message>
         <source>is used, without a limited endurance, only when you order a return or export with the return home</source>
         <translation>n&apos;est utilisé, sans autonomie limitée, que si vous ordonnez un retour ou exportez avec le retour à la base</translation>
     </message>
@@ -5182,60 +3513,8 @@ Zone adjacente %4</translation>
         <translation>est si proche de la barrière virtuelle ou d&apos;une zone interdite que le drone ne peut pas y redécoller en étant sûr de rentrer</translation>
     </message>
     <message>
-        <source>has, for this heading, no path home inside the geofence and outside no-fly areas, so that no start is safe</source>
-        <translation>n&apos;a, avec ce cap, aucun trajet vers la base à l&apos;intérieur de la barrière virtuelle et hors des zones interdites : aucun départ n&apos;est sûr</translation>
-    </message>
-    <message>
-        <source>is so near the geofence or a no-fly area, for this heading, that the UAV cannot turn in time</source>
-        <translation>est, avec ce cap, si proche de la barrière virtuelle ou d&apos;une zone interdite que le drone ne peut pas virer à temps</translation>
-    </message>
-    <message>
-        <source>is so near the geofence or in a no-fly area that the UAV, to be within the acceptance radius, cannot be sent there</source>
-        <translation>est si proche de la barrière virtuelle, ou dans une zone interdite, que le drone ne peut pas y être envoyé pour arriver à moins du rayon d&apos;acceptation</translation>
-    </message>
-    <message>
-        <source>is so long between two commands that the UAV cannot follow a leg</source>
-        <translation>est si long entre deux commandes que le drone ne peut pas suivre un segment</translation>
-    </message>
-    <message>
-        <source>must not be exceeded: wind of %1 m/s, limit %2 m/s</source>
-        <translation>ne doit pas être dépassé : vent de %1 m/s, limite %2 m/s</translation>
-    </message>
-    <message>
-        <source>must not be exceeded: gusts of %1 m/s, limit %2 m/s</source>
-        <translation>ne doit pas être dépassé : rafales de %1 m/s, limite %2 m/s</translation>
-    </message>
-    <message>
-        <source>the UAV must not be flown in icing conditions, which this weather brings</source>
-        <translation>le drone ne doit pas voler dans des conditions givrantes, que cette météo apporte</translation>
-    </message>
-    <message>
-        <source>is less reserve than waiting for the other UAVs of the altitude layer may take, %1 s</source>
-        <translation>est une réserve inférieure à ce que peut durer l&apos;attente des autres drones de la tranche d&apos;altitude, %1 s</translation>
-    </message>
-    <message>
-        <source>keeps %1 s free for its recovery slot: other UAVs of the altitude layer land on the same pad</source>
-        <translation>est utilisée sauf les %1 dernières s : d&apos;autres drones de la tranche d&apos;altitude se posent sur la même aire, chacun est donc planifié au retour dans son propre créneau d&apos;atterrissage</translation>
-    </message>
-    <message>
-        <source>in one flight of twenty %1 s of the reserve are used to come home</source>
-        <translation>un vol sur vingt utilise %1 s de la réserve pour rentrer à la base</translation>
-    </message>
-    <message>
-        <source>the plan leads out of the range of the ground station for %1 s</source>
-        <translation>le plan sort de la portée de la station sol pendant %1 s</translation>
-    </message>
-    <message>
-        <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2 m</source>
-        <translation>l&apos;opération peut entrer dans l&apos;espace aérien « %1 », qui commence à %2 m</translation>
-    </message>
-    <message>
         <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
         <translation>cette stratégie planifie sans barrière virtuelle ni zones interdites ; elles sont respectées en vol</translation>
-    </message>
-    <message>
-        <source>the UAV starts outside the area</source>
-        <translation>le drone part de l&apos;extérieur de la zone</translation>
     </message>
     <message>
         <source>the turn radius is larger than half the field of view, so that an iceberg may be missed</source>
@@ -5258,14 +3537,6 @@ Zone adjacente %4</translation>
         <translation>dérive hors de la zone avant la fin du vol</translation>
     </message>
     <message>
-        <source>lies where another iceberg lies: the same one?</source>
-        <translation>se trouve là où se trouve un autre iceberg : le même ?</translation>
-    </message>
-    <message>
-        <source>is so far away that the UAV cannot get there before the end of the run</source>
-        <translation>est si loin que le drone ne peut pas y arriver avant la fin du vol</translation>
-    </message>
-    <message>
         <source>is over before the UAV can get to the first iceberg</source>
         <translation>se termine avant que le drone puisse atteindre le premier iceberg</translation>
     </message>
@@ -5274,32 +3545,8 @@ Zone adjacente %4</translation>
         <translation>dérive plus vite que ne le font les icebergs : l&apos;unité est-elle correcte ?</translation>
     </message>
     <message>
-        <source>ends before the run does; from then on the iceberg stands still</source>
-        <translation>se termine avant le vol ; l&apos;iceberg reste ensuite immobile</translation>
-    </message>
-    <message>
-        <source>begins so far from the estimate that the UAV will not see the iceberg there</source>
-        <translation>commence si loin de l&apos;estimation que le drone n&apos;y verra pas l&apos;iceberg</translation>
-    </message>
-    <message>
-        <source>lies inside an iceberg</source>
-        <translation>se trouve à l&apos;intérieur d&apos;un iceberg</translation>
-    </message>
-    <message>
         <source>no iceberg is uncertain at the start, so distance alone makes the first plan</source>
         <translation>aucun iceberg n&apos;est incertain au début ; la distance seule détermine donc le premier plan</translation>
-    </message>
-    <message>
-        <source>more than can be proven optimal; the plan comes with a bound</source>
-        <translation>plus qu&apos;il n&apos;est possible d&apos;en prouver optimal ; le plan est accompagné d&apos;une borne</translation>
-    </message>
-    <message>
-        <source>the policy plans icebergs one by one; nearby icebergs are not grouped</source>
-        <translation>la stratégie planifie les icebergs un par un ; les icebergs proches ne sont pas groupés</translation>
-    </message>
-    <message>
-        <source>cannot plan so many icebergs; the back end auto can</source>
-        <translation>ne peut pas planifier autant d&apos;icebergs ; le solveur auto le peut</translation>
     </message>
     <message>
         <source>proving the optimum of so many icebergs can take a minute and more</source>
@@ -5318,20 +3565,8 @@ Zone adjacente %4</translation>
         <translation>la formulation MILP %1 est proposée pour %2 icebergs au plus, pas pour %3</translation>
     </message>
     <message>
-        <source>in one flight of twenty the wind is too strong to come home</source>
-        <translation>un vol sur vingt, le vent est trop fort pour rentrer à la base</translation>
-    </message>
-    <message>
-        <source>The file holds members that this version does not know, &quot;%2&quot; to begin with. They are kept, but not used.</source>
-        <translation>Le fichier contient des membres que cette version ne connaît pas, d’abord « %2 ». Ils sont conservés, mais pas utilisés.</translation>
-    </message>
-    <message>
         <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
         <translation>la colonne « %1 » n’est pas comprise : renommez-la, ou associez-la</translation>
-    </message>
-    <message>
-        <source>has more than one place: only the first is taken</source>
-        <translation>a plus d’un lieu : seul le premier est pris</translation>
     </message>
     <message>
         <source>airspace left out: a height has no unit</source>
@@ -5342,44 +3577,12 @@ Zone adjacente %4</translation>
         <translation>les membres que cette version ne connaît pas ne sont pas utilisés : « %1 »</translation>
     </message>
     <message>
-        <source>The airspace &quot;%3&quot; ends before it begins.</source>
-        <translation>L&apos;espace aérien « %3 » finit avant de commencer.</translation>
-    </message>
-    <message>
-        <source>must not be earlier than %1</source>
-        <translation>ne doit pas être antérieur à %1</translation>
-    </message>
-    <message>
         <source>feature %1</source>
         <translation>entité %1</translation>
     </message>
     <message>
         <source>packet %1</source>
         <translation>paquet %1</translation>
-    </message>
-    <message>
-        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by %2.</source>
-        <translation>Part trop près d&apos;un autre drone de la même tranche d&apos;altitude : ils s&apos;éloignent d&apos;abord. Séparez leurs altitudes de %2.</translation>
-    </message>
-    <message>
-        <source>With the usual errors in wind and airspeed, 1 flight in 20 uses %2 or more of the reserve to come home.</source>
-        <translation>Avec les erreurs habituelles du vent et de la vitesse air, 1 vol sur 20 utilise %2 ou plus de la réserve pour rentrer à la base.</translation>
-    </message>
-    <message>
-        <source>With the usual errors in wind and airspeed, in 1 flight in 20 the wind is too strong to come home.</source>
-        <translation>Avec les erreurs habituelles du vent et de la vitesse air, le vent est trop fort pour rentrer à la base dans 1 vol sur 20.</translation>
-    </message>
-    <message>
-        <source>Takes off in the dark, at %2 UTC: civil twilight begins at %3 UTC.</source>
-        <translation>Décolle dans l&apos;obscurité, à %2 UTC : le crépuscule civil commence à %3 UTC.</translation>
-    </message>
-    <message>
-        <source>Lands in the dark, at %2 UTC: civil twilight ends at %3 UTC.</source>
-        <translation>Atterrit dans l&apos;obscurité, à %2 UTC : le crépuscule civil finit à %3 UTC.</translation>
-    </message>
-    <message>
-        <source>starts within separation_m of another UAV whose altitude differs by less than %1 m</source>
-        <translation>part à moins de separation_m d&apos;un autre drone dont l&apos;altitude diffère de moins de %1 m</translation>
     </message>
     <message>
         <source>takes off in the dark, at %1 UTC: civil twilight begins at %2 UTC</source>
@@ -5389,140 +3592,658 @@ Zone adjacente %4</translation>
         <source>lands in the dark, at %1 UTC: civil twilight ends at %2 UTC</source>
         <translation>atterrit dans l&apos;obscurité, à %1 UTC : le crépuscule civil finit à %2 UTC</translation>
     </message>
-</context>
-<context>
-    <name>LogText</name>
     <message>
-        <source>never</source>
-        <translation>jamais</translation>
+        <source>the time zone &quot;%1&quot; is a name: write offsets from UTC, such as +02:00</source>
+        <translation>le fuseau horaire « %1 » est un nom : écrivez des décalages par rapport à UTC, comme +02:00</translation>
     </message>
     <message>
-        <source>Start, UTC</source>
-        <translation>Début, UTC</translation>
+        <source>there is nothing on line %1 or below it</source>
+        <translation>il n&apos;y a rien à la ligne %1 ni en dessous</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Début</translation>
+        <source>nothing tells which rows are sightings of one iceberg: choose one of these</source>
+        <translation>rien n&apos;indique quelles lignes sont des observations d&apos;un même iceberg : choisissez l&apos;une de ces options</translation>
     </message>
     <message>
-        <source>Until, UTC</source>
-        <translation>Fin, UTC</translation>
+        <source>icebergs: %1, greatest speed between two sightings: %2 m/s</source>
+        <translation>icebergs : %1, vitesse maximale entre deux observations : %2 m/s</translation>
     </message>
     <message>
-        <source>Until</source>
-        <translation>Fin</translation>
+        <source>is faster than 1.5 m/s or on land: check columns, units and ids, or accept it with --accept-doubtful</source>
+        <translation>est plus rapide que 1,5 m/s ou à terre : vérifiez les colonnes, les unités et les identifiants, ou acceptez-le avec --accept-doubtful</translation>
     </message>
     <message>
-        <source>Zeta flown</source>
-        <translation>Zêta du vol</translation>
+        <source>has several places: each is taken as an iceberg</source>
+        <translation>a plusieurs positions : chacune est prise comme un iceberg</translation>
     </message>
     <message>
-        <source>Predicted before take-off</source>
-        <translation>Prévu avant le décollage</translation>
+        <source>has points beside lines or areas: only the points are taken</source>
+        <translation>a des points à côté de lignes ou de surfaces : seuls les points sont pris</translation>
     </message>
     <message>
-        <source>Visits</source>
-        <translation>Visites</translation>
+        <source>has areas beside lines: only the areas are taken</source>
+        <translation>a des surfaces à côté de lignes : seules les surfaces sont prises</translation>
     </message>
     <message>
-        <source>Plans made</source>
-        <translation>Plans établis</translation>
+        <source>has points or areas beside a track: only the track is taken</source>
+        <translation>a des points ou des surfaces à côté d&apos;une trace : seule la trace est prise</translation>
     </message>
     <message>
-        <source>Planned by</source>
-        <translation>Planifié par</translation>
+        <source>has the name of another track, but an iceberg cannot have drifted along both: it is taken as another iceberg</source>
+        <translation>porte le nom d&apos;une autre trace, mais un iceberg ne peut pas avoir dérivé le long des deux : elle est prise comme un autre iceberg</translation>
     </message>
     <message>
-        <source>Seed</source>
-        <translation>Graine</translation>
+        <source>the property that names the iceberg is the same at two places at once: the ids of the features are taken instead</source>
+        <translation>la propriété qui nomme l&apos;iceberg est la même à deux positions en même temps : les identifiants des objets sont pris à la place</translation>
     </message>
     <message>
-        <source>Program</source>
-        <translation>Programme</translation>
+        <source>has more times than places: the times left over are not taken</source>
+        <translation>a plus d&apos;heures que de positions : les heures en trop ne sont pas prises</translation>
     </message>
     <message>
-        <source>UAV</source>
-        <translation>Drone</translation>
+        <source>the place can be read in more than one way: decimals follow a point</source>
+        <translation>la position peut être lue de plusieurs façons : les décimales suivent un point</translation>
     </message>
     <message>
-        <source>Visits planned</source>
-        <translation>Visites planifiées</translation>
+        <source>coordinates are no degrees, and the file names no coordinate system: save it in WGS 84 (EPSG:4326)</source>
+        <translation>les coordonnées ne sont pas en degrés, et le fichier ne nomme aucun système de coordonnées : enregistrez-le en WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
-        <source>flown</source>
-        <translation>en vol</translation>
+        <source>coordinates look like degrees, but the file says they are metres: save it in WGS 84 (EPSG:4326)</source>
+        <translation>les coordonnées ressemblent à des degrés, mais le fichier dit qu&apos;elles sont en mètres : enregistrez-le en WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
-        <source>Distance planned</source>
-        <translation>Distance planifiée</translation>
+        <source>the coordinate system &quot;%1&quot; is not known: save the file in WGS 84 (EPSG:4326)</source>
+        <translation>le système de coordonnées « %1 » est inconnu : enregistrez le fichier en WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
-        <source>Time planned</source>
-        <translation>Temps planifié</translation>
+        <source>is not well-formed JSON</source>
+        <translation>n&apos;est pas du JSON bien formé</translation>
     </message>
     <message>
-        <source>aloft</source>
-        <translation>en l&apos;air</translation>
+        <source>links to another file, which is not read: import that file as well</source>
+        <translation>renvoie à un autre fichier, qui n&apos;est pas lu : importez aussi ce fichier</translation>
     </message>
     <message>
-        <source>Outside the geography</source>
-        <translation>Hors de la géographie</translation>
+        <source>the first document of the archive does not link to this one; it is read all the same</source>
+        <translation>le premier document de l&apos;archive ne renvoie pas à celui-ci ; il est lu quand même</translation>
     </message>
     <message>
-        <source>Iceberg</source>
-        <translation>Iceberg</translation>
+        <source>a document of the archive cannot be read</source>
+        <translation>un document de l&apos;archive ne peut pas être lu</translation>
     </message>
     <message>
-        <source>First seen</source>
-        <translation>Première observation</translation>
+        <source>airspace left out: it has no outline</source>
+        <translation>espace aérien omis : il n’a pas de contour</translation>
     </message>
     <message>
-        <source>Last seen</source>
-        <translation>Dernière observation</translation>
+        <source>outline left out: no airspace begins above it</source>
+        <translation>contour omis : aucun espace aérien ne commence au-dessus</translation>
     </message>
     <message>
-        <source>Longest unseen</source>
-        <translation>Plus longtemps non vu</translation>
+        <source>airspace left out: its outline encloses nothing</source>
+        <translation>espace aérien omis : son contour n’enferme rien</translation>
     </message>
     <message>
-        <source>σ at the end, m²</source>
-        <translation>σ à la fin, m²</translation>
+        <source>airspace left out: its ceiling is not above its floor</source>
+        <translation>espace aérien omis : son plafond n’est pas au-dessus de son plancher</translation>
     </message>
     <message>
-        <source>Something was changed in flight: the prediction was for another flight.</source>
-        <translation>Quelque chose a été modifié en vol : la prévision portait sur un autre vol.</translation>
+        <source>airspace left out: it is farther than 100 km</source>
+        <translation>espace aérien omis : il est à plus de 100 km</translation>
     </message>
     <message>
-        <source>None on record.</source>
-        <translation>Aucun écart enregistré.</translation>
+        <source>airspace left out: the scenario holds as many as it can</source>
+        <translation>espace aérien omis : le scénario ne peut pas en contenir plus</translation>
     </message>
     <message>
-        <source>Flight log: %1</source>
-        <translation>Journal de vol : %1</translation>
+        <source>airspace taken without a class</source>
+        <translation>espace aérien repris sans classe</translation>
     </message>
     <message>
-        <source>Sightings</source>
-        <translation>Observations</translation>
+        <source>airspace taken down to the sea: its floor is missing or cannot be read</source>
+        <translation>espace aérien repris jusqu’à la mer : son plancher manque ou est illisible</translation>
     </message>
     <message>
-        <source>Deviations</source>
-        <translation>Écarts</translation>
+        <source>airspace taken without end above: its ceiling is missing or cannot be read</source>
+        <translation>espace aérien repris sans limite vers le haut : son plafond manque ou est illisible</translation>
     </message>
     <message>
-        <source>and %1 more; all of them: export log-html</source>
-        <translation>et %1 de plus ; liste complète : exporter en log-html</translation>
+        <source>airspace taken with an outline round its own, which touches or crosses itself</source>
+        <translation>espace aérien repris avec un contour autour du sien, qui se touche ou se croise</translation>
     </message>
     <message>
-        <source>SHA-256 of the first plan as a file of the format wpl</source>
-        <translation>SHA-256 du premier plan en tant que fichier au format wpl</translation>
+        <source>airspace taken with an outline round its own, which has too many corners</source>
+        <translation>espace aérien repris avec un contour autour du sien, qui a trop de sommets</translation>
     </message>
     <message>
-        <source>Nothing was flown</source>
-        <translation>Aucun vol effectué</translation>
+        <source>line not understood and not used</source>
+        <translation>ligne non comprise et non utilisée</translation>
     </message>
     <message>
-        <source>95 % within</source>
-        <translation>95 % dans un rayon de</translation>
+        <source>has no time, although other sightings of this iceberg have one</source>
+        <translation>n&apos;a pas d&apos;heure, alors que d&apos;autres observations de cet iceberg en ont une</translation>
+    </message>
+    <message>
+        <source>lies outside the chosen area</source>
+        <translation>se trouve hors de la zone choisie</translation>
+    </message>
+    <message>
+        <source>was sighted outside the chosen time</source>
+        <translation>a été observé hors de la période choisie</translation>
+    </message>
+    <message>
+        <source>taken without a value that cannot be read</source>
+        <translation>pris sans une valeur illisible</translation>
+    </message>
+    <message>
+        <source>taken without a number that is out of range</source>
+        <translation>pris sans un nombre hors limites</translation>
+    </message>
+    <message>
+        <source>a range, a limit or an estimate is read as one number</source>
+        <translation>un intervalle, une limite ou une estimation est lu comme un seul nombre</translation>
+    </message>
+    <message>
+        <source>taken without its time, which cannot be read</source>
+        <translation>pris sans son heure, qui est illisible</translation>
+    </message>
+    <message>
+        <source>taken without a time, which it does not have</source>
+        <translation>pris sans heure, car il n&apos;en a pas</translation>
+    </message>
+    <message>
+        <source>taken without its time, which is years from all others</source>
+        <translation>pris sans son heure, qui est à des années de toutes les autres</translation>
+    </message>
+    <message>
+        <source>its time is moved by 1024 weeks, as a GPS clock has lost count of them</source>
+        <translation>son heure est déplacée de 1024 semaines, car une horloge GPS en a perdu le compte</translation>
+    </message>
+    <message>
+        <source>its id is too long and is shortened</source>
+        <translation>son identifiant est trop long et a été raccourci</translation>
+    </message>
+    <message>
+        <source>the wind must be two finite numbers</source>
+        <translation>le vent doit être donné par deux nombres finis</translation>
+    </message>
+    <message>
+        <source>the area must have from 3 to %1 corners, not %2</source>
+        <translation>la zone doit avoir de 3 à %1 sommets, et non %2</translation>
+    </message>
+    <message>
+        <source>the area must neither touch nor cross itself</source>
+        <translation>la zone ne doit ni se toucher ni se croiser elle-même</translation>
+    </message>
+    <message>
+        <source>a scenario holds at most %1 no-fly areas, not %2</source>
+        <translation>un scénario contient au plus %1 zones interdites, et non %2</translation>
+    </message>
+    <message>
+        <source>a scenario holds at most %1 airspace areas, not %2</source>
+        <translation>un scénario contient au plus %1 zones d&apos;espace aérien, et non %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of %2 already: each iceberg and UAV needs a unique id</source>
+        <translation>« %1 » est déjà l&apos;identifiant de %2 : chaque iceberg et chaque drone a besoin d&apos;un identifiant unique</translation>
+    </message>
+    <message>
+        <source>a scenario holds from 1 to %1 UAVs, not %2</source>
+        <translation>un scénario contient de 1 à %1 drones, et non %2</translation>
+    </message>
+    <message>
+        <source>a scenario holds at most %1 icebergs, not %2</source>
+        <translation>un scénario contient au plus %1 icebergs, et non %2</translation>
+    </message>
+    <message>
+        <source>must have one entry for each of the %1 times, not %2</source>
+        <translation>doit avoir une valeur pour chacun des %1 instants, et non %2</translation>
+    </message>
+    <message>
+        <source>there are %1 more errors</source>
+        <translation>il y a %1 erreurs de plus</translation>
+    </message>
+    <message>
+        <source>must not be longer than the run</source>
+        <translation>ne doit pas dépasser la durée du vol</translation>
+    </message>
+    <message>
+        <source>needs an area to stay inside</source>
+        <translation>a besoin d&apos;une zone dans laquelle rester</translation>
+    </message>
+    <message>
+        <source>a geofence has at most %1 corners, not %2</source>
+        <translation>une barrière virtuelle a au plus %1 sommets, et non %2</translation>
+    </message>
+    <message>
+        <source>with the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %1 corners, not %2</source>
+        <translation>avec la barrière virtuelle et l&apos;anneau de sécurité, les zones interdites à l&apos;altitude d&apos;un drone ont au plus %1 sommets, et non %2</translation>
+    </message>
+    <message>
+        <source>there is no UAV &quot;%1&quot; in this scenario</source>
+        <translation>il n&apos;y a pas de drone « %1 » dans ce scénario</translation>
+    </message>
+    <message>
+        <source>the wind must be slower than the UAV flies: wind of %1, airspeed of %2 %3</source>
+        <translation>le vent doit être plus lent que le drone : vent de %1, vitesse air de %2 %3</translation>
+    </message>
+    <message>
+        <source>the UAV will make little headway in this wind: wind of %1, airspeed of %2 %3</source>
+        <translation>le drone progressera peu dans ce vent : vent de %1, vitesse air de %2 %3</translation>
+    </message>
+    <message>
+        <source>must not be shorter than the time step</source>
+        <translation>ne doit pas être inférieur au pas de temps</translation>
+    </message>
+    <message>
+        <source>must be above the floor of %1, not %2</source>
+        <translation>doit être au-dessus du plancher de %1, et non %2</translation>
+    </message>
+    <message>
+        <source>the airspace &quot;%1&quot; ends before it begins</source>
+        <translation>l&apos;espace aérien « %1 » finit avant de commencer</translation>
+    </message>
+    <message>
+        <source>must be longer than reserve, climb and landing together, %2, not %1</source>
+        <translation>doit être plus long que la réserve, la montée et l&apos;atterrissage ensemble, %2, et non %1</translation>
+    </message>
+    <message>
+        <source>there are no icebergs yet, so there is nothing to plan</source>
+        <translation>il n&apos;y a pas encore d&apos;icebergs ; il n&apos;y a donc rien à planifier</translation>
+    </message>
+    <message>
+        <source>is after the end of the run, so the iceberg is never planned</source>
+        <translation>est après la fin du vol ; l&apos;iceberg n&apos;est donc jamais planifié</translation>
+    </message>
+    <message>
+        <source>icebergs outside the area are not monitored; the UAV may fly beyond it</source>
+        <translation>les icebergs hors de la zone ne sont pas surveillés ; le drone peut voler au-delà</translation>
+    </message>
+    <message>
+        <source>is used in flight only with the Kalman filter</source>
+        <translation>n&apos;est utilisé en vol qu&apos;avec le filtre de Kalman</translation>
+    </message>
+    <message>
+        <source>another UAV of this altitude layer starts so near that they fly apart first; let their altitudes differ by %1</source>
+        <translation>un autre drone de cette tranche d&apos;altitude part si près qu&apos;ils s&apos;écartent d&apos;abord ; séparez leurs altitudes de %1</translation>
+    </message>
+    <message>
+        <source>is too short to reach the nearest iceberg and return</source>
+        <translation>est trop courte pour atteindre l&apos;iceberg le plus proche et revenir</translation>
+    </message>
+    <message>
+        <source>for its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe</source>
+        <translation>compte tenu de son cap, le drone n&apos;a depuis son point de départ aucun trajet vers la base à l&apos;intérieur de la barrière virtuelle et hors des zones interdites : aucun départ n&apos;est sûr</translation>
+    </message>
+    <message>
+        <source>the UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time</source>
+        <translation>compte tenu de son cap, le drone part si près de la barrière virtuelle ou d&apos;une zone interdite qu&apos;il ne peut pas virer à temps</translation>
+    </message>
+    <message>
+        <source>is so near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to</source>
+        <translation>est si près de la barrière virtuelle, ou dans une zone interdite, que le drone ne peut pas s&apos;en approcher autant qu&apos;il le doit</translation>
+    </message>
+    <message>
+        <source>the time between two commands is too long for the UAV to follow a leg</source>
+        <translation>le temps entre deux commandes est trop long pour que le drone suive un segment</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: wind of %1, limit %2</source>
+        <translation>ne doit pas être dépassée : vent de %1, limite %2</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: gusts of %1, limit %2</source>
+        <translation>ne doit pas être dépassée : rafales de %1, limite %2</translation>
+    </message>
+    <message>
+        <source>this weather brings icing at its altitude, in which the UAV must not be flown</source>
+        <translation>cette météo apporte des conditions givrantes à son altitude, dans lesquelles le drone ne doit pas voler</translation>
+    </message>
+    <message>
+        <source>leaves less reserve than waiting for the other UAVs of the altitude layer may take, %1; separate altitudes, or a greater reserve, avoid it</source>
+        <translation>laisse moins de réserve que l&apos;attente des autres drones de la tranche d&apos;altitude ne peut en prendre, %1 ; des altitudes différentes ou une plus grande réserve l&apos;évitent</translation>
+    </message>
+    <message>
+        <source>keeps %1 free for a recovery slot, as other UAVs of the altitude layer land on the same pad; separate altitudes or pads avoid it</source>
+        <translation>garde %1 libre pour un créneau d&apos;atterrissage, car d&apos;autres drones de la tranche d&apos;altitude atterrissent sur la même aire ; des altitudes ou des aires différentes l&apos;évitent</translation>
+    </message>
+    <message>
+        <source>with the usual errors in wind and airspeed, 1 flight in 20 uses %1 or more of the reserve to come home</source>
+        <translation>avec les erreurs habituelles du vent et de la vitesse air, 1 vol sur 20 utilise %1 ou plus de la réserve pour rentrer à la base</translation>
+    </message>
+    <message>
+        <source>with the usual errors in wind and airspeed, in 1 flight in 20 the wind is too strong to come home</source>
+        <translation>avec les erreurs habituelles du vent et de la vitesse air, le vent est trop fort pour rentrer à la base dans 1 vol sur 20</translation>
+    </message>
+    <message>
+        <source>the plan leads out of the range of the ground station for %1</source>
+        <translation>le plan sort de la portée de la station sol pendant %1</translation>
+    </message>
+    <message>
+        <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2</source>
+        <translation>l&apos;opération peut entrer dans l&apos;espace aérien « %1 », qui commence à %2</translation>
+    </message>
+    <message>
+        <source>starts outside the area</source>
+        <translation>part de l&apos;extérieur de la zone</translation>
+    </message>
+    <message>
+        <source>lies where another iceberg lies: is it the same one?</source>
+        <translation>se trouve à la position d&apos;un autre iceberg : est-ce le même ?</translation>
+    </message>
+    <message>
+        <source>is too far away to reach before the run ends</source>
+        <translation>est trop loin pour être atteint avant la fin du vol</translation>
+    </message>
+    <message>
+        <source>the recorded track ends before the run does; from then on the iceberg stands still</source>
+        <translation>la trace enregistrée se termine avant le vol ; l&apos;iceberg reste ensuite immobile</translation>
+    </message>
+    <message>
+        <source>the recorded track begins so far from the estimate that the UAV will not see the iceberg there</source>
+        <translation>la trace enregistrée commence si loin de l&apos;estimation que le drone n&apos;y verra pas l&apos;iceberg</translation>
+    </message>
+    <message>
+        <source>the asset lies inside an iceberg</source>
+        <translation>le bien protégé se trouve à l&apos;intérieur d&apos;un iceberg</translation>
+    </message>
+    <message>
+        <source>more icebergs than can be proven optimal; the plan comes with a bound</source>
+        <translation>trop d&apos;icebergs pour prouver l&apos;optimum ; le plan est accompagné d&apos;une borne</translation>
+    </message>
+    <message>
+        <source>this policy plans icebergs one by one; nearby icebergs are not grouped</source>
+        <translation>cette stratégie planifie les icebergs un par un ; les icebergs proches ne sont pas groupés</translation>
+    </message>
+    <message>
+        <source>this solver cannot plan so many icebergs: choose Automatic (auto)</source>
+        <translation>ce solveur ne peut pas planifier autant d&apos;icebergs : choisissez Automatique (auto)</translation>
+    </message>
+    <message>
+        <source>is of no format that Bergwatch recognises; if it is a table, name its columns for latitude and longitude; known formats: %1</source>
+        <translation>n&apos;est dans aucun format que Bergwatch reconnaît ; si c&apos;est un tableau, indiquez ses colonnes de latitude et de longitude ; formats connus : %1</translation>
+    </message>
+    <message>
+        <source>latitude must be between -90 and 90, minutes below 60</source>
+        <translation>la latitude doit être de -90 à 90, les minutes inférieures à 60</translation>
+    </message>
+    <message>
+        <source>longitude must be between -180 and 360, minutes below 60</source>
+        <translation>la longitude doit être de -180 à 360, les minutes inférieures à 60</translation>
+    </message>
+    <message>
+        <source>iceberg %1</source>
+        <translation>iceberg %1</translation>
+    </message>
+    <message>
+        <source>UAV %1</source>
+        <translation>Drone %1</translation>
+    </message>
+    <message>
+        <source>%1 h before the start; the iceberg may be %2 from this position, %3 times the field of view</source>
+        <translation>%1 h avant le début ; l&apos;iceberg peut être à %2 de cette position, %3 fois le champ de vision</translation>
+    </message>
+    <message>
+        <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
+        <translation>un fichier contient un seul drone : %1 fichiers sont écrits, nommés d&apos;après les drones</translation>
+    </message>
+    <message>
+        <source>the scenario has no start time, so the file has no dates</source>
+        <translation>le scénario n&apos;a pas d&apos;heure de début ; le fichier n&apos;a donc pas de dates</translation>
+    </message>
+    <message>
+        <source>the geofence is left out: the format has no place for it</source>
+        <translation>la barrière virtuelle est omise : le format ne la prévoit pas</translation>
+    </message>
+    <message>
+        <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
+        <translation>les zones interdites et l&apos;anneau de sécurité sont omis : le format ne les prévoit pas</translation>
+    </message>
+    <message>
+        <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
+        <translation>les zones interdites n&apos;ont pas de hauteurs : celles à l&apos;altitude du drone sont écrites</translation>
+    </message>
+    <message>
+        <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
+        <translation>%1 peut tracer la barrière en faisant le tour du globe : elle franchit l&apos;antiméridien</translation>
+    </message>
+    <message>
+        <source>the places where icebergs were reached are written, not the track</source>
+        <translation>les lieux où les icebergs ont été atteints sont écrits, pas la trace</translation>
+    </message>
+    <message>
+        <source>the path becomes %1 waypoints within %2 m of it</source>
+        <translation>la trajectoire devient %1 points de cheminement à moins de %2 m d&apos;elle</translation>
+    </message>
+    <message>
+        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
+        <translation>%1 conserve les rayons d&apos;acceptation jusqu&apos;à %3 m : %2 m devient %3 m</translation>
+    </message>
+    <message>
+        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
+        <translation>%1 conserve les rayons d&apos;attente supérieurs à 255 m par pas de 10 m : %2 m devient %3 m</translation>
+    </message>
+    <message>
+        <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
+        <translation>%1 lit la vitesse de croisière en nombre entier : %2 m/s devient %3 m/s ; la vitesse dans la mission est exacte</translation>
+    </message>
+    <message>
+        <source>the file is about the whole flight, whatever is chosen to be exported</source>
+        <translation>le fichier porte sur tout le vol, quel que soit le choix à exporter</translation>
+    </message>
+    <message>
+        <source>UAVs without an iceberg to visit: %1</source>
+        <translation>Drones sans iceberg à visiter : %1</translation>
+    </message>
+    <message>
+        <source>straight legs that lead out of the geofence or through a no-fly area: %1; export the path instead, which leads round</source>
+        <translation>segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite : %1 ; exportez plutôt la trajectoire, qui les contourne</translation>
+    </message>
+    <message>
+        <source>only this sortie is exported; icebergs left for later sorties: %1</source>
+        <translation>seule cette sortie est exportée ; icebergs laissés aux sorties suivantes : %1</translation>
+    </message>
+    <message>
+        <source>nothing in the file depends on %1</source>
+        <translation>rien dans le fichier ne dépend de %1</translation>
+    </message>
+    <message>
+        <source>velocity unknown</source>
+        <translation>vitesse inconnue</translation>
+    </message>
+    <message>
+        <source>no time: counts as seen at the start</source>
+        <translation>sans heure : compte comme vu au départ</translation>
+    </message>
+    <message>
+        <source>velocity from the file</source>
+        <translation>vitesse tirée du fichier</translation>
+    </message>
+    <message>
+        <source>velocity limited to 5 m/s per axis</source>
+        <translation>vitesse limitée à 5 m/s par axe</translation>
+    </message>
+    <message>
+        <source>q estimated</source>
+        <translation>q estimé</translation>
+    </message>
+    <message>
+        <source>q limited to 10⁶ m²/s</source>
+        <translation>q limité à 10⁶ m²/s</translation>
+    </message>
+    <message>
+        <source>stationary</source>
+        <translation>stationnaire</translation>
+    </message>
+    <message>
+        <source>several sightings at one time</source>
+        <translation>plusieurs observations au même instant</translation>
+    </message>
+    <message>
+        <source>sightings at impossible places not used</source>
+        <translation>observations en des lieux impossibles, non utilisées</translation>
+    </message>
+    <message>
+        <source>recorded track attached</source>
+        <translation>trace enregistrée ajoutée</translation>
+    </message>
+    <message>
+        <source>no track: not sighted after the start</source>
+        <translation>aucune trace : pas observé après le début</translation>
+    </message>
+    <message>
+        <source>older than what the scenario has</source>
+        <translation>plus ancien que ce que contient le scénario</translation>
+    </message>
+    <message>
+        <source>sighted only after the start</source>
+        <translation>observé seulement après le début</translation>
+    </message>
+    <message>
+        <source>more than 1000 km from the origin at the start</source>
+        <translation>à plus de 1000 km de l&apos;origine au début</translation>
+    </message>
+    <message>
+        <source>the scenario is full</source>
+        <translation>le scénario est plein</translation>
+    </message>
+    <message>
+        <source>a UAV has this id</source>
+        <translation>un drone a cet identifiant</translation>
+    </message>
+    <message>
+        <source>the file&apos;s drift contradicts the positions: not used</source>
+        <translation>la dérive du fichier contredit les positions : ignorée</translation>
+    </message>
+    <message>
+        <source>faster than 1.5 m/s</source>
+        <translation>plus rapide que 1,5 m/s</translation>
+    </message>
+    <message>
+        <source>on land</source>
+        <translation>à terre</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) taken over</source>
+        <translation>
+            <numerusform>%n drone repris</numerusform>
+            <numerusform>%n drones repris</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>area taken over</source>
+        <translation>zone reprise</translation>
+    </message>
+    <message>
+        <source>area taken over as geofence</source>
+        <translation>zone reprise comme barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>asset taken over</source>
+        <translation>bien protégé repris</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no-fly area(s) taken over</source>
+        <translation>
+            <numerusform>%n zone interdite reprise</numerusform>
+            <numerusform>%n zones interdites reprises</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>UAVs, area and asset of the file not taken over: the scenario is in use</source>
+        <translation>drones, zone et bien protégé du fichier non repris : le scénario est en cours d&apos;utilisation</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) left out: too many</source>
+        <translation>
+            <numerusform>%n drone omis : trop nombreux</numerusform>
+            <numerusform>%n drones omis : trop nombreux</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>
+            <numerusform>%n drone omis : à plus de 1000 km à l&apos;est, à l&apos;ouest, au nord ou au sud de l&apos;origine</numerusform>
+            <numerusform>%n drones omis : à plus de 1000 km à l&apos;est, à l&apos;ouest, au nord ou au sud de l&apos;origine</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n area(s) left out: unreadable</source>
+        <translation>
+            <numerusform>%n zone omise : illisible</numerusform>
+            <numerusform>%n zones omises : illisibles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>area left out: too few or too many corners</source>
+        <translation>zone omise : trop peu ou trop de sommets</translation>
+    </message>
+    <message>
+        <source>area left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>zone omise : à plus de 1000 km à l&apos;est, à l&apos;ouest, au nord ou au sud de l&apos;origine</translation>
+    </message>
+    <message>
+        <source>area left out: it touches or crosses itself</source>
+        <translation>zone omise : elle se touche ou se croise elle-même</translation>
+    </message>
+    <message>
+        <source>area left out: it is in several parts</source>
+        <translation>zone omise : elle est en plusieurs parties</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further area(s) left out</source>
+        <translation>
+            <numerusform>%n autre zone omise</numerusform>
+            <numerusform>%n autres zones omises</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s) of the area left out</source>
+        <translation>
+            <numerusform>%n trou de la zone omis</numerusform>
+            <numerusform>%n trous de la zone omis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>area is no geofence: too many corners</source>
+        <translation>la zone n&apos;est pas une barrière virtuelle : trop de sommets</translation>
+    </message>
+    <message>
+        <source>area is no geofence: a UAV starts or lands outside</source>
+        <translation>la zone n&apos;est pas une barrière virtuelle : un drone part ou atterrit à l&apos;extérieur</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no-fly area(s) left out: a UAV starts or lands inside, or the heights are wrong</source>
+        <translation>
+            <numerusform>%n zone interdite omise : un drone y part ou y atterrit, ou les hauteurs sont fausses</numerusform>
+            <numerusform>%n zones interdites omises : un drone y part ou y atterrit, ou les hauteurs sont fausses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rally point(s) left out</source>
+        <translation>
+            <numerusform>%n point de ralliement omis</numerusform>
+            <numerusform>%n points de ralliement omis</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further asset(s) left out</source>
+        <translation>
+            <numerusform>%n autre bien protégé omis</numerusform>
+            <numerusform>%n autres biens protégés omis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>asset left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>bien protégé omis : à plus de 1000 km à l&apos;est, à l&apos;ouest, au nord ou au sud de l&apos;origine</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n number(s) out of range left out</source>
+        <translation>
+            <numerusform>%n nombre hors limites omis</numerusform>
+            <numerusform>%n nombres hors limites omis</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5532,7 +4253,7 @@ Zone adjacente %4</translation>
         <translation>Écrire map.png, zeta.png et sigma.png d&apos;un vol, ou du vol complet d&apos;un scénario, dans &lt;dossier&gt; ; avec --theme both, aussi map-dark.png, zeta-dark.png et sigma-dark.png.</translation>
     </message>
     <message>
-        <source>Overwrite files that exist.</source>
+        <source>Overwrite existing files.</source>
         <translation>Remplacer les fichiers existants.</translation>
     </message>
     <message>
@@ -5573,7 +4294,7 @@ Zone adjacente %4</translation>
         <translation>--pictures : le nom d&apos;un dossier manque.</translation>
     </message>
     <message>
-        <source>Opens the planner&apos;s window on a scenario; with --pictures it only draws.</source>
+        <source>Opens the window with a scenario; with --pictures it only writes pictures.</source>
         <translation>Ouvre la fenêtre du planificateur sur un scénario ; avec --pictures, le programme dessine seulement.</translation>
     </message>
     <message>
@@ -5589,7 +4310,7 @@ Zone adjacente %4</translation>
         <translation>Bergwatch s&apos;est arrêté brutalement : %1</translation>
     </message>
     <message>
-        <source>Render the window with the scenario into &lt;file&gt;, then end.</source>
+        <source>Write a picture of the window with the scenario to &lt;file&gt;, then exit.</source>
         <translation>Dessiner la fenêtre avec le scénario dans &lt;fichier&gt;, puis quitter.</translation>
     </message>
     <message>
@@ -5601,7 +4322,7 @@ Zone adjacente %4</translation>
         <translation>secondes</translation>
     </message>
     <message>
-        <source>Keep settings in &lt;file&gt; in place of your own.</source>
+        <source>Store settings in &lt;file&gt; instead of your own settings file.</source>
         <translation>Conserver les paramètres dans &lt;fichier&gt; au lieu des vôtres.</translation>
     </message>
     <message>
@@ -5617,7 +4338,7 @@ Zone adjacente %4</translation>
         <translation>--at : « %1 » n&apos;est pas un nombre de secondes.</translation>
     </message>
     <message>
-        <source>Name one scenario file at most; %1 were named.</source>
+        <source>Name at most one scenario file; %1 were named.</source>
         <translation>Indiquez au plus un fichier de scénario ; %1 ont été indiqués.</translation>
     </message>
     <message>
@@ -5629,7 +4350,7 @@ Zone adjacente %4</translation>
         <translation>Un scénario (.berg), un vol (.bergrun) ou une étude (.bergstudy).</translation>
     </message>
     <message>
-        <source>Write the manual as web pages and as PDF into &lt;folder&gt;, with the pictures there.</source>
+        <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
         <translation>Écrire le manuel en pages web et en PDF dans &lt;dossier&gt;, avec les images qui s&apos;y trouvent.</translation>
     </message>
     <message>
@@ -5637,7 +4358,7 @@ Zone adjacente %4</translation>
         <translation>--manual n&apos;accepte ni fichier de scénario, ni --pictures, ni --screenshot.</translation>
     </message>
     <message>
-        <source>Before the screenshot, wait so long at most for predictions and the lower bound.</source>
+        <source>Longest wait before the screenshot for predictions and the lower bound, in seconds.</source>
         <translation>Avant la capture d&apos;écran, attendre au plus ce temps les prévisions et la borne inférieure.</translation>
     </message>
     <message>
@@ -5697,7 +4418,7 @@ Zone adjacente %4</translation>
         </translation>
     </message>
     <message>
-        <source>The last UAV stays: a scenario has at least one.</source>
+        <source>The last UAV cannot be deleted: a scenario needs at least one.</source>
         <translation>Le dernier drone reste : un scénario en a au moins un.</translation>
     </message>
     <message numerus="yes">
@@ -5712,7 +4433,7 @@ Zone adjacente %4</translation>
         <translation>Il n&apos;y a pas d&apos;icebergs dans le presse-papiers.</translation>
     </message>
     <message>
-        <source>What is on the clipboard cannot be pasted. %1</source>
+        <source>The clipboard content cannot be pasted. %1</source>
         <translation>Le contenu du presse-papiers ne peut pas être collé. %1</translation>
     </message>
     <message numerus="yes">
@@ -5797,8 +4518,8 @@ Zone adjacente %4</translation>
         <translation>Incertitude σ</translation>
     </message>
     <message>
-        <source>Still to come, with its time</source>
-        <translation>À venir, avec son heure</translation>
+        <source>Appears later, with time</source>
+        <translation>Apparaît plus tard, avec son heure</translation>
     </message>
     <message>
         <source>Compared: %1</source>
@@ -5817,8 +4538,8 @@ Zone adjacente %4</translation>
         <translation>En vue</translation>
     </message>
     <message>
-        <source>To come</source>
-        <translation>À venir</translation>
+        <source>Appears later</source>
+        <translation>Plus tard</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -5845,7 +4566,7 @@ Zone adjacente %4</translation>
         <translation>En vue maintenant</translation>
     </message>
     <message>
-        <source>Lost: not where it should be</source>
+        <source>Lost: not found where expected</source>
         <translation>Perdu : pas à l&apos;endroit prévu</translation>
     </message>
     <message>
@@ -5853,7 +4574,7 @@ Zone adjacente %4</translation>
         <translation>Perdu</translation>
     </message>
     <message>
-        <source>Search for it given up</source>
+        <source>Search given up</source>
         <translation>Recherche abandonnée</translation>
     </message>
     <message>
@@ -5861,8 +4582,8 @@ Zone adjacente %4</translation>
         <translation>Abandonné</translation>
     </message>
     <message>
-        <source>Inside it with 95 %</source>
-        <translation>À l&apos;intérieur à 95 %</translation>
+        <source>95 % position circle</source>
+        <translation>Cercle de position à 95 %</translation>
     </message>
     <message>
         <source>95 % circle</source>
@@ -5897,8 +4618,8 @@ Zone adjacente %4</translation>
         <translation>Base</translation>
     </message>
     <message>
-        <source>Geofence: kept if the start is clear</source>
-        <translation>Barrière virtuelle : respectée si le départ en est dégagé</translation>
+        <source>Geofence (kept if the UAV starts inside it)</source>
+        <translation>Barrière virtuelle (respectée si le drone démarre à l&apos;intérieur)</translation>
     </message>
     <message>
         <source>Geofence</source>
@@ -5945,10 +4666,6 @@ Zone adjacente %4</translation>
         <translation>Attribué à un drone</translation>
     </message>
     <message>
-        <source>Point of no return: reserve needed beyond</source>
-        <translation>Point de non-retour : réserve nécessaire au-delà</translation>
-    </message>
-    <message>
         <source>Point of no return</source>
         <translation>Point de non-retour</translation>
     </message>
@@ -5977,7 +4694,7 @@ Zone adjacente %4</translation>
         <translation>Rapprochés</translation>
     </message>
     <message>
-        <source>Place to search, chance of finding</source>
+        <source>Place to search, probability of finding</source>
         <translation>Lieu à fouiller, probabilité de découverte</translation>
     </message>
     <message>
@@ -6033,8 +4750,16 @@ Zone adjacente %4</translation>
         <translation>Zone adjacente</translation>
     </message>
     <message>
-        <source>Close together: dot, or how many</source>
+        <source>Close together: dot or number</source>
         <translation>Rapprochés : point, ou leur nombre</translation>
+    </message>
+    <message>
+        <source>Later visits of the patrol</source>
+        <translation>Visites suivantes de la patrouille</translation>
+    </message>
+    <message>
+        <source>Patrol</source>
+        <translation>Patrouille</translation>
     </message>
 </context>
 <context>
@@ -6079,7 +4804,7 @@ Zone adjacente %4</translation>
 <context>
     <name>MapTools</name>
     <message>
-        <source>Drag moves the map, the wheel zooms. Esc leaves the tool.</source>
+        <source>Drag to move the map, turn the wheel to zoom. Esc leaves the tool.</source>
         <translation>Faire glisser déplace la carte, la molette zoome. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
@@ -6127,11 +4852,11 @@ Zone adjacente %4</translation>
         <translation>Total %1</translation>
     </message>
     <message>
-        <source>Click sets the next point, Enter ends the line, Backspace takes one back, Esc clears.</source>
+        <source>Click to set the next point. Enter ends the line, Backspace removes a point, Esc clears.</source>
         <translation>Un clic place le point suivant, Entrée termine la ligne, Retour arrière en retire un, Esc efface.</translation>
     </message>
     <message>
-        <source>Click begins another line. Esc clears this one.</source>
+        <source>Click to start another line. Esc clears this one.</source>
         <translation>Un clic commence une autre ligne. Esc efface celle-ci.</translation>
     </message>
     <message>
@@ -6166,10 +4891,6 @@ Zone adjacente %4</translation>
         <translation>Somme des σ, m²</translation>
     </message>
     <message>
-        <source>Zeta ζ, m² s</source>
-        <translation>Zêta ζ, m² s</translation>
-    </message>
-    <message>
         <source>Sum of σ</source>
         <translation>Somme des σ</translation>
     </message>
@@ -6182,7 +4903,7 @@ Zone adjacente %4</translation>
         <translation>σ, m²</translation>
     </message>
     <message>
-        <source>Nothing flown yet: Space flies the plan</source>
+        <source>Nothing flown yet. Press Space to fly the plan</source>
         <translation>Aucun vol encore : Espace exécute le plan</translation>
     </message>
     <message>
@@ -6218,7 +4939,7 @@ Zone adjacente %4</translation>
         <translation>Maintenant</translation>
     </message>
     <message>
-        <source>At %1 zeta grows by %2 m² s each second, since take-off by %3 on average.</source>
+        <source>At %1 zeta grows by %2 m² s per second; the mean since take-off is %3.</source>
         <translation>À %1, zêta augmente de %2 m² s par seconde ; depuis le décollage, de %3 en moyenne.</translation>
     </message>
     <message>
@@ -6230,7 +4951,7 @@ Zone adjacente %4</translation>
         <translation>Parcouru</translation>
     </message>
     <message>
-        <source>Distance flown by %1: %2.</source>
+        <source>Distance flown until %1: %2.</source>
         <translation>Distance parcourue à %1 : %2.</translation>
     </message>
     <message>
@@ -6324,6 +5045,10 @@ Zone adjacente %4</translation>
             <numerusform>À %1, l&apos;iceberg le plus incertain est %2 : %3 ; %n en vue.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zêta ζ, %1</translation>
+    </message>
 </context>
 <context>
     <name>MissionClockText</name>
@@ -6363,10 +5088,6 @@ Zone adjacente %4</translation>
         <translation>Ajoutez des icebergs avec leurs positions au fichier de scénario, puis redessinez la carte.</translation>
     </message>
     <message>
-        <source>Endurance left</source>
-        <translation>Autonomie restante</translation>
-    </message>
-    <message>
         <source>Closest so far</source>
         <translation>Plus proche jusqu&apos;ici</translation>
     </message>
@@ -6377,6 +5098,10 @@ Zone adjacente %4</translation>
     <message>
         <source>if home now</source>
         <translation>si retour maintenant</translation>
+    </message>
+    <message>
+        <source>Until the reserve</source>
+        <translation>Avant la réserve</translation>
     </message>
 </context>
 <context>
@@ -6413,15 +5138,15 @@ Zone adjacente %4</translation>
         <translation>Zone adjacente, largeur</translation>
     </message>
     <message>
-        <source>Flight geography: inside of the geofence.</source>
+        <source>Flight geography: inside the geofence.</source>
         <translation>Géographie de vol : intérieur de la barrière virtuelle.</translation>
     </message>
     <message>
-        <source>Flight geography: all places that a plan may lead to, and %1 m round them.</source>
+        <source>Flight geography: all places that a plan may reach, plus a margin of %1 m.</source>
         <translation>Géographie de vol : tous les lieux où un plan peut mener, et %1 m autour.</translation>
     </message>
     <message>
-        <source>Formulas and usual constants: calculator of Digisky 3.3.0, after the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
+        <source>Formulas and default constants: Digisky calculator 3.3.0, based on the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
         <translation>Formules et constantes usuelles : calculateur Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse ; pas le texte d&apos;une autorité.</translation>
     </message>
     <message>
@@ -6461,7 +5186,7 @@ Zone adjacente %4</translation>
         <translation>pas de vol</translation>
     </message>
     <message>
-        <source>Made by Bergwatch from the scenario. It says nothing about whether the operation may be flown.</source>
+        <source>Made by Bergwatch from the scenario. It does not imply that the operation may be flown.</source>
         <translation>Établi par Bergwatch à partir du scénario. Cela ne dit pas si l&apos;opération peut être effectuée.</translation>
     </message>
     <message>
@@ -6543,7 +5268,7 @@ Zone adjacente %4</translation>
         <translation>À l&apos;ouverture</translation>
     </message>
     <message>
-        <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
+        <source>Click a line to go to that state; the disk marks the saved one.</source>
         <translation>Cliquez sur une ligne pour y revenir ou y avancer ; la disquette marque ce qui est enregistré.</translation>
     </message>
     <message>
@@ -6666,71 +5391,71 @@ Zone adjacente %4</translation>
         <translation>Pôle Sud</translation>
     </message>
     <message>
-        <source>There is no place of this name here, and it is not a coordinate.</source>
+        <source>No known place has this name, and it is not a coordinate.</source>
         <translation>Aucun lieu de ce nom n&apos;existe ici, et ce n&apos;est pas une coordonnée.</translation>
     </message>
     <message>
-        <source>Several places are called like this.</source>
+        <source>Several places have this name.</source>
         <translation>Plusieurs lieux portent ce nom.</translation>
     </message>
     <message>
-        <source>A coordinate or the name of a place is needed.</source>
+        <source>Enter a coordinate or a place name.</source>
         <translation>Une coordonnée ou le nom d&apos;un lieu est nécessaire.</translation>
     </message>
     <message>
-        <source>This is not a coordinate. Such as 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
+        <source>This is not a coordinate. Examples: 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
         <translation>Ce n&apos;est pas une coordonnée. Exemples : 47° 03,2′ N 48° 06′ W, ou 47,05 -48,1.</translation>
     </message>
     <message>
-        <source>This is half a coordinate: latitude and longitude are needed.</source>
+        <source>This is half a coordinate. Enter latitude and longitude.</source>
         <translation>C&apos;est la moitié d&apos;une coordonnée : la latitude et la longitude sont nécessaires.</translation>
     </message>
     <message>
-        <source>This can be read in more than one way. Spaces and the letters N, S, E and W make it clear.</source>
+        <source>This coordinate is ambiguous. Add spaces and the letters N, S, E or W.</source>
         <translation>Cela peut se lire de plusieurs façons. Des espaces et les lettres N, S, E et W lèvent le doute.</translation>
     </message>
     <message>
-        <source>One half says which hemisphere it is in, the other does not.</source>
-        <translation>Une moitié indique son hémisphère, l&apos;autre non.</translation>
+        <source>Only one half states its hemisphere. Add N, S, E or W to the other.</source>
+        <translation>Une seule moitié indique son hémisphère. Ajoutez N, S, E ou W à l&apos;autre.</translation>
     </message>
     <message>
-        <source>Either a sign or a letter says which hemisphere, not both.</source>
+        <source>Use a sign or a hemisphere letter, not both.</source>
         <translation>L&apos;hémisphère est donné soit par un signe, soit par une lettre, mais pas les deux.</translation>
     </message>
     <message>
-        <source>One latitude and one longitude are needed, not two of a kind.</source>
+        <source>Enter one latitude and one longitude.</source>
         <translation>Une latitude et une longitude sont nécessaires, pas deux de la même sorte.</translation>
     </message>
     <message>
-        <source>Minutes and seconds are less than 60.</source>
+        <source>Minutes and seconds must be below 60.</source>
         <translation>Les minutes et les secondes sont inférieures à 60.</translation>
     </message>
     <message>
-        <source>Latitudes go from 90° S to 90° N.</source>
+        <source>Latitude must be between 90° S and 90° N.</source>
         <translation>Les latitudes vont de 90° S à 90° N.</translation>
     </message>
     <message>
-        <source>Longitudes go from 180° W to 180° E.</source>
+        <source>Longitude must be between 180° W and 180° E.</source>
         <translation>Les longitudes vont de 180° W à 180° E.</translation>
     </message>
     <message>
-        <source>There is no such place on the UTM or MGRS grid.</source>
+        <source>This position does not exist on the UTM or MGRS grid.</source>
         <translation>Ce lieu n&apos;existe pas dans la grille UTM ou MGRS.</translation>
     </message>
     <message>
-        <source>This is a longitude, a latitude is needed.</source>
+        <source>This is a longitude. Enter a latitude.</source>
         <translation>C&apos;est une longitude ; une latitude est nécessaire.</translation>
     </message>
     <message>
-        <source>This is a latitude, a longitude is needed.</source>
+        <source>This is a latitude. Enter a longitude.</source>
         <translation>C&apos;est une latitude ; une longitude est nécessaire.</translation>
     </message>
     <message>
-        <source>This is %1 from the origin of the scenario, which reaches %2.</source>
+        <source>This is %1 from the scenario&apos;s origin; the limit is %2.</source>
         <translation>C&apos;est à %1 de l&apos;origine du scénario, qui s&apos;étend jusqu&apos;à %2.</translation>
     </message>
     <message>
-        <source>Type one angle: a whole coordinate would put all of them at one place.</source>
+        <source>Enter one angle only: a whole coordinate would move all of them to one place.</source>
         <translation>Saisissez un seul angle : une coordonnée complète les placerait tous au même endroit.</translation>
     </message>
     <message>
@@ -6884,7 +5609,7 @@ Zone adjacente %4</translation>
         </translation>
     </message>
     <message>
-        <source>Click adds an iceberg, drag on to set its drift. Esc leaves the tool.</source>
+        <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
         <translation>Un clic ajoute un iceberg ; faites glisser ensuite pour régler sa dérive. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
@@ -6892,7 +5617,7 @@ Zone adjacente %4</translation>
         <translation>Placer le drone</translation>
     </message>
     <message>
-        <source>Let go to keep this heading. Esc takes it back.</source>
+        <source>Release to keep this heading. Esc cancels.</source>
         <translation>Relâchez pour garder ce cap. Esc annule.</translation>
     </message>
     <message>
@@ -6904,19 +5629,19 @@ Zone adjacente %4</translation>
         <translation>Placer le bien protégé</translation>
     </message>
     <message>
-        <source>Let go to place it here. Esc takes it back.</source>
+        <source>Release to place it here. Esc cancels.</source>
         <translation>Relâchez pour le placer ici. Esc annule.</translation>
     </message>
     <message>
-        <source>Click moves the asset here. Esc leaves the tool.</source>
+        <source>Click to move the asset here. Esc leaves the tool.</source>
         <translation>Un clic déplace le bien protégé ici. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
-        <source>Click places the protected asset. Esc leaves the tool.</source>
+        <source>Click to place the protected asset. Esc leaves the tool.</source>
         <translation>Un clic place le bien protégé. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
-        <source>Click adds an iceberg that appears here and now, drag on to set its drift. In flight that cannot be undone.</source>
+        <source>Click to add an iceberg that appears here now; drag to set its drift. In flight this cannot be undone.</source>
         <translation>Un clic ajoute un iceberg qui apparaît ici et maintenant ; faites glisser ensuite pour régler sa dérive. En vol, cela ne peut pas être annulé.</translation>
     </message>
     <message>
@@ -6924,11 +5649,11 @@ Zone adjacente %4</translation>
         <translation>Ajouter un drone</translation>
     </message>
     <message>
-        <source>Click places the UAV, drag on to turn it. With Ctrl it is another one. Esc leaves the tool.</source>
+        <source>Click to place the UAV; drag to set its heading. Ctrl+click adds another one. Esc leaves the tool.</source>
         <translation>Un clic place le drone ; faites glisser ensuite pour l&apos;orienter. Avec Ctrl, c&apos;en est un autre. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
-        <source>Click places %1, drag on to turn it. With Ctrl it is another UAV. Esc leaves the tool.</source>
+        <source>Click to place %1; drag to set its heading. Ctrl+click adds another UAV. Esc leaves the tool.</source>
         <translation>Un clic place %1 ; faites glisser ensuite pour l&apos;orienter. Avec Ctrl, c&apos;est un autre drone. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
@@ -6979,7 +5704,7 @@ Zone adjacente %4</translation>
         <translation>Borne inférieure : %1 m²</translation>
     </message>
     <message>
-        <source>Started from the plan before</source>
+        <source>Warm start from the previous plan</source>
         <translation>Calculé à partir du plan précédent</translation>
     </message>
     <message>
@@ -7031,7 +5756,7 @@ Zone adjacente %4</translation>
         <translation>Choisi un iceberg à la fois</translation>
     </message>
     <message>
-        <source>Following the route made before</source>
+        <source>Following the existing route</source>
         <translation>Suit la route établie auparavant</translation>
     </message>
     <message>
@@ -7105,7 +5830,7 @@ Zone adjacente %4</translation>
         <translation>Pas de plan pendant que le drone rentre, attend ou est au sol</translation>
     </message>
     <message>
-        <source>The wind is too strong to come home</source>
+        <source>The wind is too strong to return home</source>
         <translation>Le vent est trop fort pour rentrer à la base</translation>
     </message>
     <message>
@@ -7117,7 +5842,7 @@ Zone adjacente %4</translation>
         <translation>À la base avec %1 au-dessus de la réserve</translation>
     </message>
     <message>
-        <source>In 1 flight of 20 the wind is too strong to come home</source>
+        <source>In 1 flight in 20 the wind is too strong to return home</source>
         <translation>Dans 1 vol sur 20, le vent est trop fort pour rentrer à la base</translation>
     </message>
     <message>
@@ -7214,7 +5939,7 @@ Zone adjacente %4</translation>
         <translation>Boucle</translation>
     </message>
     <message>
-        <source>Weighs uncertainty seen early against the length of the path, by τ.</source>
+        <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
         <translation>Pondère par τ l&apos;incertitude vue tôt et la longueur du trajet.</translation>
     </message>
     <message>
@@ -7230,7 +5955,7 @@ Zone adjacente %4</translation>
         <translation>Va à l&apos;iceberg hors de vue le plus proche.</translation>
     </message>
     <message>
-        <source>Flies to the iceberg of the greatest uncertainty.</source>
+        <source>Flies to the most uncertain iceberg.</source>
         <translation>Va à l&apos;iceberg dont l&apos;incertitude est la plus grande.</translation>
     </message>
     <message>
@@ -7585,11 +6310,11 @@ Zone adjacente %4</translation>
         <translation>mesuré avec du bruit, vitesses connues</translation>
     </message>
     <message>
-        <source>measured with noise, velocities not known by 0.1 m/s</source>
+        <source>measured with noise, velocities uncertain by 0.1 m/s</source>
         <translation>mesuré avec du bruit, vitesses inconnues à 0.1 m/s</translation>
     </message>
     <message>
-        <source>measured with noise, with unknown velocities that change as those of icebergs do</source>
+        <source>measured with noise, unknown velocities that change like those of real icebergs</source>
         <translation>mesuré avec du bruit, vitesses inconnues qui changent comme celles des icebergs</translation>
     </message>
     <message>
@@ -7597,7 +6322,7 @@ Zone adjacente %4</translation>
         <translation>Champs aléatoires : %1, graines %2 à %3. Icebergs dans chacun : %4, dans %5 m × %6 m, dérivant à %7 m/s au plus</translation>
     </message>
     <message>
-        <source>σ at first %1 to %2 m², growing by q = %3 m²/s</source>
+        <source>initial σ of %1 to %2 m², growing by q = %3 m²/s</source>
         <translation>σ d’abord %1 à %2 m², croissant de q = %3 m²/s</translation>
     </message>
     <message>
@@ -7613,7 +6338,7 @@ Zone adjacente %4</translation>
         <translation>la graine du scénario, la même pour tous les réglages</translation>
     </message>
     <message>
-        <source>seeds for each scenario: %1, its own first, the same for every setting</source>
+        <source>seeds for each scenario: %1, starting with its own, the same for every setting</source>
         <translation>graines par scénario : %1, la sienne d’abord, les mêmes pour tous les réglages</translation>
     </message>
     <message>
@@ -7653,7 +6378,7 @@ Zone adjacente %4</translation>
         <translation>Machine</translation>
     </message>
     <message>
-        <source>Made</source>
+        <source>Created</source>
         <translation>Créé</translation>
     </message>
     <message>
@@ -7661,39 +6386,39 @@ Zone adjacente %4</translation>
         <translation>Durée de la dernière exécution</translation>
     </message>
     <message>
-        <source>How to make it again</source>
+        <source>How to reproduce this report</source>
         <translation>Comment la refaire</translation>
     </message>
     <message>
-        <source>This page holds the whole study, with every scenario, seed and result, and can be given to Bergwatch as a study file. From the results in it:</source>
+        <source>This page contains the whole study with every scenario, seed and result, and Bergwatch opens it as a study file. To make the page again from these results:</source>
         <translation>Cette page contient toute l’étude, avec chaque scénario, graine et résultat, et peut être donnée à Bergwatch comme fichier d’étude. À partir de ses résultats :</translation>
     </message>
     <message>
-        <source>Flown anew; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <source>To fly the study again; the results depend neither on the machine nor on the number of threads:</source>
         <translation>Volé de nouveau ; les nombres ne dépendent ni de la machine ni du nombre de fils d’exécution :</translation>
     </message>
     <message>
-        <source>Flown anew, with the scenario files by name; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <source>To fly the study again with your scenario files; the results depend neither on the machine nor on the number of threads:</source>
         <translation>Volé de nouveau, avec les fichiers de scénario par leur nom ; les nombres ne dépendent ni de la machine ni du nombre de fils d’exécution :</translation>
     </message>
     <message>
-        <source>ζ is the integral over the flight of the uncertainty σ of all icebergs together: less is better.</source>
+        <source>ζ is the total uncertainty σ of all icebergs, integrated over the flight. Lower is better.</source>
         <translation>ζ est l’intégrale sur le vol de l’incertitude σ de tous les icebergs : moins, c’est mieux.</translation>
     </message>
     <message>
-        <source>One case, so there is no spread to show.</source>
+        <source>There is only one case, so there is no spread to show.</source>
         <translation>Un seul cas : aucune dispersion à montrer.</translation>
     </message>
     <message>
-        <source>The line is the mean over the cases (%1), the bands hold the middle half and 80 % of them. Lines across are the means of policies that have no τ.</source>
+        <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
         <translation>La ligne est la moyenne des cas (%1), les bandes contiennent la moitié centrale et 80 % d’entre eux. Les lignes horizontales sont les moyennes des stratégies sans τ.</translation>
     </message>
     <message>
-        <source>Each case is compared with itself, on the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Left of 0 is better than the reference.</source>
+        <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
         <translation>Chaque cas est comparé à lui-même, sur les mêmes icebergs et le même bruit ; les barres sont les intervalles à 95 % de la moyenne (t de Student). À gauche de 0, c’est mieux que la référence.</translation>
     </message>
     <message>
-        <source>Not every τ is drawn; all are in the table.</source>
+        <source>Not every τ is drawn; the table contains all of them.</source>
         <translation>Tous les τ ne sont pas dessinés ; tous sont dans le tableau.</translation>
     </message>
     <message>
@@ -7709,11 +6434,11 @@ Zone adjacente %4</translation>
         <translation>Meilleur τ de chaque cas</translation>
     </message>
     <message>
-        <source>The τ with the lowest ζ of a case, chosen in hindsight: nobody knows it before the flight. Of equal ones the smallest counts.</source>
+        <source>The τ with the lowest ζ of a case, chosen in hindsight; it is not known before the flight. If several are equal, the smallest counts.</source>
         <translation>Le τ du ζ le plus bas d’un cas, choisi après coup : personne ne le connaît avant le vol. À égalité, le plus petit compte.</translation>
     </message>
     <message>
-        <source>Stuck: two icebergs at most as targets in the last half of the flight.</source>
+        <source>Stuck: at most two icebergs were targets in the second half of the flight.</source>
         <translation>Bloqué : deux icebergs au plus comme cibles dans la seconde moitié du vol.</translation>
     </message>
     <message>
@@ -7805,7 +6530,7 @@ Zone adjacente %4</translation>
         <translation>Part</translation>
     </message>
     <message>
-        <source>One case recommends no policy: fly more of them.</source>
+        <source>One case is too few to recommend a policy. Fly more cases.</source>
         <translation>Un seul cas ne recommande aucune stratégie : volez-en davantage.</translation>
     </message>
     <message>
@@ -7833,7 +6558,7 @@ Zone adjacente %4</translation>
         <translation>Incomplet.</translation>
     </message>
     <message>
-        <source>Missions flown: %1 of %2. Everything below is of the cases that every setting has flown: %3 of %4.</source>
+        <source>Missions flown: %1 of %2. The results below use only the cases that every setting has flown: %3 of %4.</source>
         <translation>Missions volées : %1 sur %2. Tout ce qui suit porte sur les cas que chaque réglage a volés : %3 sur %4.</translation>
     </message>
     <message>
@@ -7900,15 +6625,75 @@ Zone adjacente %4</translation>
         <source>Recommended: %1, %2 against %3, the closest other setting.</source>
         <translation>Recommandé : %1, %2 par rapport à %3, le réglage le plus proche.</translation>
     </message>
+    <message>
+        <source>Took off</source>
+        <translation>Décollage</translation>
+    </message>
+    <message>
+        <source>Landed</source>
+        <translation>Atterrissage</translation>
+    </message>
+    <message>
+        <source>Start, UTC</source>
+        <translation>Début, UTC</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>Until, UTC</source>
+        <translation>Fin, UTC</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Zeta flown</source>
+        <translation>Zêta du vol</translation>
+    </message>
+    <message>
+        <source>Predicted before take-off</source>
+        <translation>Prévu avant le décollage</translation>
+    </message>
+    <message>
+        <source>Plans made</source>
+        <translation>Plans établis</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Planifié par</translation>
+    </message>
+    <message>
+        <source>Distance planned</source>
+        <translation>Distance planifiée</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % dans un rayon de</translation>
+    </message>
+    <message>
+        <source>Something was changed in flight: the prediction was for another flight.</source>
+        <translation>Quelque chose a été modifié en vol : la prévision portait sur un autre vol.</translation>
+    </message>
+    <message>
+        <source>and %1 more; all of them: export log-html</source>
+        <translation>et %1 de plus ; liste complète : exporter en log-html</translation>
+    </message>
+    <message>
+        <source>Nothing was flown</source>
+        <translation>Aucun vol effectué</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
     <message>
-        <source>Let go to place it here. Esc takes the move back.</source>
+        <source>Release to place it here. Esc cancels.</source>
         <translation>Relâchez pour le placer ici. Esc annule le déplacement.</translation>
     </message>
     <message>
-        <source>Locked while a flight is under way. Stop the flight to change the scenario.</source>
+        <source>The scenario is locked during a flight. Stop the flight to change it.</source>
         <translation>Verrouillé pendant un vol. Arrêtez le vol pour modifier le scénario.</translation>
     </message>
     <message>
@@ -7916,15 +6701,15 @@ Zone adjacente %4</translation>
         <translation>Tout ce qui est dans le cadre est sélectionné.</translation>
     </message>
     <message>
-        <source>Click selects, drag moves. Ctrl adds, a drag on water selects what is inside the frame.</source>
+        <source>Click to select, drag to move. Ctrl+click adds; drag on open water to select a box.</source>
         <translation>Un clic sélectionne, faire glisser déplace. Ctrl ajoute ; faire glisser sur l&apos;eau sélectionne ce qui est dans le cadre.</translation>
     </message>
     <message>
-        <source>Click selects. In flight the tip of the wind&apos;s arrow and the asset can be dragged.</source>
+        <source>Click to select. In flight you can drag the tip of the wind arrow and the asset.</source>
         <translation>Un clic sélectionne. En vol, la pointe de la flèche du vent et le bien protégé peuvent être déplacés.</translation>
     </message>
     <message>
-        <source>Click selects. Stop and edit to change the scenario.</source>
+        <source>Click to select. Choose Stop and edit to change the scenario.</source>
         <translation>Un clic sélectionne. « Arrêter et modifier » permet de modifier le scénario.</translation>
     </message>
 </context>
@@ -8001,6 +6786,167 @@ Zone adjacente %4</translation>
         <source>%1, 95 % within %2</source>
         <translation>%1, 95 % dans un rayon de %2</translation>
     </message>
+    <message>
+        <source>AIS</source>
+        <translation>AIS</translation>
+    </message>
+    <message>
+        <source>aircraft</source>
+        <translation>avion</translation>
+    </message>
+</context>
+<context>
+    <name>StudyTables</name>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Meilleur τ de chaque cas</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <comment>from, to</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
+        <translation>Le τ de plus faible ζ de chaque cas, choisi a posteriori : médiane %1, quartiles %2 et %3.</translation>
+    </message>
+    <message>
+        <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
+        <translation>Inférieur à la référence dans %1 cas sur %2, pire %3. En moyenne %4 visites.</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>bloqué</translation>
+    </message>
+    <message>
+        <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
+        <translation>%1 visites, %2 plans, %3 parcourus. Entrée ou un double-clic ouvre ce vol.</translation>
+    </message>
+    <message>
+        <source>Random %1</source>
+        <comment>scenario drawn from a seed</comment>
+        <translation>Aléatoire %1</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Mean ζ</source>
+        <translation>ζ moyen</translation>
+    </message>
+    <message>
+        <source>Median ζ</source>
+        <translation>ζ médian</translation>
+    </message>
+    <message>
+        <source>Quartiles</source>
+        <translation>Quartiles</translation>
+    </message>
+    <message>
+        <source>vs reference</source>
+        <translation>Écart à la réf.</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>Intervalle à 95 %</translation>
+    </message>
+    <message>
+        <source>Best in</source>
+        <translation>Meilleur dans</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Bloqué</translation>
+    </message>
+    <message>
+        <source>How the next iceberg is chosen.</source>
+        <translation>Comment l&apos;iceberg suivant est choisi.</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
+        <translation>Incertitude cumulée en m² s, moyenne de tous les cas : une valeur plus faible est meilleure.</translation>
+    </message>
+    <message>
+        <source>Half of the cases have less.</source>
+        <translation>La moitié des cas en a moins.</translation>
+    </message>
+    <message>
+        <source>A quarter of the cases has less than the first, a quarter more than the second.</source>
+        <translation>Un quart des cas en a moins que le premier, un quart plus que le second.</translation>
+    </message>
+    <message>
+        <source>Mean of the differences, case by case, in per cent of the reference.</source>
+        <translation>Moyenne des différences, cas par cas, en pour cent de la référence.</translation>
+    </message>
+    <message>
+        <source>Confidence interval of the mean difference by Student&apos;s t.</source>
+        <translation>De la différence moyenne : intervalle de confiance selon la loi de Student.</translation>
+    </message>
+    <message>
+        <source>Cases in which no other setting has less ζ.</source>
+        <translation>Cas où aucun autre réglage n&apos;a un ζ plus faible.</translation>
+    </message>
+    <message>
+        <source>Cases that visit at most two icebergs in the second half.</source>
+        <translation>Cas qui vont vers deux icebergs au plus dans la seconde moitié.</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Cas</translation>
+    </message>
+    <message>
+        <source>Noise seed</source>
+        <translation>Graine du bruit</translation>
+    </message>
+    <message>
+        <source>ζ, m² s</source>
+        <translation>ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Best τ</source>
+        <translation>Meilleur τ</translation>
+    </message>
+    <message>
+        <source>Best of all</source>
+        <translation>Meilleur de tous</translation>
+    </message>
+    <message>
+        <source>Name of the scenario, or the seed it was drawn from.</source>
+        <translation>Nom du scénario, ou graine dont il a été tiré.</translation>
+    </message>
+    <message>
+        <source>Seed of the true drift, the same for every setting.</source>
+        <translation>Ce dont la dérive réelle a été tirée : la même pour chaque réglage.</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty of this flight: less is better.</source>
+        <translation>Incertitude cumulée de ce vol : une valeur plus faible est meilleure.</translation>
+    </message>
+    <message>
+        <source>Compared with the flight of this case with the reference.</source>
+        <translation>Comparé au vol de ce cas avec la référence.</translation>
+    </message>
+    <message>
+        <source>The τ with the lowest ζ in this case, in hindsight.</source>
+        <translation>Le τ de plus faible ζ dans ce cas, a posteriori.</translation>
+    </message>
+    <message>
+        <source>The setting with the lowest ζ in this case.</source>
+        <translation>Le réglage de plus faible ζ dans ce cas.</translation>
+    </message>
+    <message>
+        <source>Visits at most two icebergs in the second half.</source>
+        <translation>Va vers deux icebergs au plus dans la seconde moitié.</translation>
+    </message>
 </context>
 <context>
     <name>TimeChartText</name>
@@ -8020,7 +6966,7 @@ Zone adjacente %4</translation>
 <context>
     <name>TimeEntry</name>
     <message>
-        <source>Day and month of &quot;%1&quot; can be read either way. Type it like 2026-11-29 12:00.</source>
+        <source>The day and month of &quot;%1&quot; are ambiguous. Type the date like 2026-11-29 12:00.</source>
         <translation>Le jour et le mois de « %1 » peuvent se lire de deux façons. Écrivez-le comme 2026-11-29 12:00.</translation>
     </message>
     <message>
@@ -8057,18 +7003,18 @@ towards %2</source>
 vers le %2</translation>
     </message>
     <message>
-        <source>The arrow points where the wind blows to; the ring is the airspeed of %1, beyond the dashed one the UAV makes little way against the wind.</source>
-        <translation>La flèche pointe vers où souffle le vent ; le cercle est la vitesse air de %1 ; au-delà du cercle en tirets, le drone progresse peu contre le vent.</translation>
+        <source>The arrow points downwind. The ring is the airspeed of the slowest UAV (%1); beyond the dashed ring UAVs make little headway.</source>
+        <translation>La flèche pointe vers où souffle le vent. Le cercle est la vitesse air du drone le plus lent (%1) ; au-delà du cercle en tirets, les drones progressent peu contre le vent.</translation>
     </message>
     <message>
-        <source>The thin line in the middle of a leg is the heading flown there.</source>
-        <translation>Le trait fin au milieu d&apos;un segment est le cap qui y est suivi.</translation>
+        <source>The small aircraft in the middle of a leg shows the heading flown there.</source>
+        <translation>Le petit avion au milieu d&apos;un segment montre le cap qui y est suivi.</translation>
     </message>
 </context>
 <context>
     <name>WorkFailureText</name>
     <message>
-        <source>There is not enough memory for this. Close other programs, or ask for less.</source>
+        <source>Not enough memory. Close other programs or choose a smaller task.</source>
         <translation>La mémoire est insuffisante pour cela. Fermez d&apos;autres programmes ou réduisez la demande.</translation>
     </message>
     <message>
@@ -8083,7 +7029,7 @@ vers le %2</translation>
         <translation>Acquitter</translation>
     </message>
     <message>
-        <source>Takes it off this list. It comes back when it was over and happens again.</source>
+        <source>Removes this notice. It returns if the condition ends and occurs again.</source>
         <translation>Retire l&apos;élément de cette liste. Il revient s&apos;il avait cessé et se produit de nouveau.</translation>
     </message>
     <message>
@@ -8091,7 +7037,7 @@ vers le %2</translation>
         <translation>Continuer d&apos;ici</translation>
     </message>
     <message>
-        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another path flown.</source>
+        <source>Discards the flight after this instant. From here you can change the trade-off and the policy and fly another path.</source>
         <translation>Abandonne la partie du vol postérieure à cet instant. À partir d&apos;ici, le compromis et la stratégie peuvent être modifiés et une autre trajectoire suivie.</translation>
     </message>
     <message>
@@ -8099,7 +7045,7 @@ vers le %2</translation>
         <translation>Revenir au dernier instant</translation>
     </message>
     <message>
-        <source>Back to the end of what is flown.</source>
+        <source>Goes to the latest instant of the flight.</source>
         <translation>Revient à la fin du vol effectué.</translation>
     </message>
     <message>
@@ -8107,15 +7053,15 @@ vers le %2</translation>
         <translation>Vérifications</translation>
     </message>
     <message>
-        <source>Lists everything that is found about the scenario.</source>
+        <source>Lists all findings in the scenario.</source>
         <translation>Énumère tout ce qui est constaté sur le scénario.</translation>
     </message>
     <message>
-        <source>Bring it back</source>
-        <translation>Le rétablir</translation>
+        <source>Restore</source>
+        <translation>Rétablir</translation>
     </message>
     <message>
-        <source>Takes up the flight where it was left.</source>
+        <source>Continues the flight where it was left.</source>
         <translation>Reprend le vol là où il a été laissé.</translation>
     </message>
     <message>
@@ -8138,7 +7084,7 @@ vers le %2</translation>
         </translation>
     </message>
     <message>
-        <source>Click shows it.</source>
+        <source>Click to show it on the map.</source>
         <translation>Un clic l&apos;affiche.</translation>
     </message>
     <message>
@@ -8157,16 +7103,31 @@ vers le %2</translation>
         <translation>Cartes (*.geojson *.json *.kml *.kmz);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>%1 holds no places, lines or polygons</source>
+        <source>%1 contains no points, lines or polygons</source>
         <translation>%1 ne contient ni lieux, ni lignes, ni polygones</translation>
     </message>
     <message>
-        <source>The background %1 cannot be read</source>
+        <source>The background map %1 cannot be read</source>
         <translation>Le fond de carte %1 ne peut pas être lu</translation>
     </message>
     <message>
         <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
         <translation>%1 n&apos;est ni du GeoJSON ni du KML. Convertissez-le avec un logiciel de cartographie, par exemple QGIS, et choisissez-le de nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::BenchmarkController</name>
+    <message>
+        <source>Solve time</source>
+        <translation>Temps de résolution</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tableaux (*.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
     </message>
 </context>
 <context>
@@ -8176,7 +7137,7 @@ vers le %2</translation>
         <translation>Graphique</translation>
     </message>
     <message>
-        <source>What is shown over time</source>
+        <source>Quantity shown over time</source>
         <translation>Ce qui est affiché au cours du temps</translation>
     </message>
     <message>
@@ -8184,7 +7145,7 @@ vers le %2</translation>
         <translation>Courbes</translation>
     </message>
     <message>
-        <source>Which lines are shown</source>
+        <source>Choose the lines to show</source>
         <translation>Courbes affichées</translation>
     </message>
     <message>
@@ -8255,7 +7216,7 @@ vers le %2</translation>
         <translation>Erreur : à corriger avant de planifier</translation>
     </message>
     <message>
-        <source>Warning: probably not what you want</source>
+        <source>Warning: probably not intended</source>
         <translation>Avertissement : probablement pas ce que vous voulez</translation>
     </message>
     <message>
@@ -8285,11 +7246,7 @@ vers le %2</translation>
         <translation>Comparaison de l&apos;incertitude cumulée</translation>
     </message>
     <message>
-        <source>Zeta ζ, m² s</source>
-        <translation>Zêta ζ, m² s</translation>
-    </message>
-    <message>
-        <source>The comparison of runs of one scenario is shown here.</source>
+        <source>This chart compares runs of one scenario.</source>
         <translation>La comparaison de vols d&apos;un même scénario est affichée ici.</translation>
     </message>
     <message>
@@ -8309,6 +7266,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Time, UTC</source>
         <translation>Heure, UTC</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zêta ζ, %1</translation>
     </message>
 </context>
 <context>
@@ -8370,7 +7331,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Retirer</translation>
     </message>
     <message>
-        <source>Takes the chosen run off the list.</source>
+        <source>Removes the chosen run from the list.</source>
         <translation>Retire le vol choisi de la liste.</translation>
     </message>
     <message>
@@ -8522,7 +7483,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Différences par rapport à la référence</translation>
     </message>
     <message>
-        <source>Here each setting is compared with a reference, case by case.</source>
+        <source>This chart compares each setting with a reference, case by case.</source>
         <translation>Chaque réglage est comparé ici à une référence, cas par cas.</translation>
     </message>
     <message>
@@ -8704,20 +7665,20 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Impossible</translation>
     </message>
     <message>
-        <source>Everything that was asked for is in the file.</source>
-        <translation>Tout ce qui était demandé est dans le fichier.</translation>
-    </message>
-    <message>
         <source>%1, %2, to %3</source>
         <translation>%1, %2, jusqu&apos;à %3</translation>
     </message>
     <message>
-        <source>There already: you will be asked before anything is lost.</source>
+        <source>The file exists. Bergwatch asks before it overwrites it.</source>
         <translation>Existe déjà : une confirmation sera demandée avant toute perte.</translation>
     </message>
     <message>
         <source>Working ...</source>
         <translation>Traitement en cours…</translation>
+    </message>
+    <message>
+        <source>Nothing was changed or left out.</source>
+        <translation>Rien n&apos;a été modifié ni omis.</translation>
     </message>
 </context>
 <context>
@@ -8838,12 +7799,811 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Fichier</translation>
     </message>
     <message>
-        <source>The page as it is written</source>
+        <source>Preview of the page</source>
         <translation>La page telle qu&apos;elle est écrite</translation>
     </message>
     <message>
         <source>Page</source>
         <translation>Page</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Fields</name>
+    <message>
+        <source>Id</source>
+        <translation>Identifiant</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Shown on the map in place of the id.</source>
+        <translation>Affiché sur la carte à la place de l&apos;identifiant.</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Est</translation>
+    </message>
+    <message>
+        <source>Position at the start, east of the scenario&apos;s origin.</source>
+        <translation>Position au début, à l&apos;est de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Position at the start, north of the scenario&apos;s origin.</source>
+        <translation>Position au début, au nord de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Cap</translation>
+    </message>
+    <message>
+        <source>Clockwise from north, at the start.</source>
+        <translation>Dans le sens horaire à partir du nord, au début.</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Vitesse air</translation>
+    </message>
+    <message>
+        <source>Must exceed the wind speed.</source>
+        <translation>Toujours supérieure à celle du vent.</translation>
+    </message>
+    <message>
+        <source>Maximum bank angle</source>
+        <translation>Inclinaison maximale</translation>
+    </message>
+    <message>
+        <source>Bank in a turn; the larger, the tighter the turns.</source>
+        <translation>Inclinaison latérale en virage ; plus elle est grande, plus les virages sont serrés.</translation>
+    </message>
+    <message>
+        <source>View along-track</source>
+        <translation>Champ longitudinal</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view along the heading.</source>
+        <translation>Étendue du champ de vision dans le sens du cap.</translation>
+    </message>
+    <message>
+        <source>View cross-track</source>
+        <translation>Champ transversal</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view across the heading.</source>
+        <translation>Étendue du champ de vision en travers du cap.</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Altitude</translation>
+    </message>
+    <message>
+        <source>Height above sea level. UAVs at least %1 apart in height may pass each other.</source>
+        <translation>Hauteur au-dessus de la mer : les drones dont l&apos;altitude diffère de %1 peuvent se croiser.</translation>
+    </message>
+    <message>
+        <source>unlimited</source>
+        <translation>illimitée</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Autonomie</translation>
+    </message>
+    <message>
+        <source>Longest flight; the UAV is home before it ends. At 0 it lands only when ordered to return.</source>
+        <translation>Vol le plus long : il est à la base avant ; à 0, il ne se pose que sur ordre de retour.</translation>
+    </message>
+    <message>
+        <source>Home east</source>
+        <translation>Base est</translation>
+    </message>
+    <message>
+        <source>Landing place, east of the scenario&apos;s origin.</source>
+        <translation>Lieu d&apos;atterrissage, à l&apos;est de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>Home north</source>
+        <translation>Base nord</translation>
+    </message>
+    <message>
+        <source>Landing place, north of the scenario&apos;s origin.</source>
+        <translation>Lieu d&apos;atterrissage, au nord de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>Turn-around</source>
+        <translation>Temps au sol</translation>
+    </message>
+    <message>
+        <source>Time on the ground between landing and the next take-off.</source>
+        <translation>Temps au sol entre l&apos;atterrissage et le décollage suivant.</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Réserve</translation>
+    </message>
+    <message>
+        <source>Share of the endurance that plans leave unused.</source>
+        <translation>Part de l&apos;autonomie qu&apos;aucun vol ne prévoit d&apos;utiliser.</translation>
+    </message>
+    <message>
+        <source>by percentage</source>
+        <translation>en pourcentage</translation>
+    </message>
+    <message>
+        <source>Fixed reserve</source>
+        <translation>Réserve fixe</translation>
+    </message>
+    <message>
+        <source>Reserve as a time, in place of the percentage.</source>
+        <translation>Un temps au lieu du pourcentage.</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>Montée</translation>
+    </message>
+    <message>
+        <source>Time from take-off to the flight altitude.</source>
+        <translation>Temps du décollage à l&apos;altitude de vol.</translation>
+    </message>
+    <message>
+        <source>Landing</source>
+        <translation>Atterrissage</translation>
+    </message>
+    <message>
+        <source>Time from the flight altitude above home to the ground.</source>
+        <translation>Temps de l&apos;altitude de vol, au-dessus de la base, jusqu&apos;au sol.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Wind limit</source>
+        <translation>Limite de vent</translation>
+    </message>
+    <message>
+        <source>Strongest wind in which the UAV may fly.</source>
+        <translation>Vent le plus fort dans lequel il vole.</translation>
+    </message>
+    <message>
+        <source>Gust limit</source>
+        <translation>Limite de rafales</translation>
+    </message>
+    <message>
+        <source>Strongest gusts in which the UAV may fly.</source>
+        <translation>Rafales les plus fortes dans lesquelles il vole.</translation>
+    </message>
+    <message>
+        <source>Icing conditions</source>
+        <translation>Conditions givrantes</translation>
+    </message>
+    <message>
+        <source>Whether the UAV may fly below 0 °C in nearly saturated air.</source>
+        <translation>Indique s&apos;il peut voler sous 0 °C dans un air presque saturé.</translation>
+    </message>
+    <message>
+        <source>each time step</source>
+        <translation>à chaque pas de temps</translation>
+    </message>
+    <message>
+        <source>Autopilot rate</source>
+        <translation>Cadence de l&apos;autopilote</translation>
+    </message>
+    <message>
+        <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
+        <translation>Temps entre deux commandes de l&apos;autopilote ; à 0, il commande à chaque pas de temps.</translation>
+    </message>
+    <message>
+        <source>Drift east</source>
+        <translation>Dérive est</translation>
+    </message>
+    <message>
+        <source>Known drift to the east, without the current.</source>
+        <translation>Dérive connue vers l&apos;est ; le courant s&apos;y ajoute.</translation>
+    </message>
+    <message>
+        <source>Drift north</source>
+        <translation>Dérive nord</translation>
+    </message>
+    <message>
+        <source>Known drift to the north, without the current.</source>
+        <translation>Dérive connue vers le nord ; le courant s&apos;y ajoute.</translation>
+    </message>
+    <message>
+        <source>Drift error</source>
+        <translation>Erreur de dérive</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of the known drift, along each axis.</source>
+        <translation>Écart-type de l&apos;erreur de la dérive connue, selon chaque axe.</translation>
+    </message>
+    <message>
+        <source>Drift variation</source>
+        <translation>Variabilité de la dérive</translation>
+    </message>
+    <message>
+        <source>Long-term standard deviation of the drift about the current, along each axis. Example, a beacon off Canada: 0.15 m/s.</source>
+        <translation>Écart-type de sa dérive à long terme, selon chaque axe, autour de celle du courant. Une balise au large du Canada : 0,15 m/s.</translation>
+    </message>
+    <message>
+        <source>Drift time constant</source>
+        <translation>La dérive change en</translation>
+    </message>
+    <message>
+        <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
+        <translation>Temps au bout duquel une dérive qui était connue ne l&apos;est plus : elle tend vers le courant. 0 : la dérive est constante. Une balise au large du Canada : 36 000 s.</translation>
+    </message>
+    <message>
+        <source>Growth q</source>
+        <translation>Croissance q</translation>
+    </message>
+    <message>
+        <source>Growth of the uncertainty per second out of view.</source>
+        <translation>Croissance de l&apos;incertitude par seconde hors de vue.</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ₀</source>
+        <translation>Incertitude σ₀</translation>
+    </message>
+    <message>
+        <source>Variance of the position when it was last seen.</source>
+        <translation>Variance de la position lors de la dernière observation.</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Dernière observation</translation>
+    </message>
+    <message>
+        <source>Time between the last sighting and the start; σ has grown since.</source>
+        <translation>Temps entre la dernière observation et le début ; σ a augmenté depuis.</translation>
+    </message>
+    <message>
+        <source>Appears at</source>
+        <translation>Apparaît à</translation>
+    </message>
+    <message>
+        <source>Run time from which the iceberg is known; 0 is the start.</source>
+        <translation>Instant du vol à partir duquel il est connu ; 0 est le début.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Half its length. It sets the size on the map and how far outside the area the iceberg is monitored.</source>
+        <translation>La moitié de sa longueur : sa taille sur la carte, et jusqu&apos;à quelle distance hors de la zone il est encore surveillé.</translation>
+    </message>
+    <message>
+        <source>Visited by</source>
+        <translation>Visité par</translation>
+    </message>
+    <message>
+        <source>The only UAV that may visit it.</source>
+        <translation>Le seul drone qui doit le visiter.</translation>
+    </message>
+    <message>
+        <source>Speed east</source>
+        <translation>Vitesse est</translation>
+    </message>
+    <message>
+        <source>Speed of a ship to the east; 0 for a platform.</source>
+        <translation>Vitesse d&apos;un navire vers l&apos;est ; 0 pour une plateforme.</translation>
+    </message>
+    <message>
+        <source>Speed north</source>
+        <translation>Vitesse nord</translation>
+    </message>
+    <message>
+        <source>Speed of a ship to the north; 0 for a platform.</source>
+        <translation>Vitesse d&apos;un navire vers le nord ; 0 pour une plateforme.</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Rayon d&apos;influence</translation>
+    </message>
+    <message>
+        <source>Distance within which icebergs matter to the asset.</source>
+        <translation>Distance à laquelle un iceberg le concerne.</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Pondération</translation>
+    </message>
+    <message>
+        <source>Additional weight of an iceberg at the asset.</source>
+        <translation>De combien un iceberg proche de lui compte davantage.</translation>
+    </message>
+    <message>
+        <source>half the range</source>
+        <translation>moitié du rayon d&apos;influence</translation>
+    </message>
+    <message>
+        <source>Inner ring</source>
+        <translation>Anneau intérieur</translation>
+    </message>
+    <message>
+        <source>An iceberg predicted to enter it within an hour raises an alarm. At 0 it is half the range.</source>
+        <translation>Un iceberg qui doit y entrer dans l&apos;heure déclenche une alarme ; à 0, c&apos;est la moitié du rayon d&apos;influence.</translation>
+    </message>
+    <message>
+        <source>Stand-off ring</source>
+        <translation>Distance de sécurité</translation>
+    </message>
+    <message>
+        <source>Least distance of UAVs from the asset; for a ship, from its whole track.</source>
+        <translation>Aucun drone ne s&apos;en approche davantage ; pour un navire, cela vaut pour toute sa route.</translation>
+    </message>
+    <message>
+        <source>Stand-off ceiling</source>
+        <translation>Plafond de sécurité</translation>
+    </message>
+    <message>
+        <source>Height above which UAVs may cross the ring.</source>
+        <translation>Au-dessus, les drones peuvent survoler l&apos;anneau.</translation>
+    </message>
+    <message>
+        <source>Shown on the map.</source>
+        <translation>Affiché sur la carte.</translation>
+    </message>
+    <message>
+        <source>Corner of the no-fly area</source>
+        <translation>Sommet de la zone interdite</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Plancher</translation>
+    </message>
+    <message>
+        <source>UAVs below this height may pass under the area.</source>
+        <translation>Les drones plus bas volent en dessous.</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>Plafond</translation>
+    </message>
+    <message>
+        <source>UAVs above this height may pass over the area.</source>
+        <translation>Les drones plus hauts volent au-dessus.</translation>
+    </message>
+    <message>
+        <source>Corner of the airspace</source>
+        <translation>Sommet de l&apos;espace aérien</translation>
+    </message>
+    <message>
+        <source>Start of the airspace</source>
+        <translation>Début de l&apos;espace aérien</translation>
+    </message>
+    <message>
+        <source>End of the airspace</source>
+        <translation>Fin de l&apos;espace aérien</translation>
+    </message>
+    <message>
+        <source>Station east</source>
+        <translation>Station est</translation>
+    </message>
+    <message>
+        <source>East of the scenario&apos;s origin.</source>
+        <translation>À l&apos;est de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>Station north</source>
+        <translation>Station nord</translation>
+    </message>
+    <message>
+        <source>North of the scenario&apos;s origin.</source>
+        <translation>Au nord de l&apos;origine du scénario.</translation>
+    </message>
+    <message>
+        <source>Antenna height</source>
+        <translation>Hauteur d&apos;antenne</translation>
+    </message>
+    <message>
+        <source>Height above the sea.</source>
+        <translation>Hauteur au-dessus de la mer.</translation>
+    </message>
+    <message>
+        <source>radio horizon</source>
+        <translation>horizon radio</translation>
+    </message>
+    <message>
+        <source>Link range</source>
+        <translation>Portée de la liaison</translation>
+    </message>
+    <message>
+        <source>Range of the link; the lowest value means the radio horizon of the antenna and the UAV&apos;s altitude.</source>
+        <translation>Portée de la liaison ; à la valeur la plus basse, jusqu&apos;à l&apos;horizon radio de l&apos;antenne et de l&apos;altitude du drone.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Distance around all places of the plan, for turns and replanning. Not used with a geofence.</source>
+        <translation>Autour de tous les lieux où un plan peut mener, pour les virages et les changements de plan. Avec une barrière virtuelle, elle n&apos;est pas utilisée.</translation>
+    </message>
+    <message>
+        <source>UAV size</source>
+        <translation>Taille du drone</translation>
+    </message>
+    <message>
+        <source>Largest dimension of a UAV; half of it is added to the ground-risk buffer.</source>
+        <translation>Plus grande dimension d&apos;un drone ; la moitié élargit la zone tampon de risque au sol.</translation>
+    </message>
+    <message>
+        <source>Satellite position error</source>
+        <translation>Erreur de position par satellite</translation>
+    </message>
+    <message>
+        <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
+        <translation>Partie de la largeur du volume de contingence. Source : Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse : 3 m.</translation>
+    </message>
+    <message>
+        <source>Path-keeping error</source>
+        <translation>Erreur de suivi de trajectoire</translation>
+    </message>
+    <message>
+        <source>Error of the autopilot, part of the width of the contingency volume. Same source: 3 m.</source>
+        <translation>Erreur de l&apos;autopilote, partie de la largeur du volume de contingence. Même source : 3 m.</translation>
+    </message>
+    <message>
+        <source>Map error</source>
+        <translation>Erreur de la carte</translation>
+    </message>
+    <message>
+        <source>Part of the width of the contingency volume. Same source: 1 m.</source>
+        <translation>Partie de la largeur du volume de contingence. Même source : 1 m.</translation>
+    </message>
+    <message>
+        <source>Reaction time</source>
+        <translation>Temps de réaction</translation>
+    </message>
+    <message>
+        <source>Time at full speed before the crew reacts. Same source: 1 s.</source>
+        <translation>Temps à pleine vitesse avant que l&apos;équipage ne réagisse. Même source : 1 s.</translation>
+    </message>
+    <message>
+        <source>Bank of the turn back</source>
+        <translation>Inclinaison du demi-tour</translation>
+    </message>
+    <message>
+        <source>Sets the turn radius v²/(g tan bank). Same source: 30°.</source>
+        <translation>Donne le rayon de virage v²/(g tan inclinaison). Même source : 30°.</translation>
+    </message>
+    <message>
+        <source>Height error</source>
+        <translation>Erreur de hauteur</translation>
+    </message>
+    <message>
+        <source>Part of the height of the contingency volume. Same source: 4 m.</source>
+        <translation>Partie de la hauteur du volume de contingence. Même source : 4 m.</translation>
+    </message>
+    <message>
+        <source>Climb part</source>
+        <translation>Part de montée</translation>
+    </message>
+    <message>
+        <source>Share of the speed that is climb during the reaction time. Same source: 0.707, a climb of 45°.</source>
+        <translation>Part de la vitesse dirigée vers le haut pendant le temps de réaction. Même source : 0,707, une montée à 45°.</translation>
+    </message>
+    <message>
+        <source>Pull-up part</source>
+        <translation>Part de mise en palier</translation>
+    </message>
+    <message>
+        <source>Height needed to level out, as a share of v²/g. Same source: 0.3.</source>
+        <translation>Part de v²/g que demande la mise en palier. Même source : 0,3.</translation>
+    </message>
+    <message>
+        <source>Buffer ratio</source>
+        <translation>Rapport de la zone tampon</translation>
+    </message>
+    <message>
+        <source>Width of the ground-risk buffer divided by the height of the contingency volume. Same source: 1, the 1:1 rule.</source>
+        <translation>Largeur de la zone tampon de risque au sol divisée par la hauteur du volume de contingence. Même source : 1, la règle 1:1.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, time</source>
+        <translation>Zone adjacente, temps</translation>
+    </message>
+    <message>
+        <source>Flight time at full speed. Same source: 180 s.</source>
+        <translation>Temps de vol à pleine vitesse. Même source : 180 s.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, minimum</source>
+        <translation>Zone adjacente, minimum</translation>
+    </message>
+    <message>
+        <source>Minimum width. Same source: 5 km.</source>
+        <translation>Largeur minimale. Même source : 5 km.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, maximum</source>
+        <translation>Zone adjacente, maximum</translation>
+    </message>
+    <message>
+        <source>Maximum width. Same source: 35 km.</source>
+        <translation>Largeur maximale. Même source : 35 km.</translation>
+    </message>
+    <message>
+        <source>Crew</source>
+        <translation>Équipage</translation>
+    </message>
+    <message>
+        <source>Names printed in the flight brief. If empty, the brief has a blank line.</source>
+        <translation>Qui effectue le vol, imprimé sur la fiche de vol ; vide : une ligne à remplir.</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Indicatif d&apos;appel</translation>
+    </message>
+    <message>
+        <source>Printed in the flight brief. If empty, the brief has a blank line.</source>
+        <translation>Imprimé sur la fiche de vol ; vide : une ligne à remplir.</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
+        <translation>Navire, services de la circulation aérienne, secours : noms, numéros, fréquences.</translation>
+    </message>
+    <message>
+        <source>Command link</source>
+        <translation>Liaison de commande</translation>
+    </message>
+    <message>
+        <source>How the UAVs are commanded, and what they do if the link is lost.</source>
+        <translation>Comment les drones sont commandés, et ce qu&apos;ils font sans elle.</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Liste de vérification</translation>
+    </message>
+    <message>
+        <source>One item per line, printed with a box to tick.</source>
+        <translation>Une ligne par point, imprimée avec une case à cocher.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>valeur inconnue</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Rafales</translation>
+    </message>
+    <message>
+        <source>Speed of the gusts, compared with the limits of the UAVs.</source>
+        <translation>Vitesse des rafales, comparée aux limites des drones.</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Température</translation>
+    </message>
+    <message>
+        <source>Air temperature at sea level.</source>
+        <translation>Température de l&apos;air au niveau de la mer.</translation>
+    </message>
+    <message>
+        <source>Dew point</source>
+        <translation>Point de rosée</translation>
+    </message>
+    <message>
+        <source>Dew point at sea level. With the temperature it shows whether ice may form.</source>
+        <translation>Point de rosée au niveau de la mer. Avec la température, il indique si du givre peut se former.</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <source>Coordinate of the origin, in any format; a full coordinate or a place name sets both. Everything moves with it.</source>
+        <translation>De l’origine, sous toute forme ; une coordonnée entière ou un nom fixe les deux. Tout se déplace avec elle.</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>Observateur</translation>
+    </message>
+    <message>
+        <source>Exact: a sighting gives the true position. Filter: position and velocity are estimated from noisy measurements, and icebergs can get lost.</source>
+        <translation>Exact : un iceberg en vue est là où il est vu. Filtre : mesures bruitées, dont la position et la vitesse sont estimées ; des icebergs peuvent être perdus.</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Erreur de position</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured position, along each axis.</source>
+        <translation>Écart-type d&apos;une position mesurée, selon chaque axe.</translation>
+    </message>
+    <message>
+        <source>Sensor interval</source>
+        <translation>Intervalle du capteur</translation>
+    </message>
+    <message>
+        <source>Time between two samples of the sensor, each of which measures what is in view.</source>
+        <translation>Temps entre deux prises du capteur ; chacune mesure ce qui est en vue.</translation>
+    </message>
+    <message>
+        <source>Detection probability</source>
+        <translation>Probabilité de détection</translation>
+    </message>
+    <message>
+        <source>Probability that one sample shows an iceberg in view.</source>
+        <translation>Probabilité qu&apos;une prise montre un iceberg en vue.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Search pattern for an iceberg that is not at its estimated position.</source>
+        <translation>Parcours de recherche d&apos;un iceberg qui n&apos;est pas à sa position estimée.</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Compromis τ</translation>
+    </message>
+    <message>
+        <source>Formulation</source>
+        <translation>Formulation</translation>
+    </message>
+    <message>
+        <source>Integer program that COIN-OR CBC solves when it is the solver.</source>
+        <translation>Programme en nombres entiers que résout COIN-OR CBC lorsqu&apos;il est le solveur.</translation>
+    </message>
+    <message>
+        <source>Planning time</source>
+        <translation>Temps de planification</translation>
+    </message>
+    <message>
+        <source>Time to make a plan in flight; until it is ready the UAV continues with the previous plan.</source>
+        <translation>Temps que prend un plan en vol ; d&apos;ici là, le drone poursuit le précédent.</translation>
+    </message>
+    <message>
+        <source>in view</source>
+        <translation>en vue</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Rayon d&apos;acceptation</translation>
+    </message>
+    <message>
+        <source>Distance at which an iceberg counts as reached; at 0 it is reached when it is in view.</source>
+        <translation>À quelle distance d&apos;un iceberg le drone doit arriver ; à 0, l&apos;iceberg est atteint lorsqu&apos;il est en vue.</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Champ de vision</translation>
+    </message>
+    <message>
+        <source>Shape of the area that the camera covers.</source>
+        <translation>Forme de ce que couvre la caméra.</translation>
+    </message>
+    <message>
+        <source>Group nearby icebergs</source>
+        <translation>Grouper les icebergs proches</translation>
+    </message>
+    <message>
+        <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
+        <translation>Les icebergs qui tiennent dans un même champ de vision sont planifiés comme un seul point, d&apos;où tous sont vus.</translation>
+    </message>
+    <message>
+        <source>Title of the scenario, shown on the map.</source>
+        <translation>Titre du scénario, affiché sur la carte.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Any text, stored in the file.</source>
+        <translation>Texte libre, conservé dans le fichier.</translation>
+    </message>
+    <message>
+        <source>Start (UTC)</source>
+        <translation>Début (UTC)</translation>
+    </message>
+    <message>
+        <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
+        <translation>Date et heure du départ, par exemple 2026-11-29 12:00 ou 29 Nov 2026 12:00 ; 1200Z garde la date. Vide : les temps sont relatifs.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Length of the run, at most seven days.</source>
+        <translation>Durée du vol, sept jours au plus.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Seed of the random drift: the same seed repeats the run.</source>
+        <translation>Détermine la dérive aléatoire : même graine, même vol.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Pas de temps</translation>
+    </message>
+    <message>
+        <source>Step of the simulation; a smaller step is more exact and slower.</source>
+        <translation>Pas de la simulation ; un petit pas est exact et lent.</translation>
+    </message>
+    <message>
+        <source>Random drift</source>
+        <translation>Dérive aléatoire</translation>
+    </message>
+    <message>
+        <source>Off: icebergs drift exactly as known.</source>
+        <translation>Désactivée : les icebergs dérivent exactement comme connu.</translation>
+    </message>
+    <message>
+        <source>Wind east</source>
+        <translation>Vent est</translation>
+    </message>
+    <message>
+        <source>Towards the east; must be below the UAV&apos;s airspeed.</source>
+        <translation>Vers l&apos;est ; toujours plus lent que le vol du drone.</translation>
+    </message>
+    <message>
+        <source>Wind north</source>
+        <translation>Vent nord</translation>
+    </message>
+    <message>
+        <source>Towards the north; must be below the UAV&apos;s airspeed.</source>
+        <translation>Vers le nord ; toujours plus lent que le vol du drone.</translation>
+    </message>
+    <message>
+        <source>Current east</source>
+        <translation>Courant est</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the east.</source>
+        <translation>Entraîne tous les icebergs vers l&apos;est.</translation>
+    </message>
+    <message>
+        <source>Current north</source>
+        <translation>Courant nord</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the north.</source>
+        <translation>Entraîne tous les icebergs vers le nord.</translation>
+    </message>
+    <message>
+        <source>Corner of the area</source>
+        <translation>Sommet de la zone</translation>
+    </message>
+    <message>
+        <source>Geofence</source>
+        <translation>Barrière virtuelle</translation>
+    </message>
+    <message>
+        <source>UAVs stay inside the area if they start clear of its edge.</source>
+        <translation>Les drones qui partent à l&apos;écart du bord restent dans la zone.</translation>
+    </message>
+    <message>
+        <source>no separation</source>
+        <translation>aucun espacement</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
+        <translation>Les drones sont maintenus à cette distance les uns des autres, sauf si leurs altitudes diffèrent de %1.</translation>
     </message>
 </context>
 <context>
@@ -8900,12 +8660,36 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Drone</translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation>Lieu</translation>
-    </message>
-    <message>
         <source>Command</source>
         <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Coordinate</source>
+        <translation>Coordonnée</translation>
+    </message>
+    <message>
+        <source>Sea or bay</source>
+        <translation>Mer ou baie</translation>
+    </message>
+    <message>
+        <source>Island or coast</source>
+        <translation>Île ou côte</translation>
+    </message>
+    <message>
+        <source>Cape</source>
+        <translation>Cap</translation>
+    </message>
+    <message>
+        <source>Town or station</source>
+        <translation>Ville ou station</translation>
+    </message>
+    <message>
+        <source>Oil or gas field</source>
+        <translation>Champ de pétrole ou de gaz</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Champ</translation>
     </message>
 </context>
 <context>
@@ -8931,11 +8715,11 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Zêta ζ</translation>
     </message>
     <message>
-        <source>Against prediction</source>
+        <source>vs prediction</source>
         <translation>Par rapport à la prévision</translation>
     </message>
     <message>
-        <source>ζ against what was predicted before take-off for the policy.</source>
+        <source>ζ compared with the prediction for the policy before take-off.</source>
         <translation>ζ par rapport à ce qui était prévu avant le décollage pour la stratégie.</translation>
     </message>
     <message>
@@ -8971,7 +8755,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Comparer</translation>
     </message>
     <message>
-        <source>Sets the run beside others.</source>
+        <source>Compares the run with others.</source>
         <translation>Place le vol à côté d&apos;autres vols.</translation>
     </message>
     <message>
@@ -8979,7 +8763,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Enregistrer le vol</translation>
     </message>
     <message>
-        <source>Keeps the run in a file.</source>
+        <source>Saves the run to a file.</source>
         <translation>Conserve le vol dans un fichier.</translation>
     </message>
     <message>
@@ -8995,7 +8779,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Plage prévue</translation>
     </message>
     <message>
-        <source>ζ of nine flights in ten was predicted to lie in this range.</source>
+        <source>Predicted range of ζ for 90 % of flights.</source>
         <translation>ζ de neuf vols sur dix était prévu dans cette plage.</translation>
     </message>
     <message>
@@ -9026,7 +8810,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Le plan est encore en cours d&apos;élaboration.</translation>
     </message>
     <message>
-        <source>Flight to %1 given up</source>
+        <source>Flight to %1 discarded</source>
         <translation>Vol vers %1 abandonné</translation>
     </message>
 </context>
@@ -9037,7 +8821,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Planification</translation>
     </message>
     <message>
-        <source>Ready: Space flies it</source>
+        <source>Ready. Press Space to fly</source>
         <translation>Prêt : Espace l&apos;exécute</translation>
     </message>
     <message>
@@ -9057,14 +8841,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Planification impossible : %1</translation>
     </message>
     <message>
-        <source>Press I and click on the map to place one, drag on to let it drift, or import sightings.</source>
+        <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
         <translation>Appuyez sur I et cliquez sur la carte pour en placer un, faites glisser ensuite pour le faire dériver, ou importez des observations.</translation>
     </message>
 </context>
 <context>
     <name>berg::GenerateDialog</name>
     <message>
-        <source>There is no room for so many so far from each other. Take fewer, a smaller distance or a larger area.</source>
+        <source>There is no room for this many icebergs at this spacing. Choose fewer icebergs, a smaller spacing or a larger area.</source>
         <translation>Il n&apos;y a pas de place pour autant d&apos;icebergs aussi éloignés. Choisissez-en moins, une distance plus petite ou une zone plus grande.</translation>
     </message>
     <message>
@@ -9096,7 +8880,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>La zone du scénario</translation>
     </message>
     <message>
-        <source>What the map shows</source>
+        <source>Visible part of the map</source>
         <translation>Ce que montre la carte</translation>
     </message>
     <message>
@@ -9140,7 +8924,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Dans toutes les directions</translation>
     </message>
     <message>
-        <source>About one direction</source>
+        <source>Around one direction</source>
         <translation>Autour d&apos;une direction</translation>
     </message>
     <message>
@@ -9148,11 +8932,11 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Dé&amp;rive</translation>
     </message>
     <message>
-        <source>Direction they drift to, from north</source>
+        <source>Drift direction, clockwise from north</source>
         <translation>Direction vers laquelle ils dérivent, à partir du nord</translation>
     </message>
     <message>
-        <source>To either side of it</source>
+        <source>Spread to either side</source>
         <translation>De part et d&apos;autre de celle-ci</translation>
     </message>
     <message>
@@ -9180,15 +8964,15 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>&amp;Croissance q</translation>
     </message>
     <message>
-        <source>Least distance between two icebergs</source>
+        <source>Minimum distance between two icebergs</source>
         <translation>Distance minimale entre deux icebergs</translation>
     </message>
     <message>
-        <source>Least &amp;distance</source>
+        <source>&amp;Minimum spacing</source>
         <translation>Distance &amp;minimale</translation>
     </message>
     <message>
-        <source>The same number draws the same field again.</source>
+        <source>The same seed generates the same field again.</source>
         <translation>Le même nombre reproduit le même champ.</translation>
     </message>
     <message>
@@ -9204,7 +8988,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>&amp;Graine</translation>
     </message>
     <message>
-        <source>R&amp;eplace the present icebergs</source>
+        <source>R&amp;eplace existing icebergs</source>
         <translation>Rem&amp;placer les icebergs présents</translation>
     </message>
     <message>
@@ -9212,7 +8996,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Générer</translation>
     </message>
     <message numerus="yes">
-        <source>The scenario then holds %n icebergs.</source>
+        <source>The scenario will have %n icebergs.</source>
         <translation>
             <numerusform>Le scénario contient alors un iceberg.</numerusform>
             <numerusform>Le scénario contient alors %n icebergs.</numerusform>
@@ -9223,12 +9007,31 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>aucune</translation>
     </message>
     <message>
-        <source>Not known, changing within 10 h</source>
+        <source>Unknown, changing within 10 h</source>
         <translation>Inconnue, changeant en 10 h</translation>
     </message>
     <message>
-        <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. The icebergs are then measured in flight.</source>
+        <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
         <translation>Ajustée sur une balise : 0,15 m/s selon chaque axe, dans toutes les directions. Les icebergs sont alors mesurés en vol.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::HistoryActions</name>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
     </message>
 </context>
 <context>
@@ -9285,7 +9088,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Coller des icebergs</translation>
     </message>
     <message>
-        <source>The column &quot;%1&quot; follows from the others. Nothing was pasted.</source>
+        <source>The column &quot;%1&quot; is computed from others. Nothing was pasted.</source>
         <translation>La colonne « %1 » découle des autres. Rien n&apos;a été collé.</translation>
     </message>
 </context>
@@ -9307,6 +9110,30 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Automatic: %1</source>
         <translation>Automatique : %1</translation>
     </message>
+    <message>
+        <source>Line of the file that names the columns, if a title precedes it.</source>
+        <translation>Ligne du fichier qui nomme les colonnes, lorsqu&apos;un titre la précède.</translation>
+    </message>
+    <message>
+        <source>&amp;Header line</source>
+        <translation>Ligne d&apos;en-&amp;tête</translation>
+    </message>
+    <message>
+        <source>Columns as for the last file with this header.</source>
+        <translation>Colonnes comme pour le dernier fichier ayant cet en-tête.</translation>
+    </message>
+    <message>
+        <source>&amp;Forget columns</source>
+        <translation>&amp;Oublier les colonnes</translation>
+    </message>
+    <message>
+        <source>Headers whose columns were chosen by hand in an earlier import.</source>
+        <translation>En-têtes dont les colonnes ont été choisies à la main lors d&apos;une importation précédente.</translation>
+    </message>
+    <message>
+        <source>All of them</source>
+        <translation>Tous</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportDialog</name>
@@ -9315,7 +9142,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Aucun iceberg</translation>
     </message>
     <message>
-        <source>None of the sightings is taken.</source>
+        <source>No sighting can be imported.</source>
         <translation>Aucune des observations n&apos;est retenue.</translation>
     </message>
     <message>
@@ -9343,10 +9170,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Icebergs</translation>
     </message>
     <message>
-        <source>Rejected rows</source>
-        <translation>Lignes rejetées</translation>
-    </message>
-    <message>
         <source>Columns</source>
         <translation>Colonnes</translation>
     </message>
@@ -9361,10 +9184,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Icebergs (%1)</source>
         <translation>Icebergs (%1)</translation>
-    </message>
-    <message>
-        <source>Rejected rows (%1)</source>
-        <translation>Lignes rejetées (%1)</translation>
     </message>
     <message>
         <source>Reading %1, %2 ...</source>
@@ -9383,14 +9202,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Icebergs (les %1 premiers sur %2)</translation>
     </message>
     <message>
-        <source>Rejected rows (first %1 of %2)</source>
-        <translation>Lignes rejetées (les %1 premières sur %2)</translation>
-    </message>
-    <message>
-        <source>Velocities are not known exactly, so the observer becomes the Kalman filter.</source>
-        <translation>Les vitesses ne sont pas connues exactement ; l&apos;observateur devient donc le filtre de Kalman.</translation>
-    </message>
-    <message>
         <source>Import into a &amp;new scenario</source>
         <translation>Importer dans un no&amp;uveau scénario</translation>
     </message>
@@ -9402,16 +9213,62 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Re&amp;port</source>
         <translation>&amp;Signaler</translation>
     </message>
+    <message>
+        <source>Report all t&amp;he same</source>
+        <translation>Signaler &amp;quand même</translation>
+    </message>
+    <message>
+        <source>Import all t&amp;he same</source>
+        <translation>Importer &amp;quand même</translation>
+    </message>
+    <message>
+        <source>Choose below which rows belong to the same iceberg.</source>
+        <translation>Choisissez ci-dessous quelles lignes sont des observations d&apos;un même iceberg.</translation>
+    </message>
+    <message>
+        <source>Faster than 1.5 m/s or on land: %1. Check columns, units and ids.</source>
+        <translation>Plus rapides que 1,5 m/s ou à terre : %1. Vérifiez les colonnes, les unités et les identifiants.</translation>
+    </message>
+    <message>
+        <source>Velocities are uncertain, so the scenario will use the Kalman filter.</source>
+        <translation>Les vitesses sont incertaines ; le scénario utilisera donc le filtre de Kalman.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportIdentityView</name>
+    <message>
+        <source>Rows with the same “%1”</source>
+        <translation>Lignes ayant le même « %1 »</translation>
+    </message>
+    <message>
+        <source>All rows are one iceberg</source>
+        <translation>Toutes les lignes sont un seul iceberg</translation>
+    </message>
+    <message>
+        <source>Each row is a separate iceberg</source>
+        <translation>Chaque ligne est un iceberg distinct</translation>
+    </message>
+    <message>
+        <source>up to %1 m/s between sightings</source>
+        <translation>jusqu&apos;à %1 m/s entre observations</translation>
+    </message>
+    <message>
+        <source>The file does not say which rows belong to the same iceberg. Choose:</source>
+        <translation>Rien dans le fichier n&apos;indique quelles lignes sont des observations d&apos;un même iceberg. Choisissez :</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n iceberg</numerusform>
+            <numerusform>%n icebergs</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
     <message>
         <source>S&amp;tart at</source>
         <translation>Dé&amp;but à</translation>
-    </message>
-    <message>
-        <source>UTC time that becomes the start of the scenario. Otherwise the last sighting is.</source>
-        <translation>Heure UTC qui devient le début du scénario. Sinon, c&apos;est celle de la dernière observation.</translation>
     </message>
     <message>
         <source>Not &amp;before</source>
@@ -9434,7 +9291,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>&amp;Croissance q</translation>
     </message>
     <message>
-        <source>Growth of the uncertainty where the sightings are too few to estimate it.</source>
+        <source>Growth of the uncertainty if there are too few sightings to estimate it.</source>
         <translation>Croissance de l&apos;incertitude là où les observations sont trop peu nombreuses pour l&apos;estimer.</translation>
     </message>
     <message>
@@ -9446,7 +9303,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Un nouveau scénario</translation>
     </message>
     <message>
-        <source>Icebergs that this scenario has already are updated by their ids.</source>
+        <source>Icebergs already in this scenario are updated by their ids.</source>
         <translation>Les icebergs que ce scénario contient déjà sont mis à jour d&apos;après leurs identifiants.</translation>
     </message>
     <message>
@@ -9462,7 +9319,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Les observations hors de ces latitudes et longitudes sont omises.</translation>
     </message>
     <message>
-        <source>What the &amp;map shows</source>
+        <source>Visible part of the &amp;map</source>
         <translation>Ce que montre la ca&amp;rte</translation>
     </message>
     <message>
@@ -9486,31 +9343,19 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Avec les &amp;traces enregistrées</translation>
     </message>
     <message>
-        <source>Sightings after the start become the true motion of an iceberg. Name the start for that.</source>
+        <source>Sightings after the start become the true motion of an iceberg. Requires a start time.</source>
         <translation>Les observations postérieures au début deviennent le mouvement réel d&apos;un iceberg. Indiquez le début pour cela.</translation>
-    </message>
-    <message>
-        <source>All rows are &amp;one iceberg</source>
-        <translation>Toutes les &amp;lignes sont un seul iceberg</translation>
-    </message>
-    <message>
-        <source>The file names no icebergs: its rows are the track of one beacon, or an iceberg each.</source>
-        <translation>Le fichier ne nomme aucun iceberg : ses lignes sont la trace d&apos;une seule balise, ou chacune un iceberg.</translation>
     </message>
     <message>
         <source>Position &amp;error</source>
         <translation>&amp;Erreur de position</translation>
     </message>
     <message>
-        <source>Standard deviation of a position where the file tells none: 20 m by satellite navigation, 300 m by Argos, 1,852 m from an aircraft.</source>
-        <translation>Écart-type d&apos;une position là où le fichier n&apos;en donne pas : 20 m par navigation par satellite, 300 m par Argos, 1852 m depuis un avion.</translation>
-    </message>
-    <message>
         <source>Drift &amp;variation</source>
         <translation>V&amp;ariabilité de la dérive</translation>
     </message>
     <message>
-        <source>Standard deviation of the drift where it is not known, along each axis. With 0 the drift is taken as known and constant.</source>
+        <source>Standard deviation of an unknown drift along each axis. With 0 the drift counts as known and constant.</source>
         <translation>Écart-type de la dérive là où elle n&apos;est pas connue, selon chaque axe. Avec 0, la dérive est considérée comme connue et constante.</translation>
     </message>
     <message>
@@ -9518,7 +9363,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>La dérive cha&amp;nge en</translation>
     </message>
     <message>
-        <source>Time in which a drift that was known is known no more. 0: never.</source>
+        <source>Time after which a known drift is no longer valid. 0 means never.</source>
         <translation>Temps au bout duquel une dérive qui était connue ne l&apos;est plus. 0 : jamais.</translation>
     </message>
     <message>
@@ -9534,12 +9379,75 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Jour en premier : 31/12/2021</translation>
     </message>
     <message>
-        <source>How dates such as 05/02/2021 are meant.</source>
+        <source>How to read dates such as 05/02/2021.</source>
         <translation>Sens des dates comme 05/02/2021.</translation>
     </message>
     <message>
         <source>Dat&amp;es</source>
         <translation>Date&amp;s</translation>
+    </message>
+    <message>
+        <source>UTC time that becomes the start of the scenario. Otherwise its start stays, or moves to the last sighting if that is later.</source>
+        <translation>Heure UTC qui devient le départ du scénario. Sinon le départ reste, ou passe à la dernière observation si elle est plus tardive.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a position along each axis if the file states none and no column names the source.</source>
+        <translation>Écart-type d&apos;une position le long de chaque axe lorsque le fichier n&apos;en indique pas et qu&apos;aucune colonne ne nomme la source.</translation>
+    </message>
+    <message>
+        <source>As stated in the file</source>
+        <translation>Selon le fichier</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Comme saisi</translation>
+    </message>
+    <message>
+        <source>Sensor that found the positions. Rows whose column “source”, “method” or “sensor” names another source use its error.</source>
+        <translation>Ce qui a servi à trouver les positions. Les lignes dont la colonne « source », « method » ou « sensor » nomme une autre source ont l&apos;erreur de celle-ci.</translation>
+    </message>
+    <message>
+        <source>Seen b&amp;y</source>
+        <translation>Ori&amp;gine</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportRowsView</name>
+    <message>
+        <source>Rejected rows</source>
+        <translation>Lignes rejetées</translation>
+    </message>
+    <message>
+        <source>Rejected rows (%1)</source>
+        <translation>Lignes rejetées (%1)</translation>
+    </message>
+    <message>
+        <source>Rejected rows (first %1 of %2)</source>
+        <translation>Lignes rejetées (les %1 premières sur %2)</translation>
+    </message>
+    <message>
+        <source>Changed rows</source>
+        <translation>Lignes modifiées</translation>
+    </message>
+    <message>
+        <source>Changed rows (%1)</source>
+        <translation>Lignes modifiées (%1)</translation>
+    </message>
+    <message>
+        <source>Changed rows (first %1 of %2)</source>
+        <translation>Lignes modifiées (les %1 premières sur %2)</translation>
+    </message>
+    <message>
+        <source>Outside area or time</source>
+        <translation>Hors zone ou période</translation>
+    </message>
+    <message>
+        <source>Outside area or time (%1)</source>
+        <translation>Hors zone ou période (%1)</translation>
+    </message>
+    <message>
+        <source>Outside area or time (first %1 of %2)</source>
+        <translation>Hors zone ou période (les %1 premières sur %2)</translation>
     </message>
 </context>
 <context>
@@ -9575,11 +9483,11 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         </translation>
     </message>
     <message>
-        <source>Only the icebergs selected are edited here.</source>
+        <source>Only the selected icebergs are edited here.</source>
         <translation>Seuls les icebergs sélectionnés sont modifiés ici.</translation>
     </message>
     <message>
-        <source>What is entered here goes to all of them.</source>
+        <source>Edits apply to all of them.</source>
         <translation>Ce qui est saisi ici s&apos;applique à tous.</translation>
     </message>
     <message>
@@ -9598,7 +9506,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Un iceberg a besoin d&apos;un identifiant.</translation>
     </message>
     <message>
-        <source>The id &quot;%1&quot; is taken. Every iceberg and UAV needs one of its own.</source>
+        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
         <translation>L&apos;identifiant « %1 » est pris. Chaque iceberg et chaque drone doit avoir le sien.</translation>
     </message>
     <message>
@@ -9606,7 +9514,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Modifier l&apos;identifiant</translation>
     </message>
     <message>
-        <source>Select something on the map to edit it.</source>
+        <source>Select an object on the map to edit it.</source>
         <translation>Sélectionnez un élément sur la carte pour le modifier.</translation>
     </message>
     <message>
@@ -9622,11 +9530,11 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Faites glisser ses sommets sur la carte pour la modifier.</translation>
     </message>
     <message>
-        <source>Names the iceberg in files and lists; each id is there once.</source>
+        <source>Identifies the iceberg in files and lists; must be unique.</source>
         <translation>Nomme l&apos;iceberg dans les fichiers et les listes ; chaque identifiant est unique.</translation>
     </message>
     <message>
-        <source>Names the UAV in files and lists; each id is there once.</source>
+        <source>Identifies the UAV in files and lists; must be unique.</source>
         <translation>Nomme le drone dans les fichiers et les listes ; chaque identifiant est unique.</translation>
     </message>
     <message>
@@ -9636,6 +9544,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>No-fly area</source>
         <translation>Zone interdite</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>Drone</translation>
     </message>
 </context>
 <context>
@@ -9649,7 +9561,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Flèches de dérive</translation>
     </message>
     <message>
-        <source>Rings of uncertainty</source>
+        <source>Uncertainty rings</source>
         <translation>Cercles d&apos;incertitude</translation>
     </message>
     <message>
@@ -9669,11 +9581,11 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>%1 : opacité en pour cent</translation>
     </message>
     <message>
-        <source>Opacity; at the left end it is hidden</source>
+        <source>Opacity; at the left end the layer is hidden</source>
         <translation>Opacité ; masqué à l&apos;extrémité gauche</translation>
     </message>
     <message>
-        <source>How far ahead drift arrows look; those too long for the map are cut short and dashed</source>
+        <source>Time covered by drift arrows; arrows too long for the map are shortened and dashed</source>
         <translation>Durée couverte par les flèches de dérive ; celles qui sont trop longues pour la carte sont raccourcies et en tirets</translation>
     </message>
     <message>
@@ -9697,7 +9609,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Retirer</translation>
     </message>
     <message>
-        <source>Shows no background any more</source>
+        <source>Removes the background</source>
         <translation>N&apos;affiche plus de fond de carte</translation>
     </message>
     <message>
@@ -9705,7 +9617,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Choisir un fichier…</translation>
     </message>
     <message>
-        <source>A map of your own below everything: GeoJSON, KML or KMZ, such as an ice chart</source>
+        <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
         <translation>Votre propre carte sous tout le reste : GeoJSON, KML ou KMZ, par exemple une carte des glaces</translation>
     </message>
     <message>
@@ -9784,12 +9696,12 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
 </context>
 <context>
-    <name>berg::MapLinks</name>
+    <name>berg::MapController</name>
     <message numerus="yes">
-        <source>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</source>
+        <source>%n icebergs removed from this run. Undo brings them back.</source>
         <translation>
-            <numerusform>%n iceberg retiré de ce vol. Pour annuler, revenez à un instant antérieur et choisissez Continuer d’ici.</numerusform>
-            <numerusform>%n icebergs retirés de ce vol. Pour annuler, revenez à un instant antérieur et choisissez Continuer d’ici.</numerusform>
+            <numerusform>%n iceberg retiré de ce vol. Annuler le ramène.</numerusform>
+            <numerusform>%n icebergs retirés de ce vol. Annuler les ramène.</numerusform>
         </translation>
     </message>
 </context>
@@ -9800,7 +9712,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Carte</translation>
     </message>
     <message numerus="yes">
-        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</source>
+        <source>%n icebergs and the UAVs on the sea. Arrow keys move the map or the selection, plus and minus zoom, F fits. The iceberg table lists the icebergs.</source>
         <translation>
             <numerusform>%n iceberg et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs les donne ligne par ligne.</numerusform>
             <numerusform>%n icebergs et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs les donne ligne par ligne.</numerusform>
@@ -9859,7 +9771,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Garder une &amp;copie de sauvegarde</translation>
     </message>
     <message>
-        <source>Before a file is first overwritten, a copy is kept as NAME.berg~</source>
+        <source>Before the first overwrite of a file, a copy is kept as NAME.berg~</source>
         <translation>Avant qu&apos;un fichier soit remplacé pour la première fois, une copie est gardée sous NOM.berg~</translation>
     </message>
     <message>
@@ -9867,7 +9779,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Récu&amp;pérer le travail non enregistré…</translation>
     </message>
     <message>
-        <source>No unsaved work is left to recover</source>
+        <source>There is no unsaved work to recover</source>
         <translation>Il ne reste aucun travail non enregistré à récupérer</translation>
     </message>
     <message>
@@ -9923,22 +9835,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Déplacer le scé&amp;nario…</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Annuler</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Rétablir</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
         <source>&amp;View</source>
         <translation>&amp;Affichage</translation>
     </message>
@@ -9987,7 +9883,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Afficher les positions réell&amp;es</translation>
     </message>
     <message>
-        <source>Where the icebergs are in truth, beside where the observer believes them to be; off: only what an operator would see</source>
+        <source>Shows the true positions of the icebergs beside the estimates. When off, the map shows only what an operator would see.</source>
         <translation>Position réelle des icebergs, à côté de celle que leur attribue l&apos;observateur ; désactivé : seulement ce que verrait un opérateur</translation>
     </message>
     <message>
@@ -10007,7 +9903,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Arrêter et modi&amp;fier</translation>
     </message>
     <message>
-        <source>Bring the flight b&amp;ack</source>
+        <source>Restore disc&amp;arded flight</source>
         <translation>Rétablir le v&amp;ol</translation>
     </message>
     <message>
@@ -10135,7 +10031,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>touches fléchées</translation>
     </message>
     <message>
-        <source>Close what is drawn, take its last point back</source>
+        <source>Finish drawing, undo last point</source>
         <translation>Fermer le tracé ou en retirer le dernier point</translation>
     </message>
     <message>
@@ -10151,7 +10047,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Maj</translation>
     </message>
     <message>
-        <source>Leave what is drawn, the tool, the selection</source>
+        <source>Cancel drawing, leave tool, clear selection</source>
         <translation>Quitter le tracé, l&apos;outil, la sélection</translation>
     </message>
     <message>
@@ -10167,7 +10063,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>À propos de Bergwatch</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
+        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans and simulates UAV missions that monitor drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planifie, simule et mesure des missions de drones qui surveillent des icebergs à la dérive.&lt;/p&gt;&lt;p&gt;Code propre : licence MIT. Qt Charts : GPL 3. COIN-OR CBC : EPL. Terres réalisées avec Natural Earth.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -10316,7 +10212,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Il n&apos;y a aucun vol à enregistrer : le scénario ne peut pas être planifié.</translation>
     </message>
     <message>
-        <source>Flown again, this run comes out differently: %1</source>
+        <source>The replay of this run differs from the recording: %1</source>
         <translation>Rejoué, ce vol donne un autre résultat : %1</translation>
     </message>
 </context>
@@ -10354,7 +10250,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>&amp;Tout déplacer avec l&apos;origine</translation>
     </message>
     <message>
-        <source>&amp;Leave everything where it is on the Earth</source>
+        <source>&amp;Leave everything at its place on the Earth</source>
         <translation>&amp;Laisser tout à sa place sur la Terre</translation>
     </message>
     <message>
@@ -10362,15 +10258,15 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>&amp;Déplacer</translation>
     </message>
     <message>
-        <source>Not everything could stay where it is: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
+        <source>Not everything can stay at its place: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
         <translation>Tout n&apos;a pas pu rester à sa place : un scénario s&apos;étend jusqu&apos;à %1 de son origine. Déplacez tout avec l&apos;origine ou choisissez un lieu plus proche.</translation>
     </message>
     <message>
-        <source>The origin comes to %1, %2 away. Places, courses and drift on the Earth stay the same.</source>
+        <source>The origin moves to %1, %2 away. Positions, courses and drift on the Earth stay the same.</source>
         <translation>L&apos;origine vient à %1, à %2 d&apos;ici. Les positions, les routes et la dérive sur la Terre restent les mêmes.</translation>
     </message>
     <message>
-        <source>Everything comes to %1, %2 away, and keeps its place about the origin.</source>
+        <source>Everything moves to %1, %2 away, and keeps its position relative to the origin.</source>
         <translation>Tout vient à %1, à %2 d&apos;ici, et garde sa place par rapport à l&apos;origine.</translation>
     </message>
     <message>
@@ -10385,7 +10281,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Vue d&apos;ensemble</translation>
     </message>
     <message>
-        <source>Polar chart of where the map is. A click picks a place for the map.</source>
+        <source>Polar chart showing the location of the map. Click a place to move the map there.</source>
         <translation>Carte polaire situant la carte affichée. Un clic choisit un lieu pour la carte.</translation>
     </message>
 </context>
@@ -10458,7 +10354,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Segment</translation>
     </message>
     <message>
-        <source>Distance from the one before, the first from the UAV</source>
+        <source>Distance from the previous iceberg, or from the UAV</source>
         <translation>Distance depuis le précédent, pour le premier depuis le drone</translation>
     </message>
     <message>
@@ -10485,7 +10381,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         </translation>
     </message>
     <message>
-        <source>There is nothing for it to visit.</source>
+        <source>It has no iceberg to visit.</source>
         <translation>Il n&apos;a rien à visiter.</translation>
     </message>
     <message>
@@ -10498,7 +10394,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Attribué à %1</translation>
     </message>
     <message>
-        <source>It is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
         <translation>Il rentre à la base, est au sol ou en attente : un nouveau plan est établi au décollage ou à la reprise.</translation>
     </message>
     <message>
@@ -10506,7 +10402,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>En vue</translation>
     </message>
     <message>
-        <source>Chance that the iceberg is in view when the UAV is over its estimate</source>
+        <source>Probability that the iceberg is in view when the UAV reaches its estimate</source>
         <translation>Probabilité que l&apos;iceberg soit en vue lorsque le drone est au-dessus de sa position estimée</translation>
     </message>
     <message>
@@ -10535,7 +10431,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>En attente</translation>
     </message>
     <message>
-        <source>Uncertainty of the position when the UAV is there</source>
+        <source>Uncertainty of the position on arrival</source>
         <translation>Incertitude de la position quand le drone y est</translation>
     </message>
     <message>
@@ -10565,24 +10461,32 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>Speed over ground in the wind of now</source>
+        <source>Ground speed in the present wind</source>
         <translation>Vitesse fond dans le vent actuel</translation>
     </message>
     <message>
-        <source>When the UAV is there</source>
+        <source>Arrival of the UAV</source>
         <translation>Quand le drone y est</translation>
     </message>
     <message>
         <source>95 % now</source>
         <translation>95 % maintenant</translation>
     </message>
+    <message>
+        <source>A later visit of the patrol, %1. Its path is planned when its turn comes.</source>
+        <translation>Une visite ultérieure de la patrouille, %1. Sa trajectoire sera planifiée le moment venu.</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>De nouveau</translation>
+    </message>
+    <message>
+        <source>When the patrol comes back to the iceberg</source>
+        <translation>Quand la patrouille revient à l’iceberg</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanPanel</name>
-    <message>
-        <source>Nothing to visit: there are no icebergs yet, or all of them are in view.</source>
-        <translation>Rien à visiter : il n&apos;y a pas encore d&apos;icebergs, ou tous sont en vue.</translation>
-    </message>
     <message>
         <source>There is no plan: see Checks.</source>
         <translation>Il n&apos;y a pas de plan : voir « Vérifications ».</translation>
@@ -10597,13 +10501,13 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Predicted for straight legs to the icebergs as they drift,
-with nothing seen on the way and no new plans.</source>
+without sightings en route and without new plans.</source>
         <translation>Prévu pour des segments droits vers les icebergs à la dérive,
 sans rien voir en chemin et sans nouveaux plans.</translation>
     </message>
     <message>
         <source>Predicted for the path on the map, with every iceberg that comes into view
-on it, and no new plans.</source>
+on it, without new plans.</source>
         <translation>Prévu pour la trajectoire sur la carte, avec chaque iceberg qui entre en vue
 en chemin, et sans nouveaux plans.</translation>
     </message>
@@ -10612,8 +10516,8 @@ en chemin, et sans nouveaux plans.</translation>
         <translation>Pas de borne inférieure utile de ζ</translation>
     </message>
     <message>
-        <source>That limit is proven for this scenario and the noise that it draws,
-whatever the policy and however tightly the UAV turns.</source>
+        <source>The lower bound is proven for this scenario and its random drift,
+for any policy and any turn radius.</source>
         <translation>Cette limite est prouvée pour ce scénario et son tirage du bruit,
 quelle que soit la stratégie et aussi serrés que soient les virages du drone.</translation>
     </message>
@@ -10626,11 +10530,11 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>Créneaux d&apos;atterrissage : %1</translation>
     </message>
     <message>
-        <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
         <translation>Le drone rentre à la base, est au sol ou en attente : un nouveau plan est établi au décollage ou à la reprise.</translation>
     </message>
     <message>
-        <source>Against the plan before: %1</source>
+        <source>Compared with the last plan: %1</source>
         <translation>Par rapport au plan précédent : %1</translation>
     </message>
     <message>
@@ -10658,15 +10562,15 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>ζ à la fin : %1</translation>
     </message>
     <message>
-        <source>ζ at %1 without another plan: %2</source>
-        <translation>ζ à %1 sans autre plan : %2</translation>
+        <source>Expected ζ at %1 with this plan: %2</source>
+        <translation>ζ attendu à %1 si ce plan est suivi : %2</translation>
     </message>
     <message>
-        <source>ζ at the end without another plan: %1</source>
-        <translation>ζ à la fin sans autre plan : %1</translation>
+        <source>Expected ζ at the end with this plan: %1</source>
+        <translation>ζ attendu si ce plan est suivi jusqu&apos;à la fin : %1</translation>
     </message>
     <message>
-        <source>Against the plan before: %1, ζ %2</source>
+        <source>Compared with the last plan: %1, ζ %2</source>
         <translation>Par rapport au plan précédent : %1, ζ %2</translation>
     </message>
     <message>
@@ -10678,8 +10582,17 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>Borne inférieure de ζ : %1</translation>
     </message>
     <message>
-        <source>The length of this sortie is over ground, until the run ends at most.</source>
+        <source>The length of this sortie is over ground, up to the end of the run at most.</source>
         <translation>La longueur de cette sortie est mesurée sur le fond, au plus jusqu&apos;à la fin du vol.</translation>
+    </message>
+    <message>
+        <source>Nothing to visit: there are no icebergs yet, all of them are in view, or none can be visited without using the reserve.</source>
+        <translation>Rien à visiter : il n&apos;y a pas encore d&apos;icebergs, tous sont en vue, ou aucun ne peut être visité avant la réserve.</translation>
+    </message>
+    <message>
+        <source>Longest time unseen: %1 (%2)</source>
+        <comment>duration and iceberg</comment>
+        <translation>Plus longue durée sans observation : %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -10693,7 +10606,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>Gain sur l&apos;incertitude</translation>
     </message>
     <message>
-        <source>Each iceberg&apos;s σ times the number of places after its own in the order: the sooner the uncertain ones come, the more.</source>
+        <source>Sum of each iceberg&apos;s σ times the number of places after it in the order: larger if uncertain icebergs come early.</source>
         <translation>Le σ de chaque iceberg multiplié par le nombre de rangs qui suivent le sien dans l&apos;ordre : plus les icebergs incertains viennent tôt, plus il est grand.</translation>
     </message>
     <message>
@@ -10737,7 +10650,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>Ordre entier</translation>
     </message>
     <message>
-        <source>Length of the whole order as it was planned, through the air, in wind the mean of both directions, and with its turns: what the solver weighs, as in the trade-off chart. The plan panel has that of this sortie over ground.</source>
+        <source>Planned length of the whole order through the air, with turns; in wind the mean of both directions. The solver weighs this length and the trade-off chart shows it. The plan panel shows the length of this sortie over ground.</source>
         <translation>Longueur de l&apos;ordre entier tel qu&apos;il a été planifié, dans l&apos;air, moyenne des deux sens dans le vent, et virages compris : ce que pèse le solveur, comme dans le graphique du compromis. Le panneau du plan a celle de cette sortie sur le fond.</translation>
     </message>
 </context>
@@ -10768,7 +10681,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>Le plan est encore en cours d&apos;élaboration.</translation>
     </message>
     <message>
-        <source>This scenario cannot be flown. Correct what is reported first.</source>
+        <source>This scenario cannot be flown. Fix the reported errors first.</source>
         <translation>Ce scénario ne peut pas être exécuté. Corrigez d&apos;abord ce qui est signalé.</translation>
     </message>
     <message>
@@ -10804,7 +10717,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>Instant affiché</translation>
     </message>
     <message>
-        <source>Time shown. Type one to look back at it, e.g. 3:20.</source>
+        <source>Time shown. Type a time to look back, e.g. 3:20.</source>
         <translation>Instant affiché. Saisissez-en un pour y revenir, p. ex. 3:20.</translation>
     </message>
     <message>
@@ -10844,7 +10757,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
         <translation>« %1 » n&apos;est pas un instant de ce vol. Saisissez-le comme 1215Z, 3:20 ou 45 min.</translation>
     </message>
     <message>
-        <source>Time shown. Type one to look back at it, e.g. 1215Z or, since the start, 3:20.</source>
+        <source>Time shown. Type a time to look back, e.g. 1215Z, or 3:20 since the start.</source>
         <translation>Heure affichée. Saisissez-en une pour y revenir, p. ex. 1215Z ou, depuis le début, 3:20.</translation>
     </message>
     <message>
@@ -11020,7 +10933,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Contraste élevé, sombre</translation>
     </message>
     <message>
-        <source>The text has this size when Bergwatch is started again.</source>
+        <source>Restart Bergwatch to apply the new text size.</source>
         <translation>Le texte aura cette taille au prochain démarrage de Bergwatch.</translation>
     </message>
     <message>
@@ -11056,7 +10969,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>He&amp;ures</translation>
     </message>
     <message>
-        <source>UTC, where the scenario has a start</source>
+        <source>UTC, if the scenario has a start time</source>
         <translation>UTC, si le scénario a un début</translation>
     </message>
     <message>
@@ -11088,7 +11001,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Vraies et magnétiques, déclinaison %1…</translation>
     </message>
     <message>
-        <source>True and magnetic, declination typed in...</source>
+        <source>True and magnetic, declination entered by hand...</source>
         <translation>Vraies et magnétiques, déclinaison saisie…</translation>
     </message>
 </context>
@@ -11103,7 +11016,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Retirer</translation>
     </message>
     <message>
-        <source>Take it out of this list.</source>
+        <source>Remove it from this list.</source>
         <translation>Retirer de cette liste.</translation>
     </message>
 </context>
@@ -11114,7 +11027,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Travail récupéré</translation>
     </message>
     <message>
-        <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, then save.</source>
+        <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, and then save them.</source>
         <translation>Bergwatch s&apos;est terminé de façon inattendue. Les modifications non enregistrées ont été conservées. Restaurez-les, puis enregistrez.</translation>
     </message>
     <message>
@@ -11157,7 +11070,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>%1 enregistré</translation>
     </message>
     <message numerus="yes">
-        <source>%n files of these names are there. What is in them would be lost.</source>
+        <source>%n files with these names exist. Their content would be lost.</source>
         <translation>
             <numerusform>%n fichier de ce nom existe. Son contenu serait perdu.</numerusform>
             <numerusform>%n fichiers de ces noms existent. Leur contenu serait perdu.</numerusform>
@@ -11179,7 +11092,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Image de la carte copiée</translation>
     </message>
     <message>
-        <source>The run is saved when the plan under way is made.</source>
+        <source>The run is saved as soon as the current plan is made.</source>
         <translation>Le vol sera enregistré une fois terminé le plan en cours.</translation>
     </message>
     <message>
@@ -11237,11 +11150,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Zêta comparé à celui de A au dernier instant que les deux vols ont atteint.</translation>
     </message>
     <message>
-        <source>Runs you have flown come here. The button below flies this scenario along the shortest round tour beside your own settings.</source>
+        <source>Flown runs are listed here. The button below flies this scenario along the shortest round tour for comparison.</source>
         <translation>Les vols que vous avez effectués apparaissent ici. Le bouton ci-dessous joue ce scénario le long du plus court circuit, à côté de vos propres réglages.</translation>
     </message>
     <message>
-        <source>Another scenario than that of A: they cannot be compared.</source>
+        <source>Its scenario differs from that of A: they cannot be compared.</source>
         <translation>Un autre scénario que celui de A : ils ne peuvent pas être comparés.</translation>
     </message>
     <message>
@@ -11271,7 +11184,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
 <context>
     <name>berg::RunTimeLine</name>
     <message>
-        <source>%1: point of no return of the plan; later the reserve is needed to come home</source>
+        <source>%1: point of no return; a later return uses the reserve</source>
         <translation>%1 : point de non-retour du plan ; au-delà, la réserve est nécessaire pour rentrer à la base</translation>
     </message>
 </context>
@@ -11328,7 +11241,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Un autre programme l&apos;a modifié depuis que vous l&apos;avez ouvert. Ces modifications seraient perdues.</translation>
     </message>
     <message>
-        <source>%1 has it open. What is saved there would be lost.</source>
+        <source>%1 has it open. Changes saved there would be lost.</source>
         <translation>%1 l&apos;a ouvert. Ce qui y est enregistré serait perdu.</translation>
     </message>
     <message>
@@ -11336,7 +11249,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>%1 enregistré</translation>
     </message>
     <message>
-        <source>Saved %1; its folder takes no backup copy</source>
+        <source>Saved %1; a backup copy cannot be written to its folder</source>
         <translation>%1 enregistré ; son dossier n&apos;accepte pas de copie de sauvegarde</translation>
     </message>
     <message>
@@ -11377,25 +11290,21 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Importer l&apos;espace aérien de %1</translation>
     </message>
     <message numerus="yes">
-        <source>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</source>
+        <source>Airspace of %1: %n areas added, %2 already present, %3 farther than 100 km, %4 left out</source>
         <translation>
             <numerusform>Espace aérien de %1 : %n zone ajoutée, %2 déjà présentes, %3 à plus de 100 km, %4 laissées de côté</numerusform>
             <numerusform>Espace aérien de %1 : %n zones ajoutées, %2 déjà présentes, %3 à plus de 100 km, %4 laissées de côté</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n areas: a scenario holds at most %1</source>
+        <source>%n areas: a scenario can have at most %1</source>
         <translation>
             <numerusform>%n zone : un scénario en contient %1 au plus</numerusform>
             <numerusform>%n zones : un scénario en contient %1 au plus</numerusform>
         </translation>
     </message>
     <message>
-        <source>Airspace left out</source>
-        <translation>Espace aérien laissé de côté</translation>
-    </message>
-    <message>
-        <source>Airspace cannot be imported in flight. Stop the flight to import it.</source>
+        <source>Airspace cannot be imported in flight. Stop the flight before importing.</source>
         <translation>L&apos;espace aérien ne peut pas être importé en vol. Arrêtez le vol pour l&apos;importer.</translation>
     </message>
     <message>
@@ -11403,7 +11312,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Presse-papiers</translation>
     </message>
     <message>
-        <source>The flight has gone on meanwhile: nothing was reported.</source>
+        <source>The flight has continued in the meantime, so nothing was reported.</source>
         <translation>Le vol a continué entre-temps : rien n&apos;a été signalé.</translation>
     </message>
     <message numerus="yes">
@@ -11412,6 +11321,10 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
             <numerusform>%n iceberg de %1 signalé</numerusform>
             <numerusform>%n icebergs de %1 signalés</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Airspace left out or changed</source>
+        <translation>Espace aérien omis ou modifié</translation>
     </message>
 </context>
 <context>
@@ -11461,32 +11374,17 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
 </context>
 <context>
-    <name>berg::SolveTimeDesk</name>
-    <message>
-        <source>Solve time</source>
-        <translation>Temps de résolution</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv);;All files (*)</source>
-        <translation>Tableaux (*.csv);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 enregistré</translation>
-    </message>
-</context>
-<context>
     <name>berg::SolveTimePanel</name>
     <message>
-        <source>Proves the optimum, by dynamic programming or by the bound of our own engine.</source>
+        <source>Proves the optimum by dynamic programming or by the bound of Bergwatch&apos;s engine.</source>
         <translation>Prouve l&apos;optimum, par programmation dynamique ou par la borne de notre propre solveur.</translation>
     </message>
     <message>
-        <source>Searches, and proves as far as about a second&apos;s work goes.</source>
+        <source>Searches, and proves as much as about a second of work allows.</source>
         <translation>Cherche, et prouve dans la limite d&apos;environ une seconde de calcul.</translation>
     </message>
     <message>
-        <source>COIN-OR CBC on a MILP with a variable for each leg and position. Uses nothing of our own engine.</source>
+        <source>COIN-OR CBC on a MILP with a variable for each leg and position. Independent of Bergwatch&apos;s engine.</source>
         <translation>COIN-OR CBC sur un MILP avec une variable pour chaque segment et chaque rang. N&apos;utilise rien de notre propre solveur.</translation>
     </message>
     <message>
@@ -11494,7 +11392,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>COIN-OR CBC sur le MILP tel que l&apos;article l&apos;imprime. Lent au-delà de 8 icebergs.</translation>
     </message>
     <message>
-        <source>COIN-OR CBC on the few legs that the bound of our engine leaves.</source>
+        <source>COIN-OR CBC on the few legs that the bound of Bergwatch&apos;s engine leaves.</source>
         <translation>COIN-OR CBC sur les quelques segments que laisse la borne de notre solveur.</translation>
     </message>
     <message>
@@ -11514,11 +11412,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Problèmes aléatoires comme au tableau 1 de l&apos;article, les mêmes à chaque fois.</translation>
     </message>
     <message>
-        <source>Time for everything</source>
+        <source>Total time limit</source>
         <translation>Temps pour l&apos;ensemble</translation>
     </message>
     <message>
-        <source>A solver that does not finish a size is not given a larger one.</source>
+        <source>A solver that does not finish a size skips the larger ones.</source>
         <translation>Un solveur qui ne termine pas une taille n&apos;en reçoit pas de plus grande.</translation>
     </message>
     <message>
@@ -11538,7 +11436,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Mesure en cours, environ %1 restant</translation>
     </message>
     <message>
-        <source>Start measures this machine beside the paper&apos;s, with the paper&apos;s problems.</source>
+        <source>Start measures this machine on the problems of the paper, for comparison with the paper&apos;s times.</source>
         <translation>« Démarrer » mesure cette machine à côté de celle de l&apos;article, avec les problèmes de l&apos;article.</translation>
     </message>
     <message>
@@ -11554,43 +11452,12 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Choisissez d&apos;abord un solveur.</translation>
     </message>
     <message>
-        <source>Stopped. What was measured is kept.</source>
+        <source>Stopped. The times measured so far are kept.</source>
         <translation>Arrêté. Les mesures faites sont gardées.</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>Arrêter</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StartGuide</name>
-    <message>
-        <source>Untitled</source>
-        <translation>Sans titre</translation>
-    </message>
-    <message>
-        <source>1. Place icebergs</source>
-        <translation>1. Placez des icebergs</translation>
-    </message>
-    <message>
-        <source>2. Drag τ</source>
-        <translation>2. Faites glisser τ</translation>
-    </message>
-    <message>
-        <source>To the left the most uncertain icebergs come first, to the right the route gets shorter. Ticks mark where another order becomes the best one.</source>
-        <translation>Vers la gauche, les icebergs les plus incertains viennent d&apos;abord ; vers la droite, la route devient plus courte. Les repères indiquent où un autre ordre devient le meilleur.</translation>
-    </message>
-    <message>
-        <source>3. Press Space</source>
-        <translation>3. Appuyez sur Espace</translation>
-    </message>
-    <message>
-        <source>Space flies the plan and pauses it; drag along the time line to look back. Stop and edit goes back to the start.</source>
-        <translation>Espace exécute le plan et le met en pause ; faites glisser le long de la ligne de temps pour revenir en arrière. « Arrêter et modifier » revient au début.</translation>
-    </message>
-    <message>
-        <source>After this tour, press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
-        <translation>Après cette visite, appuyez sur I et cliquez sur la carte : un iceberg. Faites-le glisser pour le déplacer, double-cliquez dessus pour régler sa dérive et l&apos;incertitude de sa position. Le plan suit aussitôt.</translation>
     </message>
 </context>
 <context>
@@ -11641,9 +11508,40 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
 </context>
 <context>
+    <name>berg::StartPageController</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>1. Place icebergs</source>
+        <translation>1. Placez des icebergs</translation>
+    </message>
+    <message>
+        <source>2. Drag τ</source>
+        <translation>2. Faites glisser τ</translation>
+    </message>
+    <message>
+        <source>Drag left to visit the most uncertain icebergs first, right for a shorter route. Ticks mark where another order becomes optimal.</source>
+        <translation>Vers la gauche, les icebergs les plus incertains viennent d&apos;abord ; vers la droite, la route devient plus courte. Les repères indiquent où un autre ordre devient le meilleur.</translation>
+    </message>
+    <message>
+        <source>3. Press Space</source>
+        <translation>3. Appuyez sur Espace</translation>
+    </message>
+    <message>
+        <source>Press Space to fly and to pause. Drag the time line to look back. Stop and edit returns to the start.</source>
+        <translation>Espace exécute le plan et le met en pause ; faites glisser le long de la ligne de temps pour revenir en arrière. « Arrêter et modifier » revient au début.</translation>
+    </message>
+    <message>
+        <source>After this tour, press I and click on the map to place an iceberg. Drag it to move it, double-click it to set its drift and the uncertainty of its position. The plan follows at once.</source>
+        <translation>Après cette visite, appuyez sur I et cliquez sur la carte : un iceberg. Faites-le glisser pour le déplacer, double-cliquez dessus pour régler sa dérive et l&apos;incertitude de sa position. Le plan suit aussitôt.</translation>
+    </message>
+</context>
+<context>
     <name>berg::StatusLine</name>
     <message>
-        <source>Shows what is found about the scenario.</source>
+        <source>Shows the findings about the scenario.</source>
         <translation>Affiche ce qui est constaté sur le scénario.</translation>
     </message>
     <message>
@@ -11661,98 +11559,14 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
 </context>
 <context>
-    <name>berg::StudyCasesModel</name>
-    <message>
-        <source>reference</source>
-        <translation>référence</translation>
-    </message>
-    <message>
-        <source>stuck</source>
-        <translation>bloqué</translation>
-    </message>
-    <message>
-        <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
-        <translation>%1 visites, %2 plans, %3 parcourus. Entrée ou un double-clic ouvre ce vol.</translation>
-    </message>
-    <message>
-        <source>Name of the scenario, or the seed it was drawn from.</source>
-        <translation>Nom du scénario, ou graine dont il a été tiré.</translation>
-    </message>
-    <message>
-        <source>Noise seed</source>
-        <translation>Graine du bruit</translation>
-    </message>
-    <message>
-        <source>What the true drift was drawn from: the same for every setting.</source>
-        <translation>Ce dont la dérive réelle a été tirée : la même pour chaque réglage.</translation>
-    </message>
-    <message>
-        <source>ζ, m² s</source>
-        <translation>ζ, m² s</translation>
-    </message>
-    <message>
-        <source>Accumulated uncertainty of this flight: less is better.</source>
-        <translation>Incertitude cumulée de ce vol : une valeur plus faible est meilleure.</translation>
-    </message>
-    <message>
-        <source>vs reference</source>
-        <translation>Écart à la réf.</translation>
-    </message>
-    <message>
-        <source>Compared with the flight of this case with the reference.</source>
-        <translation>Comparé au vol de ce cas avec la référence.</translation>
-    </message>
-    <message>
-        <source>Best τ</source>
-        <translation>Meilleur τ</translation>
-    </message>
-    <message>
-        <source>The τ with the lowest ζ in this case, in hindsight.</source>
-        <translation>Le τ de plus faible ζ dans ce cas, a posteriori.</translation>
-    </message>
-    <message>
-        <source>Best of all</source>
-        <translation>Meilleur de tous</translation>
-    </message>
-    <message>
-        <source>The setting with the lowest ζ in this case.</source>
-        <translation>Le réglage de plus faible ζ dans ce cas.</translation>
-    </message>
-    <message>
-        <source>Stuck</source>
-        <translation>Bloqué</translation>
-    </message>
-    <message>
-        <source>Flies to two icebergs at most in the second half.</source>
-        <translation>Va vers deux icebergs au plus dans la seconde moitié.</translation>
-    </message>
-    <message>
-        <source>Random %1</source>
-        <comment>scenario drawn from a seed</comment>
-        <translation>Aléatoire %1</translation>
-    </message>
-    <message>
-        <source>Case</source>
-        <translation>Cas</translation>
-    </message>
-</context>
-<context>
     <name>berg::StudyChart</name>
     <message>
         <source>Accumulated uncertainty ζ against the trade-off τ</source>
         <translation>Incertitude cumulée ζ en fonction du compromis τ</translation>
     </message>
     <message>
-        <source>Choose what to fly and press Start, or take a figure of the paper.</source>
+        <source>Choose what to fly and press Start, or load a figure from the paper.</source>
         <translation>Choisissez ce qui doit être joué et appuyez sur « Démarrer l&apos;étude », ou prenez une figure de l&apos;article.</translation>
-    </message>
-    <message>
-        <source>Mean ζ, m² s</source>
-        <translation>ζ moyen, m² s</translation>
-    </message>
-    <message>
-        <source>Zeta ζ, m² s</source>
-        <translation>Zêta ζ, m² s</translation>
     </message>
     <message>
         <source>Trade-off τ</source>
@@ -11795,16 +11609,24 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>bloqué dans %1 cas sur %2</translation>
     </message>
     <message>
-        <source>stuck: flies to two icebergs at most in the second half</source>
+        <source>stuck: visits at most two icebergs in the second half</source>
         <translation>bloqué : va vers deux icebergs au plus dans la seconde moitié</translation>
     </message>
     <message>
         <source>%1 vs %2</source>
         <translation>%1 contre %2</translation>
     </message>
+    <message>
+        <source>Mean ζ, %1</source>
+        <translation>ζ moyen, %1</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zêta ζ, %1</translation>
+    </message>
 </context>
 <context>
-    <name>berg::StudyDesk</name>
+    <name>berg::StudyController</name>
     <message>
         <source>Studies (*.bergstudy);;All files (*)</source>
         <translation>Études (*.bergstudy);;Tous les fichiers (*)</translation>
@@ -11836,6 +11658,21 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Study: %1</source>
         <translation>Étude : %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyFigure</name>
+    <message numerus="yes">
+        <source>%n cases</source>
+        <translation>
+            <numerusform>%n cas</numerusform>
+            <numerusform>%n cas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>name of a study, how many cases</comment>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -11893,21 +11730,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
 </context>
 <context>
-    <name>berg::StudyPicture</name>
-    <message numerus="yes">
-        <source>%n cases</source>
-        <translation>
-            <numerusform>%n cas</numerusform>
-            <numerusform>%n cas</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>name of a study, how many cases</comment>
-        <translation>%1 : %2</translation>
-    </message>
-</context>
-<context>
     <name>berg::StudyResults</name>
     <message>
         <source>Compared with</source>
@@ -11930,7 +11752,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Enregistrer…</translation>
     </message>
     <message>
-        <source>Saves the study with all that was flown, also while it is being flown.</source>
+        <source>Saves the study with all flights so far, also while it is running.</source>
         <translation>Enregistre l&apos;étude avec tout ce qui a été joué, même en cours de calcul.</translation>
     </message>
     <message>
@@ -11990,7 +11812,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Cas de %1</translation>
     </message>
     <message>
-        <source>Flies this case again, the same in every number, and shows it on the map and the time line.</source>
+        <source>Repeats this case exactly and shows it on the map and the time line.</source>
         <translation>Joue ce cas de nouveau, identique au chiffre près, et le montre sur la carte et la ligne de temps.</translation>
     </message>
     <message>
@@ -12014,7 +11836,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Choisissez un point de l&apos;image ou un réglage.</translation>
     </message>
     <message>
-        <source>Lowest ζ: %1. One case recommends no policy: fly more of them.</source>
+        <source>Lowest ζ: %1. One case is too few for a recommendation: fly more of them.</source>
         <translation>ζ le plus bas : %1. Un seul cas ne recommande aucune stratégie : jouez-en davantage.</translation>
     </message>
     <message>
@@ -12055,11 +11877,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>environ %1 h</translation>
     </message>
     <message>
-        <source>Carry on</source>
+        <source>Continue</source>
         <translation>Continuer</translation>
     </message>
     <message>
-        <source>Flies what is missing of the study shown.</source>
+        <source>Flies the missing missions of the study shown.</source>
         <translation>Joue ce qui manque à l&apos;étude affichée.</translation>
     </message>
     <message>
@@ -12083,7 +11905,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Environ %1 restant.</translation>
     </message>
     <message>
-        <source>What has been flown is kept.</source>
+        <source>The flights so far are kept.</source>
         <translation>Ce qui a été joué est conservé.</translation>
     </message>
     <message>
@@ -12093,98 +11915,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Stop</source>
         <translation>Arrêter</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StudySettingsModel</name>
-    <message>
-        <source>Best τ of each case</source>
-        <translation>Meilleur τ de chaque cas</translation>
-    </message>
-    <message>
-        <source>%1 – %2</source>
-        <comment>from, to</comment>
-        <translation>%1 – %2</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>référence</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
-        <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
-        <translation>Le τ de plus faible ζ de chaque cas, choisi a posteriori : médiane %1, quartiles %2 et %3.</translation>
-    </message>
-    <message>
-        <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
-        <translation>Inférieur à la référence dans %1 cas sur %2, pire %3. En moyenne %4 visites.</translation>
-    </message>
-    <message>
-        <source>Setting</source>
-        <translation>Réglage</translation>
-    </message>
-    <message>
-        <source>How the next iceberg is chosen.</source>
-        <translation>Comment l&apos;iceberg suivant est choisi.</translation>
-    </message>
-    <message>
-        <source>Mean ζ</source>
-        <translation>ζ moyen</translation>
-    </message>
-    <message>
-        <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
-        <translation>Incertitude cumulée en m² s, moyenne de tous les cas : une valeur plus faible est meilleure.</translation>
-    </message>
-    <message>
-        <source>Median ζ</source>
-        <translation>ζ médian</translation>
-    </message>
-    <message>
-        <source>Half of the cases have less.</source>
-        <translation>La moitié des cas en a moins.</translation>
-    </message>
-    <message>
-        <source>Quartiles</source>
-        <translation>Quartiles</translation>
-    </message>
-    <message>
-        <source>A quarter of the cases has less than the first, a quarter more than the second.</source>
-        <translation>Un quart des cas en a moins que le premier, un quart plus que le second.</translation>
-    </message>
-    <message>
-        <source>vs reference</source>
-        <translation>Écart à la réf.</translation>
-    </message>
-    <message>
-        <source>Mean of the differences, case by case, in per cent of the reference.</source>
-        <translation>Moyenne des différences, cas par cas, en pour cent de la référence.</translation>
-    </message>
-    <message>
-        <source>95 % interval</source>
-        <translation>Intervalle à 95 %</translation>
-    </message>
-    <message>
-        <source>Of the mean difference: confidence interval by Student&apos;s t.</source>
-        <translation>De la différence moyenne : intervalle de confiance selon la loi de Student.</translation>
-    </message>
-    <message>
-        <source>Best in</source>
-        <translation>Meilleur dans</translation>
-    </message>
-    <message>
-        <source>Cases in which no other setting has less ζ.</source>
-        <translation>Cas où aucun autre réglage n&apos;a un ζ plus faible.</translation>
-    </message>
-    <message>
-        <source>Stuck</source>
-        <translation>Bloqué</translation>
-    </message>
-    <message>
-        <source>Cases that fly to two icebergs at most in the second half.</source>
-        <translation>Cas qui vont vers deux icebergs au plus dans la seconde moitié.</translation>
     </message>
 </context>
 <context>
@@ -12202,8 +11932,8 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Champs d&apos;icebergs comme au tableau 3 de l&apos;article, un par graine.</translation>
     </message>
     <message>
-        <source>How many</source>
-        <translation>Combien</translation>
+        <source>Number</source>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Number of random scenarios.</source>
@@ -12214,7 +11944,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Première graine</translation>
     </message>
     <message>
-        <source>The others have the seeds that follow.</source>
+        <source>Further scenarios use the seeds that follow.</source>
         <translation>Les autres ont les graines qui suivent.</translation>
     </message>
     <message>
@@ -12230,7 +11960,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Vols par scénario</translation>
     </message>
     <message>
-        <source>Flights of each scenario with other noise: the true drift is drawn again, the same for every setting.</source>
+        <source>Flights of each scenario with different noise: the true drift is drawn again, identically for every setting.</source>
         <translation>Vols de chaque scénario avec un autre bruit : la dérive réelle est tirée de nouveau, la même pour chaque réglage.</translation>
     </message>
     <message>
@@ -12256,7 +11986,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>pas</translation>
     </message>
     <message>
-        <source>Between two values of τ.</source>
+        <source>Step between two values of τ.</source>
         <translation>Entre deux valeurs de τ.</translation>
     </message>
     <message numerus="yes">
@@ -12275,7 +12005,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Le plus grand τ est inférieur au plus petit.</translation>
     </message>
     <message>
-        <source>These are too many values of τ. Take a larger step.</source>
+        <source>Too many values of τ. Choose a larger step.</source>
         <translation>Il y a trop de valeurs de τ. Prenez un pas plus grand.</translation>
     </message>
     <message>
@@ -12287,7 +12017,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Une étude a au plus %1 missions.</translation>
     </message>
     <message>
-        <source>What is known of the drift in random scenarios, and how icebergs are seen.</source>
+        <source>Knowledge of the drift in random scenarios, and how icebergs are observed.</source>
         <translation>Ce qui est connu de la dérive dans les scénarios aléatoires, et comment les icebergs sont vus.</translation>
     </message>
     <message>
@@ -12311,7 +12041,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Vitesse inconnue</translation>
     </message>
     <message>
-        <source>Measured; velocities are not known by 0.1 m/s along each axis.</source>
+        <source>Measured; velocities are uncertain by 0.1 m/s along each axis.</source>
         <translation>Mesuré ; les vitesses sont incertaines de 0,1 m/s selon chaque axe.</translation>
     </message>
     <message>
@@ -12319,7 +12049,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Dérive réelle</translation>
     </message>
     <message>
-        <source>Measured; velocities are not known and change, as those of icebergs with beacons.</source>
+        <source>Measured; velocities are unknown and change, as observed for icebergs with beacons.</source>
         <translation>Mesuré ; les vitesses sont inconnues et changent, comme celles d&apos;icebergs équipés de balises.</translation>
     </message>
     <message>
@@ -12403,11 +12133,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Route</translation>
     </message>
     <message>
-        <source>This build of Bergwatch was made without this solver.</source>
+        <source>This build of Bergwatch does not include this solver.</source>
         <translation>Cette version de Bergwatch a été compilée sans ce solveur.</translation>
     </message>
     <message>
-        <source>The policy chosen does not use this.</source>
+        <source>The chosen policy does not use this.</source>
         <translation>La stratégie choisie ne l&apos;utilise pas.</translation>
     </message>
     <message>
@@ -12415,7 +12145,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
     </message>
     <message>
-        <source>Small: icebergs of great uncertainty come first. Large: the route gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
+        <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
         <translation>Petit : les icebergs de grande incertitude viennent d&apos;abord. Grand : la route devient courte. Les flèches changent τ de 0,01, les touches Page de 0,25.</translation>
     </message>
     <message>
@@ -12423,7 +12153,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Compromis τ de 0 à 100.</translation>
     </message>
     <message>
-        <source>What makes the plan. Automatic proves small problems and searches in large ones.</source>
+        <source>Solver of the plan. Automatic proves small problems optimal and searches in large ones.</source>
         <translation>Ce qui établit le plan. « Automatique » prouve l&apos;optimum des petits problèmes et fait une recherche dans les grands.</translation>
     </message>
     <message>
@@ -12433,6 +12163,39 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Locked while looking back. Choose Back to latest or Continue from here to change it.</source>
         <translation>Verrouillé pendant le retour en arrière. Choisissez Revenir au dernier instant ou Continuer d&apos;ici pour le modifier.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::UnsavedWorkGuard</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>Autosaved %1</source>
+        <translation>%1 enregistré automatiquement</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Échec de l&apos;enregistrement automatique : %1</translation>
+    </message>
+    <message>
+        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
+%1</source>
+        <translation>Le travail non enregistré d&apos;un programme terminé de façon inattendue ne peut pas être lu. Il est conservé dans ce fichier :
+%1</translation>
+    </message>
+    <message>
+        <source>Restored, not saved yet</source>
+        <translation>Restauré, pas encore enregistré</translation>
+    </message>
+    <message>
+        <source>%1, in flight</source>
+        <translation>%1, en vol</translation>
+    </message>
+    <message>
+        <source>Reading unsaved work</source>
+        <translation>Lecture du travail non enregistré</translation>
     </message>
 </context>
 <context>
@@ -12469,45 +12232,12 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>&amp;Souffle du</translation>
     </message>
     <message>
-        <source>The UAV will make little way against this wind.</source>
-        <translation>Le drone progressera peu contre ce vent.</translation>
+        <source>The UAV will make little headway in this wind.</source>
+        <translation>Le drone progressera peu dans ce vent.</translation>
     </message>
     <message>
-        <source>Always slower than the UAV flies: %1.</source>
-        <translation>Toujours plus lent que le vol du drone : %1.</translation>
-    </message>
-</context>
-<context>
-    <name>berg::WorkSafety</name>
-    <message>
-        <source>Untitled</source>
-        <translation>Sans titre</translation>
-    </message>
-    <message>
-        <source>Autosaved %1</source>
-        <translation>%1 enregistré automatiquement</translation>
-    </message>
-    <message>
-        <source>Autosaving failed: %1</source>
-        <translation>Échec de l&apos;enregistrement automatique : %1</translation>
-    </message>
-    <message>
-        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
-%1</source>
-        <translation>Le travail non enregistré d&apos;un programme terminé de façon inattendue ne peut pas être lu. Il est conservé dans ce fichier :
-%1</translation>
-    </message>
-    <message>
-        <source>Restored, not saved yet</source>
-        <translation>Restauré, pas encore enregistré</translation>
-    </message>
-    <message>
-        <source>%1, in flight</source>
-        <translation>%1, en vol</translation>
-    </message>
-    <message>
-        <source>Reading unsaved work</source>
-        <translation>Lecture du travail non enregistré</translation>
+        <source>Must be below the UAV&apos;s airspeed (%1).</source>
+        <translation>Doit être inférieur à la vitesse air du drone (%1).</translation>
     </message>
 </context>
 <context>
@@ -12529,7 +12259,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Modifier la route</translation>
     </message>
     <message>
-        <source>You are looking back. Continue from here, or go back to the latest, to change this.</source>
+        <source>You are viewing an earlier instant. To change this, continue from here or go back to the latest.</source>
         <translation>Vous regardez en arrière. Continuez d&apos;ici, ou revenez au dernier instant, pour modifier cela.</translation>
     </message>
     <message>
@@ -12549,7 +12279,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Le scénario a été modifié avant le décollage : aucun vol n&apos;a été effectué.</translation>
     </message>
     <message>
-        <source>Bring the flight back</source>
+        <source>Restore flight</source>
         <translation>Rétablir le vol</translation>
     </message>
 </context>

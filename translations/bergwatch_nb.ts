@@ -12,7 +12,7 @@
         <translation>Erstatt område</translation>
     </message>
     <message>
-        <source>An area needs three corners. Esc drops what is drawn.</source>
+        <source>An area needs at least three corners. Esc cancels the drawing.</source>
         <translation>Et område trenger tre hjørner. Esc forkaster det som er tegnet.</translation>
     </message>
     <message numerus="yes">
@@ -23,19 +23,19 @@
         </translation>
     </message>
     <message>
-        <source>A click on the first corner or Enter closes the area. Backspace takes a corner back, Esc all.</source>
+        <source>Click the first corner or press Enter to close the area. Backspace removes a corner, Esc cancels.</source>
         <translation>Klikk på det første hjørnet eller Enter lukker området. Slett bakover angrer ett hjørne, Esc alle.</translation>
     </message>
     <message>
-        <source>Click sets the next corner. Backspace takes one back, Esc drops the area.</source>
+        <source>Click to set the next corner. Backspace removes a corner, Esc cancels.</source>
         <translation>Klikk setter neste hjørne. Slett bakover angrer ett, Esc forkaster området.</translation>
     </message>
     <message>
-        <source>Drag a corner or an edge&apos;s middle; a click begins another area. Esc leaves the tool.</source>
+        <source>Drag a corner or the middle of an edge; clicking starts a new area. Esc leaves the tool.</source>
         <translation>Dra et hjørne eller midten av en kant; et klikk begynner et nytt område. Esc forlater verktøyet.</translation>
     </message>
     <message>
-        <source>Click sets the first corner of the area. Esc leaves the tool.</source>
+        <source>Click to set the first corner of the area. Esc leaves the tool.</source>
         <translation>Klikk setter områdets første hjørne. Esc forlater verktøyet.</translation>
     </message>
     <message>
@@ -50,7 +50,7 @@
         </translation>
     </message>
     <message>
-        <source>Click sets the first corner of a no-fly area. Corners and edges&apos; middles of those there are can be dragged. Esc leaves the tool.</source>
+        <source>Click to set the first corner of a no-fly area, or drag a corner or the middle of an edge of an existing one. Esc leaves the tool.</source>
         <translation>Klikk setter det første hjørnet i et flyforbudsområde. Hjørner og kantmidter i de som finnes, kan dras. Esc forlater verktøyet.</translation>
     </message>
 </context>
@@ -87,7 +87,7 @@
         <translation>løser</translation>
     </message>
     <message>
-        <source>interrupted: the table ends early</source>
+        <source>interrupted: the table is incomplete</source>
         <translation>avbrutt: tabellen slutter for tidlig</translation>
     </message>
     <message>
@@ -123,15 +123,15 @@
         <translation>--format: %1 er ingen av %2</translation>
     </message>
     <message>
-        <source>--output: no format has the suffix of %1; --format names one of %2</source>
+        <source>--output: no format has the suffix of %1; choose one with --format: %2</source>
         <translation>--output: ingen formater har filendelsen til %1; --format velger ett av %2</translation>
     </message>
     <message>
-        <source>--format %1: is painted by the program bergwatch, which was found neither beside this one nor on the PATH</source>
+        <source>--format %1: the program bergwatch paints this format, but it is neither in this folder nor on the PATH</source>
         <translation>--format %1: tegnes av programmet bergwatch, som verken finnes ved siden av dette eller i PATH</translation>
     </message>
     <message>
-        <source>%1: %2 is no UTC time such as 2026-05-01T12:00:00Z</source>
+        <source>%1: %2 is not a UTC time such as 2026-05-01T12:00:00Z</source>
         <translation>%1: %2 er ikke et UTC-tidspunkt som 2026-05-01T12:00:00Z</translation>
     </message>
     <message>
@@ -143,11 +143,11 @@
         <translation>--map: %1 er ikke FIELD=COLUMN med et felt av %2</translation>
     </message>
     <message>
-        <source>--position-error: %1 is neither metres nor one of %2</source>
+        <source>--position-error: %1 is neither a number of metres nor one of %2</source>
         <translation>--position-error: %1 er verken meter eller en av %2</translation>
     </message>
     <message>
-        <source>--with-tracks needs --at: the tracks are what was sighted after it</source>
+        <source>--with-tracks needs --at: tracks consist of the sightings after that time</source>
         <translation>--with-tracks trenger --at: sporene er det som ble observert etter det tidspunktet</translation>
     </message>
     <message>
@@ -155,15 +155,15 @@
         <translation>og %1 til</translation>
     </message>
     <message>
-        <source>and %1 more notes on icebergs</source>
+        <source>and %1 more notes about icebergs</source>
         <translation>og %1 merknader til om isfjell</translation>
     </message>
     <message>
-        <source>--format airspace needs --into, the scenario that it is added to</source>
+        <source>--format airspace needs --into, the scenario to add it to</source>
         <translation>--format airspace trenger --into, scenarioet som det legges til i</translation>
     </message>
     <message>
-        <source>the processes of MPI were given different options</source>
+        <source>the MPI processes have different options</source>
         <translation>MPI-prosessene har fått ulike valg</translation>
     </message>
     <message>
@@ -179,15 +179,15 @@
         <translation>%1 er ikke et tall</translation>
     </message>
     <message>
-        <source>%1 is an input of this command: name another file</source>
+        <source>%1 is an input of this command; name another file</source>
         <translation>%1 er inndata for denne kommandoen: oppgi en annen fil</translation>
     </message>
     <message>
-        <source>%1 is an input of this command (%2): name another file</source>
+        <source>%1 is an input of this command (%2); name another file</source>
         <translation>%1 er inndata for denne kommandoen (%2): oppgi en annen fil</translation>
     </message>
     <message>
-        <source>%1 is the file of %2 already: name another file</source>
+        <source>%1 is already the file of %2; name another file</source>
         <translation>%1 er allerede filen til %2: oppgi en annen fil</translation>
     </message>
     <message>
@@ -195,15 +195,15 @@
         <translation>%1 og --json trenger begge standard ut</translation>
     </message>
     <message>
-        <source>%1: exists; --force overwrites it</source>
+        <source>%1 exists; use --force to overwrite it</source>
         <translation>%1: finnes allerede; --force overskriver den</translation>
     </message>
     <message>
-        <source>%1: %2 and %3 contradict each other: one of the two is wrong. Do not trust this order.</source>
+        <source>%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order.</source>
         <translation>%1: %2 og %3 motsier hverandre: én av de to tar feil. Stol ikke på denne rekkefølgen.</translation>
     </message>
     <message>
-        <source>there is not enough memory for this</source>
+        <source>there is not enough memory</source>
         <translation>det er ikke nok minne til dette</translation>
     </message>
     <message>
@@ -227,11 +227,11 @@
         <translation>Oppgi kolonnene i en tabell: --map latitude=COLUMN --map longitude=COLUMN.</translation>
     </message>
     <message>
-        <source>Is this a file of Bergwatch? Sightings are read by &apos;import&apos;.</source>
+        <source>This is not a Bergwatch file. To read sightings, use &apos;import&apos;.</source>
         <translation>Er dette en fil fra Bergwatch? Observasjoner leses av «import».</translation>
     </message>
     <message>
-        <source>there is no script for %1</source>
+        <source>there is no completion script for %1</source>
         <translation>det finnes ikke noe skript for %1</translation>
     </message>
     <message>
@@ -251,7 +251,7 @@
         <translation>flyr</translation>
     </message>
     <message>
-        <source>a run file is replayed as it was flown; --tau, --policy, --duration, --dt, --seed and --no-noise are for scenarios</source>
+        <source>a run file is replayed exactly as flown; --tau, --policy, --duration, --dt, --seed and --no-noise apply to scenarios only</source>
         <translation>en lagret flyging spilles av slik den ble fløyet; --tau, --policy, --duration, --dt, --seed og --no-noise gjelder scenarioer</translation>
     </message>
     <message>
@@ -259,11 +259,11 @@
         <translation>spiller av</translation>
     </message>
     <message>
-        <source>--bound is for what the UAV sees by itself; in this run an iceberg was reported seen</source>
+        <source>--bound does not apply to runs with reported sightings</source>
         <translation>--bound gjelder det UAV-en selv ser; i denne flygingen ble et isfjell meldt sett</translation>
     </message>
     <message>
-        <source>--bound is for the scenario&apos;s wind; in this run it changed</source>
+        <source>--bound does not apply to runs in which the wind changed</source>
         <translation>--bound gjelder vinden i scenarioet; i denne flygingen endret den seg</translation>
     </message>
     <message>
@@ -271,11 +271,11 @@
         <translation>finner nedre grense</translation>
     </message>
     <message>
-        <source>interrupted: the flight is complete, its lower bound is missing</source>
+        <source>interrupted: the flight is complete, but its lower bound is missing</source>
         <translation>avbrutt: flygingen er fullført, den nedre grensen mangler</translation>
     </message>
     <message>
-        <source>not complete: %1 of %2 missions are flown; counted are the cases with all their settings</source>
+        <source>incomplete: %1 of %2 missions are flown; the results use only cases with all settings</source>
         <translation>ikke fullført: %1 av %2 oppdrag er fløyet; bare tilfeller med alle innstillinger regnes med</translation>
     </message>
     <message>
@@ -283,7 +283,7 @@
         <translation>--reference: %1 er ikke POLICY[:TAU] med en av %2</translation>
     </message>
     <message>
-        <source>--reference: %1 is not flown in this study</source>
+        <source>--reference: this study does not contain %1</source>
         <translation>--reference: %1 flys ikke i denne studien</translation>
     </message>
     <message>
@@ -291,7 +291,7 @@
         <translation>--tau: %1 er ikke A:B:STEP med 0 &lt;= A &lt;= B &lt;= 100</translation>
     </message>
     <message>
-        <source>--tau: %1 makes it more than %2 values</source>
+        <source>--tau: with %1 there are more than %2 values</source>
         <translation>--tau: med %1 blir det mer enn %2 verdier</translation>
     </message>
     <message>
@@ -299,11 +299,11 @@
         <translation>--policies: %1 er ingen av %2</translation>
     </message>
     <message>
-        <source>--regime is for --random N; scenarios say themselves how icebergs drift</source>
+        <source>--regime needs --random N; scenario files define their own drift</source>
         <translation>--regime gjelder --random N; scenarioer sier selv hvordan isfjell driver</translation>
     </message>
     <message>
-        <source>name scenarios, or give --random N</source>
+        <source>name scenarios, or use --random N</source>
         <translation>oppgi scenarioer eller --random N</translation>
     </message>
     <message>
@@ -311,15 +311,15 @@
         <translation>--shard: %1 er ikke I/N med 1 &lt;= I &lt;= N</translation>
     </message>
     <message>
-        <source>--shard: the part needs a file to be kept in: --study FILE</source>
+        <source>--shard needs --study FILE, in which the part is stored</source>
         <translation>--shard: delen trenger en fil å lagres i: --study FILE</translation>
     </message>
     <message>
-        <source>--shard: the files of all shards are written by &apos;study&apos;</source>
+        <source>--shard: to write tables and reports of all shards, use &apos;study&apos;</source>
         <translation>--shard: filene for alle delene skrives av «study»</translation>
     </message>
     <message>
-        <source>--replace-study: is for --study FILE</source>
+        <source>--replace-study needs --study FILE</source>
         <translation>--replace-study: gjelder --study FILE</translation>
     </message>
     <message>
@@ -327,7 +327,7 @@
         <translation>flyr %1 oppdrag</translation>
     </message>
     <message>
-        <source>interrupted: %1 of %2 missions are kept in %3; the same command carries on</source>
+        <source>interrupted: %1 of %2 missions are stored in %3; repeat the command to continue</source>
         <translation>avbrutt: %1 av %2 oppdrag er lagret i %3; den samme kommandoen fortsetter</translation>
     </message>
     <message>
@@ -367,135 +367,11 @@
         <translation>%1 mangler</translation>
     </message>
     <message>
-        <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
-        <translation>en fil har plass til én UAV: %1 filer skrives, med navn etter UAV-ene</translation>
-    </message>
-    <message>
-        <source>the scenario has no start time, so the file has no dates</source>
-        <translation>scenarioet har ikke noe starttidspunkt, så filen har ingen datoer</translation>
-    </message>
-    <message>
-        <source>the geofence is left out: the format has no place for it</source>
-        <translation>geogjerdet utelates: formatet har ikke plass til det</translation>
-    </message>
-    <message>
-        <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
-        <translation>flyforbudsområder og sikkerhetsringen utelates: formatet har ikke plass til dem</translation>
-    </message>
-    <message>
-        <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
-        <translation>flyforbudsområder har ingen høyder: de i UAV-ens høyde skrives</translation>
-    </message>
-    <message>
-        <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
-        <translation>%1 kan tegne gjerdet den lange veien rundt: det krysser datolinjen</translation>
-    </message>
-    <message>
-        <source>the places where icebergs were reached are written, not the track</source>
-        <translation>stedene der isfjell ble nådd, skrives, ikke sporet</translation>
-    </message>
-    <message>
-        <source>the path becomes %1 waypoints within %2 m of it</source>
-        <translation>banen blir %1 veipunkter innenfor %2 m fra den</translation>
-    </message>
-    <message>
-        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
-        <translation>%1 lagrer passeringsradier opp til %3 m: %2 m blir %3 m</translation>
-    </message>
-    <message>
-        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
-        <translation>%1 lagrer sirkelradier over 255 m i trinn på 10 m: %2 m blir %3 m</translation>
-    </message>
-    <message>
-        <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
-        <translation>%1 leser marsjfarten som heltall: %2 m/s blir %3 m/s; farten i oppdraget er nøyaktig</translation>
-    </message>
-    <message>
-        <source>the file is about the whole flight, whatever is chosen to be exported</source>
-        <translation>filen handler om hele flygingen, uansett hva som er valgt å eksportere</translation>
-    </message>
-    <message>
-        <source>UAVs without an iceberg to visit: %1</source>
-        <translation>UAV-er uten et isfjell å besøke: %1</translation>
-    </message>
-    <message>
-        <source>straight legs that lead out of the geofence or through a no-fly area: %1; the path (--what path) leads round</source>
-        <translation>rette etapper som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1; banen (--what path) fører utenom</translation>
-    </message>
-    <message>
-        <source>this sortie alone is written: icebergs of the order left for later ones: %1</source>
-        <translation>bare dette toktet skrives: isfjell i rekkefølgen som er igjen til senere tokt: %1</translation>
-    </message>
-    <message>
-        <source>velocity unknown</source>
-        <translation>hastigheten er ukjent</translation>
-    </message>
-    <message>
-        <source>velocity from the file</source>
-        <translation>hastigheten er fra filen</translation>
-    </message>
-    <message>
-        <source>velocity limited to 5 m/s per axis</source>
-        <translation>hastigheten er begrenset til 5 m/s per akse</translation>
-    </message>
-    <message>
-        <source>q estimated</source>
-        <translation>q er anslått</translation>
-    </message>
-    <message>
-        <source>q limited to 1e6 m2/s</source>
-        <translation>q er begrenset til 1e6 m2/s</translation>
-    </message>
-    <message>
-        <source>stationary</source>
-        <translation>ligger stille</translation>
-    </message>
-    <message>
-        <source>sightings of one time</source>
-        <translation>flere observasjoner til samme tid</translation>
-    </message>
-    <message>
-        <source>sightings at impossible places not used</source>
-        <translation>observasjoner på umulige steder er ikke brukt</translation>
-    </message>
-    <message>
-        <source>recorded track attached</source>
-        <translation>registrert spor er lagt til</translation>
-    </message>
-    <message>
-        <source>no track: not sighted after the start</source>
-        <translation>uten spor: ikke observert etter starten</translation>
-    </message>
-    <message>
-        <source>older than what the scenario has</source>
-        <translation>eldre enn det scenarioet har</translation>
-    </message>
-    <message>
-        <source>sighted only after the start</source>
-        <translation>først observert etter starten</translation>
-    </message>
-    <message>
-        <source>more than 1000 km from the origin at the start</source>
-        <translation>mer enn 1000 km fra origo ved starten</translation>
-    </message>
-    <message>
-        <source>the scenario is full</source>
-        <translation>scenarioet er fullt</translation>
-    </message>
-    <message>
-        <source>an aircraft has this id</source>
-        <translation>en UAV har denne id-en</translation>
-    </message>
-    <message>
-        <source>--format airspace goes with --into, --output, --force and --json alone</source>
+        <source>--format airspace accepts only --into, --output, --force and --json</source>
         <translation>--format airspace kan bare brukes sammen med --into, --output, --force og --json</translation>
     </message>
     <message>
-        <source>no time: counts as seen at the start</source>
-        <translation>uten tid: regnes som sett ved start</translation>
-    </message>
-    <message>
-        <source>%1 is airspace: use --format airspace with --into SCENARIO</source>
+        <source>%1 is airspace; use --format airspace with --into SCENARIO</source>
         <translation>%1 er luftrom: bruk --format airspace med --into SCENARIO</translation>
     </message>
     <message>
@@ -503,15 +379,15 @@
         <translation>%1 utelukker %2</translation>
     </message>
     <message>
-        <source>--bound is for all icebergs; in this run one was removed</source>
+        <source>--bound does not apply to runs from which an iceberg was removed</source>
         <translation>--bound gjelder alle isfjell; i denne flygingen ble ett fjernet</translation>
     </message>
     <message>
-        <source>--output: this format has a file for each UAV; choose one with --uav</source>
+        <source>--output: this format writes one file per UAV; choose a UAV with --uav</source>
         <translation>--output: dette formatet har en fil for hver UAV; velg én med --uav</translation>
     </message>
     <message>
-        <source>%1: &apos;-&apos; is not possible here: give a name</source>
+        <source>%1: &apos;-&apos; is not possible here; give a file name</source>
         <translation>%1: «-» er ikke mulig her: oppgi et navn</translation>
     </message>
     <message>
@@ -531,12 +407,16 @@
         <translation>--dt, --duration: tidssteget er lengre enn varigheten</translation>
     </message>
     <message>
-        <source>--first-seed is for --random N; scenarios hold their own seeds</source>
+        <source>--first-seed needs --random N; scenario files have their own seeds</source>
         <translation>--first-seed gjelder --random N; scenarioer har egne frø</translation>
     </message>
     <message>
-        <source>--%1 is not used: nothing in the file depends on it</source>
-        <translation>--%1 brukes ikke: ingenting i filen avhenger av det</translation>
+        <source>%1 sightings are too far from the origin of the scenario, %2; import them without --into, or choose others with --area</source>
+        <translation>%1 observasjoner er for langt fra scenarioets origo, %2: importer dem uten --into, eller velg andre med --area</translation>
+    </message>
+    <message>
+        <source>%1 sightings are too far from the origin, %2, which lies in their densest group; choose others with --area</source>
+        <translation>%1 observasjoner er for langt fra origo, %2, som ligger i den tetteste gruppen av dem: velg andre med --area</translation>
     </message>
 </context>
 <context>
@@ -592,7 +472,7 @@
         <translation>Middel Σσ, m²</translation>
     </message>
     <message>
-        <source>Zeta over time: how uncertain all icebergs were together on average.</source>
+        <source>Mean total uncertainty of all icebergs: ζ divided by the flown time.</source>
         <translation>Zeta over tid: hvor usikre alle isfjell var til sammen i gjennomsnitt.</translation>
     </message>
     <message>
@@ -604,7 +484,7 @@
         <translation>Planer</translation>
     </message>
     <message>
-        <source>Times the visiting order was planned.</source>
+        <source>Number of plans made.</source>
         <translation>Ganger besøksrekkefølgen ble planlagt.</translation>
     </message>
     <message>
@@ -612,23 +492,23 @@
         <translation>Avstand fløyet gjennom luften.</translation>
     </message>
     <message>
-        <source>Unseen up to</source>
-        <translation>Usett opptil</translation>
+        <source>Longest unseen</source>
+        <translation>Lengst usett</translation>
     </message>
     <message>
         <source>Longest time for which an iceberg was out of view.</source>
         <translation>Lengste tid et isfjell var ute av syne.</translation>
     </message>
     <message>
-        <source>which was</source>
-        <translation>det var</translation>
+        <source>Iceberg</source>
+        <translation>Isfjell</translation>
     </message>
     <message>
         <source>The iceberg that was out of view for the longest time.</source>
         <translation>Isfjellet som var ute av syne lengst.</translation>
     </message>
     <message>
-        <source>Unseen for %1 in all in A.</source>
+        <source>Unseen for %1 in total in A.</source>
         <translation>Usett i %1 til sammen i A.</translation>
     </message>
     <message>
@@ -644,11 +524,11 @@
         <translation>Isfjell som %1 har nådd.</translation>
     </message>
     <message>
-        <source>What %1 has flown through the air.</source>
+        <source>Distance that %1 has flown through the air.</source>
         <translation>Det %1 har fløyet gjennom lufta.</translation>
     </message>
     <message>
-        <source>Icebergs that were targets and were reached.</source>
+        <source>Icebergs reached as targets.</source>
         <translation>Isfjell som var mål og ble nådd.</translation>
     </message>
 </context>
@@ -678,11 +558,11 @@
         <translation>Lagre endringene i «%1»?</translation>
     </message>
     <message>
-        <source>They are lost if you do not save them.</source>
+        <source>Your changes will be lost if you don&apos;t save them.</source>
         <translation>De går tapt hvis du ikke lagrer dem.</translation>
     </message>
     <message>
-        <source>They are lost if you do not save them. The flight under way ends unless you cancel.</source>
+        <source>Your changes will be lost if you don&apos;t save them. The flight in progress ends unless you cancel.</source>
         <translation>De går tapt hvis du ikke lagrer dem. Flygingen som pågår, avsluttes hvis du ikke avbryter.</translation>
     </message>
     <message>
@@ -706,7 +586,7 @@
         <translation>«%1» er åpen i et annet vindu.</translation>
     </message>
     <message>
-        <source>%1 has it open. A copy can be changed freely and saved under another name; if both windows save to the file, the last one wins.</source>
+        <source>%1 has it open. You can open a copy and save it under another name. If both windows save to this file, the last one wins.</source>
         <translation>%1 har den åpen. En kopi kan endres fritt og lagres under et annet navn; lagrer begge vinduene i filen, gjelder det siste.</translation>
     </message>
     <message>
@@ -738,11 +618,11 @@
         <translation>Filen er endret</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was changed by another program.</source>
+        <source>Another program has changed &quot;%1&quot;.</source>
         <translation>«%1» ble endret av et annet program.</translation>
     </message>
     <message>
-        <source>You have no unsaved changes of your own.</source>
+        <source>You have no unsaved changes.</source>
         <translation>Du har ingen egne ulagrede endringer.</translation>
     </message>
     <message>
@@ -758,19 +638,19 @@
         <translation>Flyging pågår</translation>
     </message>
     <message>
-        <source>A flight has begun in the meantime. End it?</source>
+        <source>A flight has started in the meantime. End it?</source>
         <translation>En flyging har begynt i mellomtiden. Avslutte den?</translation>
     </message>
     <message>
-        <source>A flight is under way. End it?</source>
+        <source>A flight is in progress. End it?</source>
         <translation>En flyging pågår. Avslutte den?</translation>
     </message>
     <message>
-        <source>The scenario can only be changed when no flight is under way. The flight stays in the list of runs.</source>
+        <source>The scenario can only be changed when no flight is in progress. The flight stays in the list of runs.</source>
         <translation>Scenariet kan bare endres når ingen flyging pågår. Flygingen blir stående i listen over flyginger.</translation>
     </message>
     <message>
-        <source>As far as it went, it stays in the list of runs.</source>
+        <source>What has been flown so far stays in the list of runs.</source>
         <translation>Så langt den kom, blir den stående i listen over flyginger.</translation>
     </message>
     <message>
@@ -790,7 +670,7 @@
         <translation>Lagre flygingen?</translation>
     </message>
     <message>
-        <source>What was flown is lost if you do not save it.</source>
+        <source>The flight will be lost if you don&apos;t save it.</source>
         <translation>Det som er fløyet, går tapt hvis du ikke lagrer det.</translation>
     </message>
     <message>
@@ -821,10 +701,6 @@
         </translation>
     </message>
     <message>
-        <source>%1: the UAV visits them no more. In flight, Undo does not bring them back.</source>
-        <translation>%1: UAV-en besøker dem ikke mer. Under flyging henter ikke Angre dem tilbake.</translation>
-    </message>
-    <message>
         <source>&amp;Remove</source>
         <translation>&amp;Fjern</translation>
     </message>
@@ -836,11 +712,31 @@
         <source>Degrees from true to magnetic north, positive east, negative west:</source>
         <translation>Grader fra rettvisende til magnetisk nord, positivt mot øst, negativt mot vest:</translation>
     </message>
+    <message>
+        <source>%1: the UAV will not visit them any more.</source>
+        <translation>%1: UAV-en besøker dem ikke mer.</translation>
+    </message>
+    <message>
+        <source>Undo in flight</source>
+        <translation>Angre under flyging</translation>
+    </message>
+    <message>
+        <source>Undo &quot;%1&quot; of %2?</source>
+        <translation>Angre «%1» fra %2?</translation>
+    </message>
+    <message>
+        <source>The flight goes back to that time and continues without the change. The flight since then is discarded; &quot;Restore&quot; brings it back.</source>
+        <translation>Flygingen går tilbake til den tiden og fortsetter uten endringen. Det som er fløyet siden, gis opp; «Hent flygingen tilbake» vender tilbake til det.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Angre</translation>
+    </message>
 </context>
 <context>
     <name>DriftArrow</name>
     <message>
-        <source>The arrow is the drift over %1. Shift keeps to steps of %2°, Esc takes it back.</source>
+        <source>The arrow shows the drift over %1. Shift snaps to steps of %2°; Esc cancels.</source>
         <translation>Pilen er driften på %1. Skift holder seg til trinn på %2°, Esc angrer.</translation>
     </message>
     <message>
@@ -863,15 +759,15 @@
         <translation>Filen kan ikke skrives. Kontroller at mappen finnes, at du har lov til å skrive der, og at disken ikke er full.</translation>
     </message>
     <message>
-        <source>The file is too large to be one of Bergwatch&apos;s.</source>
+        <source>The file is too large for a Bergwatch file.</source>
         <translation>Filen er for stor til å være en fil fra Bergwatch.</translation>
     </message>
     <message>
-        <source>The file is not well-formed JSON. Correct it at the place named.</source>
-        <translation>Filen er ikke gyldig JSON. Rett den på stedet som er oppgitt.</translation>
+        <source>This is not a Bergwatch file, or it is damaged at the place named.</source>
+        <translation>Dette er ikke en Bergwatch-fil, eller den er skadet på stedet som er oppgitt.</translation>
     </message>
     <message>
-        <source>The file is of another kind than the one expected here.</source>
+        <source>This file is of a different type than expected here.</source>
         <translation>Filen er av et annet slag enn det som ventes her.</translation>
     </message>
     <message>
@@ -879,7 +775,7 @@
         <translation>Filen er laget av en nyere versjon av Bergwatch. Oppdater programmet for å åpne den.</translation>
     </message>
     <message>
-        <source>The values named cannot be used. Correct them and try again.</source>
+        <source>These values are not valid. Correct them and try again.</source>
         <translation>Verdiene som er oppgitt, kan ikke brukes. Rett dem og prøv igjen.</translation>
     </message>
     <message>
@@ -887,11 +783,11 @@
         <translation>Denne versjonen av Bergwatch kan ikke gjøre det.</translation>
     </message>
     <message>
-        <source>The planner failed. Choose another planner back end.</source>
+        <source>The planner failed. Choose another solver.</source>
         <translation>Planleggeren mislyktes. Velg en annen løser.</translation>
     </message>
     <message>
-        <source>Flying the run again gave another result than the one it recorded. It may come from another version of Bergwatch.</source>
+        <source>The replay of the run differs from the recording. The file may come from another version of Bergwatch.</source>
         <translation>Da turen ble fløyet på nytt, ble resultatet et annet enn det som er lagret. Den kan komme fra en annen versjon av Bergwatch.</translation>
     </message>
     <message numerus="yes">
@@ -904,10 +800,6 @@
 </context>
 <context>
     <name>EventText</name>
-    <message>
-        <source>Every iceberg is in view: circling</source>
-        <translation>Alle isfjell er i synsfeltet: sirkler</translation>
-    </message>
     <message>
         <source>Planned: next %1</source>
         <translation>Planlagt: neste er %1</translation>
@@ -1096,6 +988,10 @@
         <source>%1 assigned to %2</source>
         <translation>%1 tildelt %2</translation>
     </message>
+    <message>
+        <source>Nothing to visit now: circling</source>
+        <translation>Ingenting å besøke nå: sirkler</translation>
+    </message>
 </context>
 <context>
     <name>ExportPicture</name>
@@ -1113,10 +1009,6 @@
     <message>
         <source>Waypoint list</source>
         <translation>Veipunktliste</translation>
-    </message>
-    <message>
-        <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One UAV a file.</source>
-        <translation>Oppdraget som QGC WPL 110, første rad er hjem, for Mission Planner og MAVProxy. Uten geogjerde. Én UAV per fil.</translation>
     </message>
     <message>
         <source>QGIS and other map programs</source>
@@ -1183,18 +1075,6 @@
         <translation>Tabell over rekkefølgen med etapper, koordinater og ankomster; for en bane eller det som er fløyet én rad per punkt.</translation>
     </message>
     <message>
-        <source>%1 shows the cruise speed as a whole number: %2 m/s becomes %3 m/s. The speed in the mission is exact.</source>
-        <translation>%1 viser marsjfarten som heltall: %2 m/s blir %3 m/s. Farten i oppdraget er nøyaktig.</translation>
-    </message>
-    <message>
-        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m.</source>
-        <translation>%1 lagrer sirkelradier over 255 m i trinn på 10 m: %2 m blir %3 m.</translation>
-    </message>
-    <message>
-        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m.</source>
-        <translation>%1 lagrer passeringsradier opp til %3 m: %2 m blir %3 m.</translation>
-    </message>
-    <message>
         <source>Autopilots</source>
         <translation>Autopiloter</translation>
     </message>
@@ -1217,43 +1097,6 @@
     <message>
         <source>Left out</source>
         <translation>Utelatt</translation>
-    </message>
-    <message numerus="yes">
-        <source>A file holds one UAV: %n files are written, named after the UAVs.</source>
-        <translation>
-            <numerusform>En fil rommer én UAV: %n fil skrives, oppkalt etter UAV-en.</numerusform>
-            <numerusform>En fil rommer én UAV: %n filer skrives, oppkalt etter UAV-ene.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The scenario has no start time, so the file has no dates.</source>
-        <translation>Scenarioet har ingen starttid, så filen har ingen datoer.</translation>
-    </message>
-    <message>
-        <source>The format has no place for the geofence.</source>
-        <translation>Formatet har ikke plass til geogjerdet.</translation>
-    </message>
-    <message>
-        <source>%1 may draw the fence the long way round: it crosses the antimeridian.</source>
-        <translation>%1 kan tegne gjerdet den lange veien rundt: det krysser datolinjen.</translation>
-    </message>
-    <message>
-        <source>The places where icebergs were reached are written, not the track.</source>
-        <translation>Stedene der isfjell ble nådd skrives, ikke sporet.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The path becomes %n waypoints close to it.</source>
-        <translation>
-            <numerusform>Banen blir %n veipunkt tett ved den.</numerusform>
-            <numerusform>Banen blir %n veipunkter tett ved den.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs have no iceberg to visit.</source>
-        <translation>
-            <numerusform>%n UAV har ingen isfjell å besøke.</numerusform>
-            <numerusform>%n UAV-er har ingen isfjell å besøke.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Map as %1</source>
@@ -1292,26 +1135,6 @@
         <translation>Bilder og utskrift</translation>
     </message>
     <message>
-        <source>The file is about the whole flight, whatever is chosen.</source>
-        <translation>Filen gjelder hele flygingen, uansett valg.</translation>
-    </message>
-    <message>
-        <source>This sortie alone is written. Icebergs of the order left for later ones: %1.</source>
-        <translation>Bare dette toktet skrives. Isfjell i rekkefølgen som er igjen til senere tokt: %1.</translation>
-    </message>
-    <message>
-        <source>The format has no place for no-fly areas and the stand-off ring.</source>
-        <translation>Formatet har ikke plass til flyforbudsområder og sikkerhetsringen.</translation>
-    </message>
-    <message>
-        <source>No-fly areas have no heights in it: those at the altitude of the UAV are written.</source>
-        <translation>Flyforbudsområder har ingen høyder i formatet: de som gjelder i UAV-ens høyde, skrives.</translation>
-    </message>
-    <message>
-        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. Export the path instead: it leads round.</source>
-        <translation>Rette etapper som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1. Eksporter banen i stedet: den fører utenom.</translation>
-    </message>
-    <message>
         <source>Altitude</source>
         <translation>Høyde</translation>
     </message>
@@ -1348,28 +1171,24 @@
         <translation>Side med planlagt og fløyet, zeta mot prognosen, alle observasjoner og avvik.</translation>
     </message>
     <message>
-        <source>To print and take along: map, order with coordinates, legs and times, wind, warnings; with an operation volume, a second page about it.</source>
-        <translation>Til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler; med et operasjonsvolum en side til om det.</translation>
-    </message>
-    <message>
-        <source>Nothing in the file depends on: %1.</source>
-        <translation>Ingenting i filen avhenger av: %1.</translation>
-    </message>
-    <message>
         <source>Return home</source>
         <translation>Fly hjem</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One UAV a file.</source>
-        <translation>Oppdraget med høyde, fart og radier, geogjerdet og et samlingspunkt hjemme; ingen avgang og ingen landing. Leses også av Mission Planner og MAVSDK. Én UAV per fil.</translation>
+        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Oppdraget med høyde, fart og radier, geogjerdet og et samlingspunkt hjemme; ingen avgang og ingen landing. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
+    </message>
+    <message>
+        <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
+        <translation>Oppdraget som QGC WPL 110, første rad er hjem, for Mission Planner og MAVProxy. Uten geogjerde. Én fil per UAV.</translation>
+    </message>
+    <message>
+        <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
+        <translation>Til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler; og en side til hvis det er et operasjonsvolum.</translation>
     </message>
 </context>
 <context>
     <name>FieldNames</name>
-    <message>
-        <source>Corner of the area</source>
-        <translation>Hjørne av området</translation>
-    </message>
     <message>
         <source>Time of the recorded track</source>
         <translation>Tidspunkt i det registrerte sporet</translation>
@@ -1377,14 +1196,6 @@
     <message>
         <source>Place of the recorded track</source>
         <translation>Sted i det registrerte sporet</translation>
-    </message>
-    <message>
-        <source>Trade-off τ</source>
-        <translation>Avveining τ</translation>
-    </message>
-    <message>
-        <source>Corner of the no-fly area</source>
-        <translation>Hjørne i flyforbudsområdet</translation>
     </message>
     <message>
         <source>South</source>
@@ -1417,22 +1228,6 @@
     <message>
         <source>Origin</source>
         <translation>Origo</translation>
-    </message>
-    <message>
-        <source>Airspace</source>
-        <translation>Luftrom</translation>
-    </message>
-    <message>
-        <source>Corner of the airspace</source>
-        <translation>Hjørne av luftrommet</translation>
-    </message>
-    <message>
-        <source>Start of the airspace</source>
-        <translation>Luftrommets start</translation>
-    </message>
-    <message>
-        <source>End of the airspace</source>
-        <translation>Luftrommets slutt</translation>
     </message>
 </context>
 <context>
@@ -1549,11 +1344,11 @@
         <translation>Utholdenhet</translation>
     </message>
     <message>
-        <source>Positions WGS 84: icebergs drift, each is given where it was when it was reached. Courses and distances are over ground.</source>
+        <source>Positions are WGS 84. Icebergs drift: each is listed where it was when reached. Courses and distances are over ground.</source>
         <translation>Posisjoner i WGS 84: isfjell driver, hvert er oppgitt der det var da det ble nådd. Kurser og distanser er over grunn.</translation>
     </message>
     <message>
-        <source>Positions WGS 84: icebergs drift, each is given where it is expected at arrival. Courses and distances are over ground.</source>
+        <source>Positions are WGS 84. Icebergs drift: each is listed where it is expected at arrival. Courses and distances are over ground.</source>
         <translation>Posisjoner i WGS 84: isfjell driver, hvert er oppgitt der det ventes ved ankomst. Kurser og distanser er over grunn.</translation>
     </message>
     <message>
@@ -1625,23 +1420,23 @@
         <translation>σ nå</translation>
     </message>
     <message>
-        <source>and %1 more; the whole list: export CSV</source>
+        <source>and %1 more; export CSV for the whole list</source>
         <translation>og %1 til; hele listen: eksporter CSV</translation>
     </message>
     <message>
-        <source>and %1 more UAVs; the whole list: export CSV</source>
+        <source>and %1 more UAVs; export CSV for the whole list</source>
         <translation>og %1 UAV-er til; hele listen: eksporter CSV</translation>
     </message>
     <message>
-        <source>Lost, not where they were expected (%1): %2</source>
+        <source>Lost, not found where expected (%1): %2</source>
         <translation>Tapt, ikke der de var ventet (%1): %2</translation>
     </message>
     <message>
-        <source>Given up after a search (%1): %2</source>
+        <source>Search given up (%1): %2</source>
         <translation>Gitt opp etter leting (%1): %2</translation>
     </message>
     <message>
-        <source>Not flown to (%1): %2</source>
+        <source>Not visited (%1): %2</source>
         <translation>Ikke fløyet til (%1): %2</translation>
     </message>
     <message>
@@ -1649,7 +1444,7 @@
         <translation>Ikke i rekkefølgen (%1): %2</translation>
     </message>
     <message>
-        <source>The order is not proven to be the best one: %1.</source>
+        <source>The order is not proven optimal: %1.</source>
         <translation>Det er ikke bevist at rekkefølgen er den beste: %1.</translation>
     </message>
     <message>
@@ -1657,7 +1452,7 @@
         <translation>Geogjerdet gjelder: hold deg innenfor området.</translation>
     </message>
     <message>
-        <source>UAVs in one altitude layer: keep them %1 apart, nothing steers them.</source>
+        <source>UAVs share an altitude layer: keep them %1 apart. They do not avoid each other.</source>
         <translation>UAV-er i samme høydelag: hold dem %1 fra hverandre, ingenting styrer dem unna.</translation>
     </message>
     <message>
@@ -1693,7 +1488,7 @@
         <translation>Feil: %1</translation>
     </message>
     <message>
-        <source>The planner reached its limit without an order: the rest of the plan before, or the nearest iceberg, is flown.</source>
+        <source>The planner reached its limit without an order. The UAV flies the rest of the previous plan, or to the nearest iceberg.</source>
         <translation>Planleggeren nådde grensen uten en rekkefølge: resten av forrige plan, eller nærmeste isfjell, flys.</translation>
     </message>
     <message>
@@ -1709,7 +1504,7 @@
         <translation>%1 (%2): %3</translation>
     </message>
     <message>
-        <source>Times are without the loiter turns: %1 more at each iceberg, %2 in all.</source>
+        <source>Times do not include the loiter turns, which add %1 at each iceberg, %2 in total.</source>
         <translation>Tidene er uten rundene over isfjell: %1 mer ved hvert isfjell, %2 i alt.</translation>
     </message>
     <message>
@@ -1738,18 +1533,18 @@
     </message>
     <message>
         <source>Recovery slot</source>
-        <translation>Landingsvindue</translation>
+        <translation>Landingsvindu</translation>
     </message>
     <message>
         <source>Out of radio range</source>
         <translation>Utenfor rekkevidde</translation>
     </message>
     <message>
-        <source>Chance of being in view on arrival: %1</source>
+        <source>Probability of being in view on arrival: %1</source>
         <translation>Sjanse for å være i synsfeltet ved ankomst: %1</translation>
     </message>
     <message>
-        <source>Straight legs that lead out of the geofence or through a no-fly area: %1. The UAV goes round.</source>
+        <source>Straight legs that leave the geofence or cross a no-fly area: %1. The UAV flies around.</source>
         <translation>Rette etapper som går ut av geogjerdet eller gjennom et område med flyforbud: %1. UAV-en flyr utenom.</translation>
     </message>
     <message>
@@ -1817,19 +1612,19 @@
         <translation>Endre vind</translation>
     </message>
     <message>
-        <source>Let go: this wind blows from now on. Esc takes it back.</source>
+        <source>Release to apply this wind from now on. Esc cancels.</source>
         <translation>Slipp: denne vinden blåser fra nå av. Esc angrer.</translation>
     </message>
     <message>
-        <source>Let go to keep this wind. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <source>Release to keep this wind. Shift snaps to steps of %1°; Esc cancels.</source>
         <translation>Slipp for å beholde denne vinden. Skift holder seg til trinn på %1°, Esc angrer.</translation>
     </message>
     <message>
-        <source>Let go: the asset is here from now on. Esc takes it back.</source>
+        <source>Release to move the asset here now. Esc cancels.</source>
         <translation>Slipp: objektet er her fra nå av. Esc angrer.</translation>
     </message>
     <message>
-        <source>The UAV makes little way against this wind. Esc takes it back.</source>
+        <source>The UAV makes little headway in this wind. Esc cancels.</source>
         <translation>UAV-en kommer knapt fremover mot denne vinden. Esc angrer.</translation>
     </message>
 </context>
@@ -1859,11 +1654,11 @@
         <translation>Planleggeren sviktet: forrige plan flys videre</translation>
     </message>
     <message>
-        <source>It is asked again when the next plan is needed.</source>
+        <source>It runs again when the next plan is needed.</source>
         <translation>Den spørres igjen når neste plan trengs.</translation>
     </message>
     <message>
-        <source>Home cannot be reached in time any more</source>
+        <source>Home can no longer be reached in time</source>
         <translation>Hjem kan ikke lenger nås i tide</translation>
     </message>
     <message>
@@ -1875,7 +1670,7 @@
         <translation>%1 og %2 er %3 fra hverandre</translation>
     </message>
     <message>
-        <source>They fly at about the same altitude. The separation set is %1.</source>
+        <source>They fly at about the same altitude. The required separation is %1.</source>
         <translation>De flyr i omtrent samme høyde. Innstilt avstand er %1.</translation>
     </message>
     <message>
@@ -1887,15 +1682,15 @@
         <translation>Holder som beordret</translation>
     </message>
     <message>
-        <source>On the ground until it is told to resume</source>
-        <translation>På bakken til den får beskjed om å fortsette</translation>
+        <source>On the ground. Choose Resume to continue</source>
+        <translation>På bakken. Velg Fortsett for å fly videre</translation>
     </message>
     <message>
         <source>%1 is lost</source>
         <translation>%1 er tapt</translation>
     </message>
     <message>
-        <source>%1 is lost, the search was given up</source>
+        <source>%1 is lost; the search was abandoned</source>
         <translation>%1 er tapt, letingen er gitt opp</translation>
     </message>
     <message>
@@ -1903,7 +1698,7 @@
         <translation>Det var ikke i syne der det var ventet.</translation>
     </message>
     <message>
-        <source>Makes little way: wind %1, airspeed %2</source>
+        <source>Makes little headway: wind %1, airspeed %2</source>
         <translation>Kommer nesten ikke fremover: vind %1, flyfart %2</translation>
     </message>
 </context>
@@ -1921,7 +1716,7 @@
         <translation>Drei UAV</translation>
     </message>
     <message>
-        <source>Let go to keep this heading. Shift keeps to steps of %1°, Esc takes it back.</source>
+        <source>Release to keep this heading. Shift snaps to steps of %1°; Esc cancels.</source>
         <translation>Slipp for å beholde denne kursen. Skift holder seg til trinn på %1°, Esc angrer.</translation>
     </message>
     <message>
@@ -1933,34 +1728,34 @@
         <translation>Flytt hjørne</translation>
     </message>
     <message>
-        <source>Let go to place the corner here. Esc takes it back.</source>
+        <source>Release to place the corner here. Esc cancels.</source>
         <translation>Slipp for å sette hjørnet her. Esc angrer.</translation>
     </message>
     <message numerus="yes">
-        <source>Drag gives all %n icebergs selected the same drift.</source>
+        <source>Drag to give all %n selected icebergs the same drift.</source>
         <translation>
             <numerusform>Dra gir %n valgt isfjell denne driften.</numerusform>
             <numerusform>Dra gir alle de %n valgte isfjellene samme drift.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Drag sets the drift of the iceberg.</source>
+        <source>Drag to set the drift of the iceberg.</source>
         <translation>Dra setter driften til isfjellet.</translation>
     </message>
     <message>
-        <source>Drag turns the UAV.</source>
+        <source>Drag to turn the UAV.</source>
         <translation>Dra dreier UAV-en.</translation>
     </message>
     <message>
-        <source>Drag moves the corner, a click and Del remove it.</source>
+        <source>Drag to move the corner. To remove it, click it and press Del.</source>
         <translation>Dra flytter hjørnet, klikk og Delete fjerner det.</translation>
     </message>
     <message>
-        <source>Drag makes a new corner here.</source>
+        <source>Drag to add a corner here.</source>
         <translation>Dra lager et nytt hjørne her.</translation>
     </message>
     <message>
-        <source>An area has at least three corners. Remove the area as a whole.</source>
+        <source>An area needs at least three corners. Delete the whole area instead.</source>
         <translation>Et område har minst tre hjørner. Fjern hele området.</translation>
     </message>
     <message>
@@ -1976,11 +1771,11 @@
         <translation>Omrisset ville krysse seg selv her.</translation>
     </message>
     <message>
-        <source>Drag changes the wind from now on; in flight that cannot be undone.</source>
+        <source>Drag to change the wind from now on. In flight this cannot be undone.</source>
         <translation>Dra endrer vinden fra nå av; under flyging kan det ikke angres.</translation>
     </message>
     <message>
-        <source>Drag sets the wind: the arrow points where it blows to.</source>
+        <source>Drag to set the wind. The arrow points downwind.</source>
         <translation>Dra setter vinden: pilen peker dit den blåser.</translation>
     </message>
 </context>
@@ -1998,7 +1793,7 @@
         <translation>Isfjell</translation>
     </message>
     <message>
-        <source>Name of the iceberg, its id where it has none</source>
+        <source>Name of the iceberg, or its id if it has none</source>
         <translation>Navnet på isfjellet, id-en der det ikke har noe</translation>
     </message>
     <message>
@@ -2022,7 +1817,7 @@
         <translation>Usett i, s</translation>
     </message>
     <message>
-        <source>Time since it was last in view, or since it is known</source>
+        <source>Time since it was last in view, or since it became known</source>
         <translation>Tiden siden det sist var i synsfeltet, eller siden det ble kjent</translation>
     </message>
     <message>
@@ -2034,7 +1829,7 @@
         <translation>Ankomst om, s</translation>
     </message>
     <message>
-        <source>Time from now until the UAV is there, by the plan in force</source>
+        <source>Time until the UAV arrives, by the present plan</source>
         <translation>Tiden fra nå til UAV-en er der, etter planen som gjelder</translation>
     </message>
     <message>
@@ -2042,7 +1837,7 @@
         <translation>Besøk</translation>
     </message>
     <message>
-        <source>How often it was the target and was reached</source>
+        <source>Number of times it was reached as the target</source>
         <translation>Hvor ofte det var målet og ble nådd</translation>
     </message>
     <message>
@@ -2054,7 +1849,7 @@
         <translation>Posisjon nord for scenarioets origo: før avgang ved starten, under flygingen estimatet</translation>
     </message>
     <message>
-        <source>Known drift; in flight the current is in it</source>
+        <source>Known drift; in flight it includes the current</source>
         <translation>Kjent drift; under flygingen er strømmen med</translation>
     </message>
     <message>
@@ -2062,7 +1857,7 @@
         <translation>Retning, °</translation>
     </message>
     <message>
-        <source>Where it drifts to, degrees clockwise from north</source>
+        <source>Drift direction, degrees clockwise from north</source>
         <translation>Hvor det driver, i grader med klokken fra nord</translation>
     </message>
     <message>
@@ -2090,7 +1885,7 @@
         <translation>CPA, %1</translation>
     </message>
     <message>
-        <source>Closest point of approach: least distance from the asset within the next hour, by the estimate. A warning sign beside the name: it comes into the inner ring</source>
+        <source>Closest point of approach: smallest predicted distance from the asset within the next hour. A warning sign beside the name means that the iceberg will enter the inner ring</source>
         <translation>Nærmeste punkt (closest point of approach): minste avstand fra objektet den neste timen, etter estimatet. Varseltegn ved navnet: det kommer inn i den indre ringen</translation>
     </message>
     <message>
@@ -2106,11 +1901,11 @@
         <translation>Tid til nærmeste punkt</translation>
     </message>
     <message>
-        <source>The UAV that has it in its plan</source>
+        <source>UAV that plans to visit it</source>
         <translation>UAV-en som har det i planen sin</translation>
     </message>
     <message>
-        <source>Where it is, in flight the estimate; typed and pasted in any form, a whole coordinate sets both</source>
+        <source>Position, in flight the estimate. Type or paste any form; a whole coordinate sets both</source>
         <translation>Hvor det er, under flyging estimatet; skrives og limes inn i enhver form, en hel koordinat setter begge</translation>
     </message>
     <message>
@@ -2118,7 +1913,7 @@
         <translation>Drift øst, %1</translation>
     </message>
     <message>
-        <source>Known drift to the east; the current comes on top</source>
+        <source>Known drift to the east, without the current</source>
         <translation>Kjent drift mot øst; strømmen kommer i tillegg</translation>
     </message>
     <message>
@@ -2126,7 +1921,7 @@
         <translation>Drift nord, %1</translation>
     </message>
     <message>
-        <source>Known drift to the north; the current comes on top</source>
+        <source>Known drift to the north, without the current</source>
         <translation>Kjent drift mot nord; strømmen kommer i tillegg</translation>
     </message>
     <message>
@@ -2142,7 +1937,7 @@
         <translation>95 %-radius, m</translation>
     </message>
     <message>
-        <source>With 95 % the iceberg is inside a circle of this radius round its position now</source>
+        <source>Radius around the present position that contains the iceberg with a probability of 95 %</source>
         <translation>Med 95 % er isfjellet innenfor en sirkel med denne radien rundt posisjonen nå</translation>
     </message>
 </context>
@@ -2200,7 +1995,7 @@
         <translation>ikke i rekkefølgen</translation>
     </message>
     <message>
-        <source>not there yet</source>
+        <source>not appeared yet</source>
         <translation>ikke der ennå</translation>
     </message>
     <message>
@@ -2212,7 +2007,7 @@
         <translation>Dukker opp %1</translation>
     </message>
     <message>
-        <source>It stands still.</source>
+        <source>It does not drift.</source>
         <translation>Det står stille.</translation>
     </message>
     <message>
@@ -2224,7 +2019,7 @@
         <translation>&gt; 1 t</translation>
     </message>
     <message>
-        <source>lost, searched for</source>
+        <source>lost, being searched for</source>
         <translation>tapt, letes etter</translation>
     </message>
     <message>
@@ -2232,11 +2027,11 @@
         <translation>tapt</translation>
     </message>
     <message>
-        <source>given up</source>
+        <source>search abandoned</source>
         <translation>oppgitt</translation>
     </message>
     <message>
-        <source>It still comes nearer in an hour, to this distance by then.</source>
+        <source>It is still approaching after one hour; this is its distance then.</source>
         <translation>Det kommer fortsatt nærmere om en time, til denne avstanden da.</translation>
     </message>
     <message>
@@ -2322,6 +2117,10 @@
         <source>Packet</source>
         <translation>Pakke</translation>
     </message>
+    <message>
+        <source>Velocity from</source>
+        <translation>Hastighet fra</translation>
+    </message>
 </context>
 <context>
     <name>ImportWords</name>
@@ -2334,72 +2133,8 @@
         <translation>Filen er ødelagt. Rett den på stedet som er nevnt, eller eksporter den på nytt.</translation>
     </message>
     <message>
-        <source>This is no file of sightings that can be recognised. If it is a table, name its columns for latitude and longitude.</source>
-        <translation>Dette er ingen gjenkjennelig fil med observasjoner. Er det en tabell, så velg kolonnene for bredde og lengde.</translation>
-    </message>
-    <message>
         <source>Nothing of it can be used like this.</source>
         <translation>Ingenting i den kan brukes slik.</translation>
-    </message>
-    <message>
-        <source>velocity unknown</source>
-        <translation>hastigheten er ukjent</translation>
-    </message>
-    <message>
-        <source>velocity from the file</source>
-        <translation>hastigheten er fra filen</translation>
-    </message>
-    <message>
-        <source>velocity limited to 5 m/s per axis</source>
-        <translation>hastigheten er begrenset til 5 m/s per akse</translation>
-    </message>
-    <message>
-        <source>q estimated</source>
-        <translation>q er anslått</translation>
-    </message>
-    <message>
-        <source>q limited to 10⁶ m²/s</source>
-        <translation>q er begrenset til 10⁶ m²/s</translation>
-    </message>
-    <message>
-        <source>stationary</source>
-        <translation>ligger stille</translation>
-    </message>
-    <message>
-        <source>several sightings at one time</source>
-        <translation>flere observasjoner til samme tid</translation>
-    </message>
-    <message>
-        <source>sightings at impossible places not used</source>
-        <translation>observasjoner på umulige steder er ikke brukt</translation>
-    </message>
-    <message>
-        <source>recorded track</source>
-        <translation>registrert spor</translation>
-    </message>
-    <message>
-        <source>no track: not sighted after the start</source>
-        <translation>uten spor: ikke observert etter starten</translation>
-    </message>
-    <message>
-        <source>older than what the scenario has</source>
-        <translation>eldre enn det scenarioet har</translation>
-    </message>
-    <message>
-        <source>sighted only after the start</source>
-        <translation>først observert etter starten</translation>
-    </message>
-    <message>
-        <source>more than 1000 km from the origin at the start</source>
-        <translation>mer enn 1000 km fra origo ved starten</translation>
-    </message>
-    <message>
-        <source>the scenario is full</source>
-        <translation>scenarioet er fullt</translation>
-    </message>
-    <message>
-        <source>a UAV has this id</source>
-        <translation>en UAV har denne id-en</translation>
     </message>
     <message>
         <source>new</source>
@@ -2590,146 +2325,63 @@
         <source>ArduPilot mission (QGC WPL)</source>
         <translation>ArduPilot-oppdrag (QGC WPL)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n UAVs</source>
-        <translation>
-            <numerusform>%n UAV</numerusform>
-            <numerusform>%n UAV-er</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the area</source>
-        <translation>området</translation>
-    </message>
-    <message>
-        <source>the area as geofence</source>
-        <translation>området som geogjerde</translation>
-    </message>
-    <message>
-        <source>the asset</source>
-        <translation>objektet</translation>
-    </message>
-    <message>
-        <source>UAVs, area and asset (the scenario has its own)</source>
-        <translation>UAV-er, område og objekt (scenarioet har sine egne)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs (too many)</source>
-        <translation>
-            <numerusform>%n UAV (for mange)</numerusform>
-            <numerusform>%n UAV-er (for mange)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n UAVs (more than 1000 km from the origin)</source>
-        <translation>
-            <numerusform>%n UAV (mer enn 1000 km fra origo)</numerusform>
-            <numerusform>%n UAV-er (mer enn 1000 km fra origo)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>an area (unreadable)</source>
-        <translation>et område (uleselig)</translation>
-    </message>
-    <message>
-        <source>the area (too few or too many corners)</source>
-        <translation>området (for få eller for mange hjørner)</translation>
-    </message>
-    <message>
-        <source>the area (more than 1000 km from the origin)</source>
-        <translation>området (mer enn 1000 km fra origo)</translation>
-    </message>
-    <message>
-        <source>the area (touches or crosses itself)</source>
-        <translation>området (berører eller krysser seg selv)</translation>
-    </message>
-    <message>
-        <source>the area (in several parts)</source>
-        <translation>området (i flere deler)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n further areas</source>
-        <translation>
-            <numerusform>%n område til</numerusform>
-            <numerusform>%n områder til</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n holes of the area</source>
-        <translation>
-            <numerusform>%n hull i området</numerusform>
-            <numerusform>%n hull i området</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n circles of the geofence</source>
-        <translation>
-            <numerusform>%n sirkel i geogjerdet</numerusform>
-            <numerusform>%n sirkler i geogjerdet</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the geofence (too many corners)</source>
-        <translation>geogjerdet (for mange hjørner)</translation>
-    </message>
-    <message>
-        <source>the geofence (a UAV starts or lands outside)</source>
-        <translation>geogjerdet (en UAV starter eller lander utenfor)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rally points</source>
-        <translation>
-            <numerusform>%n samlingspunkt</numerusform>
-            <numerusform>%n samlingspunkter</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n further assets</source>
-        <translation>
-            <numerusform>%n objekt til</numerusform>
-            <numerusform>%n objekter til</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the asset (more than 1000 km from the origin)</source>
-        <translation>objektet (mer enn 1000 km fra origo)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n numbers out of range</source>
-        <translation>
-            <numerusform>%n tall utenfor grensene</numerusform>
-            <numerusform>%n tall utenfor grensene</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Also from the file: %1</source>
-        <translation>Også fra filen: %1</translation>
-    </message>
-    <message>
-        <source>Left out: %1</source>
-        <translation>Utelatt: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n no-fly areas</source>
-        <translation>
-            <numerusform>%n flyforbudsområde</numerusform>
-            <numerusform>%n flyforbudsområder</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)</source>
-        <translation>
-            <numerusform>%n flyforbudsområde (en UAV starter eller lander i det, eller høydene er feil)</numerusform>
-            <numerusform>%n flyforbudsområder (en UAV starter eller lander i dem, eller høydene er feil)</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
         <translation>Linje %1: %2 leses med måneden først, noe ingenting i filen sier. Velg under Datoer hvis dagen kommer først.</translation>
     </message>
     <message>
-        <source>no time: counts as seen at the start</source>
-        <translation>uten tid: regnes som sett ved start</translation>
+        <source>Source</source>
+        <translation>Kilde</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>ukjent</translation>
+    </message>
+    <message>
+        <source>positions</source>
+        <translation>posisjoner</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>fil</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>begge</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>source, age</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows changed</source>
+        <translation>
+            <numerusform>%n rad endret</numerusform>
+            <numerusform>%n rader endret</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sightings are more than 1000 km from the origin of this scenario. Import them into a new one, or choose others with Inside.</source>
+        <translation>
+            <numerusform>%n observasjon er mer enn 1000 km fra origo i dette scenarioet. Importer den til et nytt, eller velg andre med Innenfor.</numerusform>
+            <numerusform>%n observasjoner er mer enn 1000 km fra origo i dette scenarioet. Importer dem til et nytt, eller velg andre med Innenfor.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sightings are more than 1000 km from the origin, which is in their densest group. Choose others with Inside.</source>
+        <translation>
+            <numerusform>%n observasjon er mer enn 1000 km fra origo, som ligger i den tetteste gruppen. Velg andre med Innenfor.</numerusform>
+            <numerusform>%n observasjoner er mer enn 1000 km fra origo, som ligger i den tetteste gruppen av dem. Velg andre med Innenfor.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From the file: %1</source>
+        <translation>Fra filen: %1</translation>
+    </message>
+    <message>
+        <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
+        <translation>Bergwatch kjenner ikke igjen denne filen. Hvis det er en tabell, velg kolonnene for bredde og lengde nedenfor.</translation>
     </message>
 </context>
 <context>
@@ -2739,97 +2391,17 @@
         <translation>Endre drift</translation>
     </message>
     <message>
-        <source>Drift east</source>
-        <translation>Drift østover</translation>
-    </message>
-    <message>
-        <source>Known drift to the east; the current comes on top.</source>
-        <translation>Kjent drift mot øst; strømmen kommer i tillegg.</translation>
-    </message>
-    <message>
-        <source>Drift north</source>
-        <translation>Drift nordover</translation>
-    </message>
-    <message>
-        <source>Known drift to the north; the current comes on top.</source>
-        <translation>Kjent drift mot nord; strømmen kommer i tillegg.</translation>
-    </message>
-    <message>
-        <source>Uncertainty σ₀</source>
-        <translation>Usikkerhet σ₀</translation>
-    </message>
-    <message>
-        <source>Variance of the position when it was last seen.</source>
-        <translation>Posisjonens varians da det sist ble sett.</translation>
-    </message>
-    <message>
         <source>Change uncertainty</source>
         <translation>Endre usikkerhet</translation>
-    </message>
-    <message>
-        <source>Growth q</source>
-        <translation>Vekst q</translation>
-    </message>
-    <message>
-        <source>What the uncertainty grows by in a second out of view.</source>
-        <translation>Det usikkerheten vokser med per sekund utenfor synsfeltet.</translation>
-    </message>
-    <message>
-        <source>Change growth of uncertainty</source>
-        <translation>Endre usikkerhetens vekst</translation>
     </message>
     <message>
         <source>standard deviation %1 m</source>
         <translation>standardavvik %1 m</translation>
     </message>
     <message>
-        <source>Last seen</source>
-        <translation>Sist sett</translation>
-    </message>
-    <message>
-        <source>How long before the start it was last seen; σ has grown since.</source>
-        <translation>Hvor lenge før start det sist ble sett; σ har vokst siden.</translation>
-    </message>
-    <message>
-        <source>Change time last seen</source>
-        <translation>Endre når det sist ble sett</translation>
-    </message>
-    <message>
         <source> s ago</source>
         <comment>unit after a number</comment>
         <translation> s siden</translation>
-    </message>
-    <message>
-        <source>Appears at</source>
-        <translation>Dukker opp</translation>
-    </message>
-    <message>
-        <source>Time of the run from which on it is known; 0 is the start.</source>
-        <translation>Tidspunktet da det blir kjent; 0 er starten.</translation>
-    </message>
-    <message>
-        <source>Change time of appearing</source>
-        <translation>Endre når det dukker opp</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Halvlengde</translation>
-    </message>
-    <message>
-        <source>Half its length: its size on the map, and how far outside the area it is still monitored.</source>
-        <translation>Halve lengden: størrelsen på kartet, og hvor langt utenfor området det fortsatt overvåkes.</translation>
-    </message>
-    <message>
-        <source>Change radius</source>
-        <translation>Endre halvlengde</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Navn</translation>
-    </message>
-    <message>
-        <source>Shown on the map in place of the id.</source>
-        <translation>Vises på kartet i stedet for id.</translation>
     </message>
     <message>
         <source>Change name</source>
@@ -2840,44 +2412,12 @@
         <translation>Endre posisjon</translation>
     </message>
     <message>
-        <source>East</source>
-        <translation>Øst</translation>
-    </message>
-    <message>
-        <source>Position at the start, east of the scenario&apos;s origin.</source>
-        <translation>Posisjon ved start, øst for scenarioets origo.</translation>
-    </message>
-    <message>
-        <source>North</source>
-        <translation>Nord</translation>
-    </message>
-    <message>
-        <source>Position at the start, north of the scenario&apos;s origin.</source>
-        <translation>Posisjon ved start, nord for scenarioets origo.</translation>
-    </message>
-    <message>
-        <source>stands still</source>
+        <source>stationary</source>
         <translation>står stille</translation>
     </message>
     <message>
         <source>Change wind</source>
         <translation>Endre vind</translation>
-    </message>
-    <message>
-        <source>Wind east</source>
-        <translation>Vind østover</translation>
-    </message>
-    <message>
-        <source>Towards the east; always slower than the UAV flies.</source>
-        <translation>Mot øst; alltid langsommere enn UAV-en flyr.</translation>
-    </message>
-    <message>
-        <source>Wind north</source>
-        <translation>Vind nordover</translation>
-    </message>
-    <message>
-        <source>Towards the north; always slower than the UAV flies.</source>
-        <translation>Mot nord; alltid langsommere enn UAV-en flyr.</translation>
     </message>
     <message>
         <source>no wind</source>
@@ -2888,207 +2428,11 @@
         <translation>Endre strøm</translation>
     </message>
     <message>
-        <source>Current east</source>
-        <translation>Strøm østover</translation>
-    </message>
-    <message>
-        <source>Carries every iceberg towards the east.</source>
-        <translation>Fører alle isfjell mot øst.</translation>
-    </message>
-    <message>
-        <source>Current north</source>
-        <translation>Strøm nordover</translation>
-    </message>
-    <message>
-        <source>Carries every iceberg towards the north.</source>
-        <translation>Fører alle isfjell mot nord.</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Varighet</translation>
-    </message>
-    <message>
-        <source>Length of the run, at most seven days.</source>
-        <translation>Flygingens lengde, høyst sju døgn.</translation>
-    </message>
-    <message>
-        <source>Change duration</source>
-        <translation>Endre varighet</translation>
-    </message>
-    <message>
-        <source>Time step</source>
-        <translation>Tidssteg</translation>
-    </message>
-    <message>
-        <source>Step of the simulation; small is exact and slow.</source>
-        <translation>Simuleringens steg; lite er nøyaktig og langsomt.</translation>
-    </message>
-    <message>
-        <source>Change time step</source>
-        <translation>Endre tidssteg</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Startfrø</translation>
-    </message>
-    <message>
-        <source>Names the random drift: the same seed, the same run.</source>
-        <translation>Bestemmer den tilfeldige driften: samme frø, samme flyging.</translation>
-    </message>
-    <message>
-        <source>Change seed</source>
-        <translation>Endre startfrø</translation>
-    </message>
-    <message>
-        <source>Random drift</source>
-        <translation>Tilfeldig drift</translation>
-    </message>
-    <message>
-        <source>Off: icebergs drift exactly as known.</source>
-        <translation>Av: isfjellene driver nøyaktig som kjent.</translation>
-    </message>
-    <message>
-        <source>Change random drift</source>
-        <translation>Endre tilfeldig drift</translation>
-    </message>
-    <message>
-        <source>Title of the scenario, shown on the map.</source>
-        <translation>Scenarioets tittel, vises på kartet.</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Notater</translation>
-    </message>
-    <message>
-        <source>Anything worth knowing, kept in the file.</source>
-        <translation>Alt som er verdt å vite, lagres i filen.</translation>
-    </message>
-    <message>
-        <source>Change notes</source>
-        <translation>Endre notater</translation>
-    </message>
-    <message>
-        <source>Heading</source>
-        <translation>Kurs</translation>
-    </message>
-    <message>
-        <source>Clockwise from north, at the start.</source>
-        <translation>Med klokken fra nord, ved start.</translation>
-    </message>
-    <message>
-        <source>Change heading</source>
-        <translation>Endre kurs</translation>
-    </message>
-    <message>
-        <source>Airspeed</source>
-        <translation>Flyfart</translation>
-    </message>
-    <message>
-        <source>Always faster than the wind.</source>
-        <translation>Alltid raskere enn vinden.</translation>
-    </message>
-    <message>
-        <source>Change airspeed</source>
-        <translation>Endre flyfart</translation>
-    </message>
-    <message>
-        <source>Change field of view</source>
-        <translation>Endre synsfelt</translation>
-    </message>
-    <message>
-        <source>View along-track</source>
-        <translation>Synsfelt langs</translation>
-    </message>
-    <message>
-        <source>Extent of the field of view along the heading.</source>
-        <translation>Synsfeltets utstrekning langs kursen.</translation>
-    </message>
-    <message>
-        <source>View cross-track</source>
-        <translation>Synsfelt tvers</translation>
-    </message>
-    <message>
-        <source>Extent of the field of view across the heading.</source>
-        <translation>Synsfeltets utstrekning på tvers av kursen.</translation>
-    </message>
-    <message>
-        <source>Maximum bank angle</source>
-        <translation>Største krengning</translation>
-    </message>
-    <message>
-        <source>Bank in a turn; the larger, the tighter the turns.</source>
-        <translation>Krengning i sving; jo større, desto krappere svinger.</translation>
-    </message>
-    <message>
-        <source>Change maximum bank angle</source>
-        <translation>Endre største krengning</translation>
-    </message>
-    <message>
-        <source>Altitude</source>
-        <translation>Høyde</translation>
-    </message>
-    <message>
-        <source>Change altitude</source>
-        <translation>Endre høyde</translation>
-    </message>
-    <message>
-        <source>Endurance</source>
-        <translation>Utholdenhet</translation>
-    </message>
-    <message>
-        <source>Change endurance</source>
-        <translation>Endre utholdenhet</translation>
-    </message>
-    <message>
-        <source>unlimited</source>
-        <translation>ubegrenset</translation>
-    </message>
-    <message>
         <source>Change velocity of the asset</source>
         <translation>Endre farten til objektet</translation>
     </message>
     <message>
-        <source>Speed east</source>
-        <translation>Fart øst</translation>
-    </message>
-    <message>
-        <source>What a ship makes to the east; 0 for a platform.</source>
-        <translation>Et skips fart mot øst; 0 for en plattform.</translation>
-    </message>
-    <message>
-        <source>Speed north</source>
-        <translation>Fart nord</translation>
-    </message>
-    <message>
-        <source>What a ship makes to the north; 0 for a platform.</source>
-        <translation>Et skips fart mot nord; 0 for en plattform.</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Rekkevidde</translation>
-    </message>
-    <message>
-        <source>How near an iceberg matters to it.</source>
-        <translation>Hvor nær et isfjell betyr noe for det.</translation>
-    </message>
-    <message>
-        <source>Change range of the asset</source>
-        <translation>Endre rekkevidden til objektet</translation>
-    </message>
-    <message>
-        <source>Gain</source>
-        <translation>Vekt</translation>
-    </message>
-    <message>
-        <source>How much more an iceberg near it matters.</source>
-        <translation>Hvor mye mer et isfjell i nærheten betyr.</translation>
-    </message>
-    <message>
-        <source>Change gain of the asset</source>
-        <translation>Endre vekten til objektet</translation>
-    </message>
-    <message>
-        <source>Takes the asset off the map.</source>
+        <source>Removes the asset from the map.</source>
         <translation>Tar objektet bort fra kartet.</translation>
     </message>
     <message>
@@ -3096,7 +2440,7 @@
         <translation>Fjern objektet</translation>
     </message>
     <message>
-        <source>Takes the area off the map.</source>
+        <source>Removes the area from the map.</source>
         <translation>Tar området bort fra kartet.</translation>
     </message>
     <message>
@@ -3104,52 +2448,16 @@
         <translation>Fjern området</translation>
     </message>
     <message>
-        <source>Acceptance radius</source>
-        <translation>Godkjenningsradius</translation>
-    </message>
-    <message>
-        <source>How near the UAV has to come to an iceberg; at 0 it is reached when it is in view.</source>
-        <translation>Hvor nær UAV-en må komme et isfjell; ved 0 er det nådd når det er i synsfeltet.</translation>
-    </message>
-    <message>
-        <source>Change acceptance radius</source>
-        <translation>Endre godkjenningsradius</translation>
-    </message>
-    <message>
-        <source>in view</source>
-        <translation>i synsfeltet</translation>
-    </message>
-    <message>
-        <source>Field of view</source>
-        <translation>Synsfelt</translation>
-    </message>
-    <message>
-        <source>Shape of what the camera covers.</source>
-        <translation>Formen på det kameraet dekker.</translation>
-    </message>
-    <message>
         <source>turns with the UAV</source>
         <translation>dreier med UAV-en</translation>
     </message>
     <message>
-        <source>along the north</source>
+        <source>aligned with north</source>
         <translation>langs nord</translation>
     </message>
     <message>
         <source>a disk</source>
         <translation>en sirkel</translation>
-    </message>
-    <message>
-        <source>Formulation</source>
-        <translation>Formulering</translation>
-    </message>
-    <message>
-        <source>Integer program that COIN-OR CBC solves when it is the solver.</source>
-        <translation>Heltallsprogrammet som COIN-OR CBC løser når den er valgt.</translation>
-    </message>
-    <message>
-        <source>Change formulation</source>
-        <translation>Endre formulering</translation>
     </message>
     <message>
         <source>by position</source>
@@ -3172,24 +2480,8 @@
         <translation>Bredde</translation>
     </message>
     <message>
-        <source>Of the origin, north positive; everything moves along with it.</source>
-        <translation>Til origo, nord er positiv; alt flytter med.</translation>
-    </message>
-    <message>
         <source>Longitude</source>
         <translation>Lengde</translation>
-    </message>
-    <message>
-        <source>Of the origin, east positive; everything moves along with it.</source>
-        <translation>Til origo, øst er positiv; alt flytter med.</translation>
-    </message>
-    <message>
-        <source>Start (UTC)</source>
-        <translation>Starttid (UTC)</translation>
-    </message>
-    <message>
-        <source>Change start</source>
-        <translation>Endre starttid</translation>
     </message>
     <message>
         <source>relative times</source>
@@ -3230,62 +2522,6 @@
         <translation>%1 mot %2°</translation>
     </message>
     <message>
-        <source>Inner ring</source>
-        <translation>Indre ring</translation>
-    </message>
-    <message>
-        <source>An iceberg on its way into it within an hour is an alarm; at 0 it is half the range.</source>
-        <translation>Et isfjell på vei inn i den innen en time utløser alarm; ved 0 er den halve rekkevidden.</translation>
-    </message>
-    <message>
-        <source>Change inner ring of the asset</source>
-        <translation>Endre indre ring for objektet</translation>
-    </message>
-    <message>
-        <source>half the range</source>
-        <translation>halve rekkevidden</translation>
-    </message>
-    <message>
-        <source>Planning time</source>
-        <translation>Planleggingstid</translation>
-    </message>
-    <message>
-        <source>How long a plan takes in flight; until it is there the UAV continues with the previous plan.</source>
-        <translation>Hvor lang tid en plan tar i luften; til den foreligger, fortsetter UAV-en med den forrige planen.</translation>
-    </message>
-    <message>
-        <source>Change planning time</source>
-        <translation>Endre planleggingstid</translation>
-    </message>
-    <message>
-        <source>Autopilot rate</source>
-        <translation>Autopilotens takt</translation>
-    </message>
-    <message>
-        <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
-        <translation>Tid mellom to kommandoer fra autopiloten; ved 0 kommer én i hvert tidssteg.</translation>
-    </message>
-    <message>
-        <source>Change autopilot rate</source>
-        <translation>Endre autopilotens takt</translation>
-    </message>
-    <message>
-        <source>each time step</source>
-        <translation>hvert tidssteg</translation>
-    </message>
-    <message>
-        <source>Geofence</source>
-        <translation>Geogjerde</translation>
-    </message>
-    <message>
-        <source>UAVs that start clear of its edge stay inside the area.</source>
-        <translation>UAV-er som starter klar av kanten, holder seg innenfor området.</translation>
-    </message>
-    <message>
-        <source>Change geofence</source>
-        <translation>Endre geogjerde</translation>
-    </message>
-    <message>
         <source>Change home</source>
         <translation>Endre hjem</translation>
     </message>
@@ -3294,7 +2530,7 @@
         <translation>Hjem</translation>
     </message>
     <message>
-        <source>It lands elsewhere than it starts.</source>
+        <source>Landing place other than the start.</source>
         <translation>Den lander et annet sted enn den starter.</translation>
     </message>
     <message>
@@ -3306,92 +2542,8 @@
         <translation>%1 fra starten</translation>
     </message>
     <message>
-        <source>Home east</source>
-        <translation>Hjem øst</translation>
-    </message>
-    <message>
-        <source>Where it lands, east of the scenario&apos;s origin.</source>
-        <translation>Hvor den lander, øst for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>Home north</source>
-        <translation>Hjem nord</translation>
-    </message>
-    <message>
-        <source>Where it lands, north of the scenario&apos;s origin.</source>
-        <translation>Hvor den lander, nord for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>Turn-around</source>
-        <translation>Bakketid</translation>
-    </message>
-    <message>
-        <source>Time on the ground between landing and the next take-off.</source>
-        <translation>Tid på bakken mellom landing og neste avgang.</translation>
-    </message>
-    <message>
-        <source>Change turn-around</source>
-        <translation>Endre bakketid</translation>
-    </message>
-    <message>
-        <source>Drift error</source>
-        <translation>Driftfeil</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the known drift, along each axis: its true drift differs from it by as much.</source>
-        <translation>Standardavvik for den kjente driften, langs hver akse: så mye avviker den sanne driften fra den.</translation>
-    </message>
-    <message>
-        <source>Change drift error</source>
-        <translation>Endre driftfeil</translation>
-    </message>
-    <message>
-        <source>Position error</source>
-        <translation>Posisjonsfeil</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured position, along each axis.</source>
-        <translation>Standardavvik for en målt posisjon, langs hver akse.</translation>
-    </message>
-    <message>
-        <source>Change position error</source>
-        <translation>Endre posisjonsfeil</translation>
-    </message>
-    <message>
-        <source>Sensor interval</source>
-        <translation>Sensorintervall</translation>
-    </message>
-    <message>
-        <source>Time between two samples of the sensor, each of which measures what is in view.</source>
-        <translation>Tid mellom to bilder fra kameraet; hvert av dem måler det som er i synsfeltet.</translation>
-    </message>
-    <message>
-        <source>Change sensor interval</source>
-        <translation>Endre tid mellom bilder</translation>
-    </message>
-    <message>
-        <source>Detection probability</source>
-        <translation>Deteksjonssannsynlighet</translation>
-    </message>
-    <message>
-        <source>Chance that one sample shows an iceberg in view.</source>
-        <translation>Sannsynlighet for at ett bilde viser et isfjell i synsfeltet.</translation>
-    </message>
-    <message>
-        <source>Change detection probability</source>
-        <translation>Endre deteksjonssannsynlighet</translation>
-    </message>
-    <message>
         <source>Observer</source>
         <translation>Observatør</translation>
-    </message>
-    <message>
-        <source>Exact: an iceberg in view is where it is seen. Filter: noisy measurements, from which position and velocity are estimated, and icebergs can get lost.</source>
-        <translation>Eksakt: et isfjell i synsfeltet er der det ses. Filter: målinger med støy, som posisjon og fart estimeres fra, og isfjell kan gå tapt.</translation>
-    </message>
-    <message>
-        <source>Change observer</source>
-        <translation>Endre observatør</translation>
     </message>
     <message>
         <source>exact</source>
@@ -3400,14 +2552,6 @@
     <message>
         <source>Kalman filter</source>
         <translation>Kalman-filter</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Leting</translation>
-    </message>
-    <message>
-        <source>Change search</source>
-        <translation>Endre leting</translation>
     </message>
     <message>
         <source>none</source>
@@ -3422,120 +2566,8 @@
         <translation>sektorer</translation>
     </message>
     <message>
-        <source>Group nearby icebergs</source>
-        <translation>Grupper nære isfjell</translation>
-    </message>
-    <message>
-        <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
-        <translation>Isfjell som får plass i ett synsfelt, planlegges som ett punkt som alle ses fra.</translation>
-    </message>
-    <message>
-        <source>Change grouping of nearby icebergs</source>
-        <translation>Endre gruppering av nære isfjell</translation>
-    </message>
-    <message>
-        <source>Longest flight: it is home before that; at 0 it lands only when told to return.</source>
-        <translation>Lengste flytur: den er hjemme før det; ved 0 lander den bare når den får ordre om å fly hjem.</translation>
-    </message>
-    <message>
-        <source>Visited by</source>
-        <translation>Besøkes av</translation>
-    </message>
-    <message>
-        <source>The UAV that alone is to visit it.</source>
-        <translation>UAV-en som alene skal besøke det.</translation>
-    </message>
-    <message>
-        <source>Change UAV of an iceberg</source>
-        <translation>Endre UAV for et isfjell</translation>
-    </message>
-    <message>
         <source>any UAV</source>
         <translation>hvilken som helst</translation>
-    </message>
-    <message>
-        <source>Separation</source>
-        <translation>Avstand mellom UAV-er</translation>
-    </message>
-    <message>
-        <source>Change separation</source>
-        <translation>Endre avstand mellom UAV-er</translation>
-    </message>
-    <message>
-        <source>not kept apart</source>
-        <translation>holdes ikke fra hverandre</translation>
-    </message>
-    <message>
-        <source>Reserve</source>
-        <translation>Reserve</translation>
-    </message>
-    <message>
-        <source>Fixed reserve</source>
-        <translation>Fast reserve</translation>
-    </message>
-    <message>
-        <source>Climb</source>
-        <translation>Stigning</translation>
-    </message>
-    <message>
-        <source>Landing</source>
-        <translation>Landing</translation>
-    </message>
-    <message>
-        <source>Wind limit</source>
-        <translation>Vindgrense</translation>
-    </message>
-    <message>
-        <source>Gust limit</source>
-        <translation>Grense for vindkast</translation>
-    </message>
-    <message>
-        <source>Stand-off ring</source>
-        <translation>Sikkerhetsring</translation>
-    </message>
-    <message>
-        <source>Stand-off ceiling</source>
-        <translation>Tak for sikkerhetsringen</translation>
-    </message>
-    <message>
-        <source>Floor</source>
-        <translation>Gulv</translation>
-    </message>
-    <message>
-        <source>Ceiling</source>
-        <translation>Tak</translation>
-    </message>
-    <message>
-        <source>Antenna height</source>
-        <translation>Antennehøyde</translation>
-    </message>
-    <message>
-        <source>Link range</source>
-        <translation>Rekkevidde for samband</translation>
-    </message>
-    <message>
-        <source>Gusts</source>
-        <translation>Vindkast</translation>
-    </message>
-    <message>
-        <source>Temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>Dew point</source>
-        <translation>Duggpunkt</translation>
-    </message>
-    <message>
-        <source>Icing conditions</source>
-        <translation>Isingsforhold</translation>
-    </message>
-    <message>
-        <source>Whether it may be flown below 0 °C in air that is nearly saturated.</source>
-        <translation>Om den kan flys under 0 °C i nesten mettet luft.</translation>
-    </message>
-    <message>
-        <source>Change icing limit</source>
-        <translation>Endre grensen for ising</translation>
     </message>
     <message>
         <source>Move ground station</source>
@@ -3546,116 +2578,12 @@
         <translation>Bakkestasjon</translation>
     </message>
     <message>
-        <source>Where the radio link to the UAVs is kept from. Its range is a ring on the map.</source>
+        <source>Position of the radio link to the UAVs. Its range is a ring on the map.</source>
         <translation>Der radiosambandet til UAV-ene holdes fra. Rekkevidden er en ring på kartet.</translation>
     </message>
     <message>
         <source>Change ground station</source>
         <translation>Endre bakkestasjonen</translation>
-    </message>
-    <message>
-        <source>Height above the sea.</source>
-        <translation>Høyde over havet.</translation>
-    </message>
-    <message>
-        <source>Change antenna height</source>
-        <translation>Endre antennehøyden</translation>
-    </message>
-    <message>
-        <source>How far the link reaches; at the lowest value to the radio horizon of the antenna and the UAV&apos;s altitude.</source>
-        <translation>Hvor langt sambandet rekker; ved laveste verdi til radiohorisonten for antennen og UAV-ens høyde.</translation>
-    </message>
-    <message>
-        <source>Change link range</source>
-        <translation>Endre rekkevidden</translation>
-    </message>
-    <message>
-        <source>radio horizon</source>
-        <translation>radiohorisont</translation>
-    </message>
-    <message>
-        <source>Station east</source>
-        <translation>Stasjon øst</translation>
-    </message>
-    <message>
-        <source>East of the scenario&apos;s origin.</source>
-        <translation>Øst for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>Station north</source>
-        <translation>Stasjon nord</translation>
-    </message>
-    <message>
-        <source>North of the scenario&apos;s origin.</source>
-        <translation>Nord for scenariets origo.</translation>
-    </message>
-    <message>
-        <source>Part of the endurance that no flight is planned to use.</source>
-        <translation>Del av flytiden som ingen flyging planlegges å bruke.</translation>
-    </message>
-    <message>
-        <source>Change reserve</source>
-        <translation>Endre reserven</translation>
-    </message>
-    <message>
-        <source>A time in place of the percentage.</source>
-        <translation>En tid i stedet for prosentandelen.</translation>
-    </message>
-    <message>
-        <source>by percentage</source>
-        <translation>etter prosent</translation>
-    </message>
-    <message>
-        <source>Time from take-off to the altitude.</source>
-        <translation>Tid fra avgang til flyhøyden.</translation>
-    </message>
-    <message>
-        <source>Change climb time</source>
-        <translation>Endre stigetiden</translation>
-    </message>
-    <message>
-        <source>Time from the altitude, over home, to the ground.</source>
-        <translation>Tid fra flyhøyden, over hjemstedet, ned til bakken.</translation>
-    </message>
-    <message>
-        <source>Change landing time</source>
-        <translation>Endre landingstiden</translation>
-    </message>
-    <message>
-        <source>Strongest wind in which it is flown.</source>
-        <translation>Sterkeste vind den flys i.</translation>
-    </message>
-    <message>
-        <source>Change wind limit</source>
-        <translation>Endre vindgrensen</translation>
-    </message>
-    <message>
-        <source>Strongest gusts in which it is flown.</source>
-        <translation>Sterkeste vindkast den flys i.</translation>
-    </message>
-    <message>
-        <source>Change gust limit</source>
-        <translation>Endre grensen for vindkast</translation>
-    </message>
-    <message>
-        <source>Change weather</source>
-        <translation>Endre været</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>ikke kjent</translation>
-    </message>
-    <message>
-        <source>Speed of the gusts, compared with the limits of the UAVs.</source>
-        <translation>Vindkastenes fart, sammenlignet med UAV-enes grenser.</translation>
-    </message>
-    <message>
-        <source>Of the air at the sea.</source>
-        <translation>Luftens, ved havoverflaten.</translation>
-    </message>
-    <message>
-        <source>With the temperature it tells whether ice may form.</source>
-        <translation>Sammen med temperaturen viser det om is kan dannes.</translation>
     </message>
     <message>
         <source>do not fly</source>
@@ -3666,47 +2594,11 @@
         <translation>flyging tillatt</translation>
     </message>
     <message>
-        <source>No UAV comes nearer to it; of a ship, to all of its track.</source>
-        <translation>Ingen UAV kommer nærmere; for et skip gjelder det hele seilasen.</translation>
-    </message>
-    <message>
-        <source>Change stand-off ring</source>
-        <translation>Endre sikkerhetsring</translation>
-    </message>
-    <message>
-        <source>Above it UAVs may fly over the ring.</source>
-        <translation>Over dette kan UAV-er fly over ringen.</translation>
-    </message>
-    <message>
-        <source>Change stand-off ceiling</source>
-        <translation>Endre tak for sikkerhetsringen</translation>
-    </message>
-    <message>
-        <source>Shown on the map.</source>
-        <translation>Vises på kartet.</translation>
-    </message>
-    <message>
-        <source>UAVs lower than this fly below it.</source>
-        <translation>UAV-er som flyr lavere, flyr under det.</translation>
-    </message>
-    <message>
-        <source>Change floor of the no-fly area</source>
-        <translation>Endre gulv for flyforbudsområdet</translation>
-    </message>
-    <message>
-        <source>UAVs higher than this fly above it.</source>
-        <translation>UAV-er som flyr høyere, flyr over det.</translation>
-    </message>
-    <message>
-        <source>Change ceiling of the no-fly area</source>
-        <translation>Endre tak for flyforbudsområdet</translation>
-    </message>
-    <message>
         <source>Outline</source>
         <translation>Omriss</translation>
     </message>
     <message>
-        <source>Takes the no-fly area off the map.</source>
+        <source>Removes the no-fly area from the map.</source>
         <translation>Tar flyforbudsområdet bort fra kartet.</translation>
     </message>
     <message>
@@ -3730,35 +2622,11 @@
         <translation>Skill høydene</translation>
     </message>
     <message>
-        <source>Drift variation</source>
-        <translation>Variasjon i drift</translation>
-    </message>
-    <message>
-        <source>Standard deviation of its drift in the long run, along each axis, about that of the current. A beacon off Canada: 0.15 m/s.</source>
-        <translation>Standardavvik for driften i det lange løp, langs hver akse, omkring strømmens. En bøye utenfor Canada: 0,15 m/s.</translation>
-    </message>
-    <message>
-        <source>Change drift variation</source>
-        <translation>Endre variasjon i drift</translation>
-    </message>
-    <message>
-        <source>Drift changes in</source>
-        <translation>Driften endrer seg på</translation>
-    </message>
-    <message>
-        <source>Time in which a drift that was known is known no more: it fades to the current. 0: the drift is constant. A beacon off Canada: 36,000 s.</source>
-        <translation>Tiden som går før en kjent drift ikke er kjent lenger: den avtar mot strømmen. 0: driften er konstant. En bøye utenfor Canada: 36 000 s.</translation>
-    </message>
-    <message>
-        <source>Change time of drift</source>
-        <translation>Endre tid for drift</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Fart</translation>
     </message>
     <message>
-        <source>What a ship makes; 0 for a platform.</source>
+        <source>Speed of a ship; 0 for a platform.</source>
         <translation>Det et skip gjør; 0 for en plattform.</translation>
     </message>
     <message>
@@ -3766,7 +2634,7 @@
         <translation>Kurs</translation>
     </message>
     <message>
-        <source>Where it goes, clockwise from north.</source>
+        <source>Course over ground, clockwise from north.</source>
         <translation>Hvor det går, med klokka fra nord.</translation>
     </message>
     <message>
@@ -3774,7 +2642,7 @@
         <translation>Drift</translation>
     </message>
     <message>
-        <source>Known drift; the current comes on top.</source>
+        <source>Known drift, without the current.</source>
         <translation>Kjent drift; strømmen kommer i tillegg.</translation>
     </message>
     <message>
@@ -3782,11 +2650,11 @@
         <translation>Driver mot</translation>
     </message>
     <message>
-        <source>Where it drifts to, clockwise from north.</source>
+        <source>Drift direction, clockwise from north.</source>
         <translation>Hvor det driver, med klokka fra nord.</translation>
     </message>
     <message>
-        <source>In any form; a whole coordinate sets both.</source>
+        <source>Any form; a whole coordinate sets both.</source>
         <translation>I enhver form; en hel koordinat setter begge.</translation>
     </message>
     <message>
@@ -3794,15 +2662,15 @@
         <translation>Vind</translation>
     </message>
     <message>
-        <source>Always slower than the UAV flies.</source>
-        <translation>Alltid langsommere enn UAV-en flyr.</translation>
+        <source>Must be below the UAV&apos;s airspeed.</source>
+        <translation>Må være lavere enn UAV-ens flyfart.</translation>
     </message>
     <message>
         <source>Wind from</source>
         <translation>Vind fra</translation>
     </message>
     <message>
-        <source>Where it blows from, clockwise from north.</source>
+        <source>Direction the wind blows from, clockwise from north.</source>
         <translation>Hvor den blåser fra, med klokka fra nord.</translation>
     </message>
     <message>
@@ -3822,164 +2690,8 @@
         <translation>Strøm mot</translation>
     </message>
     <message>
-        <source>Where it flows to, clockwise from north.</source>
+        <source>Direction the current flows to, clockwise from north.</source>
         <translation>Hvor den går, med klokka fra nord.</translation>
-    </message>
-    <message>
-        <source>Pattern that finds an iceberg which was not where it was believed to be.</source>
-        <translation>Mønster som finner et isfjell som ikke var der en trodde.</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Margin</translation>
-    </message>
-    <message>
-        <source>Round all places that a plan may lead to, for turns and changes of the plan. With a geofence it is not used.</source>
-        <translation>Rundt alle steder en plan kan føre til, for svinger og endringer av planen. Med geogjerde brukes den ikke.</translation>
-    </message>
-    <message>
-        <source>UAV size</source>
-        <translation>UAV-ens størrelse</translation>
-    </message>
-    <message>
-        <source>Largest dimension of a UAV, half of it widens the ground-risk buffer.</source>
-        <translation>Største mål på en UAV; halvparten gjør bakkerisikobufferen bredere.</translation>
-    </message>
-    <message>
-        <source>Satellite position error</source>
-        <translation>Feil i satellittposisjon</translation>
-    </message>
-    <message>
-        <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
-        <translation>Del av beredskapsvolumets bredde. Kilde: Digisky 3.3.0, etter veiledningen fra sveitsiske FOCA: 3 m.</translation>
-    </message>
-    <message>
-        <source>Path-keeping error</source>
-        <translation>Feil i banefølging</translation>
-    </message>
-    <message>
-        <source>Of the autopilot, likewise. Same source: 3 m.</source>
-        <translation>Autopilotens, likeså. Samme kilde: 3 m.</translation>
-    </message>
-    <message>
-        <source>Map error</source>
-        <translation>Kartfeil</translation>
-    </message>
-    <message>
-        <source>Likewise. Same source: 1 m.</source>
-        <translation>Likeså. Samme kilde: 1 m.</translation>
-    </message>
-    <message>
-        <source>Reaction time</source>
-        <translation>Reaksjonstid</translation>
-    </message>
-    <message>
-        <source>At full speed until something is done. Same source: 1 s.</source>
-        <translation>I full fart til noe blir gjort. Samme kilde: 1 s.</translation>
-    </message>
-    <message>
-        <source>Bank of the turn back</source>
-        <translation>Krengning i vendingen tilbake</translation>
-    </message>
-    <message>
-        <source>Radius v²/(g tan bank). Same source: 30°.</source>
-        <translation>Radius v²/(g tan krengning). Samme kilde: 30°.</translation>
-    </message>
-    <message>
-        <source>Height error</source>
-        <translation>Høydefeil</translation>
-    </message>
-    <message>
-        <source>Part of the height of the contingency volume. Same source: 4 m.</source>
-        <translation>Del av beredskapsvolumets høyde. Samme kilde: 4 m.</translation>
-    </message>
-    <message>
-        <source>Climb part</source>
-        <translation>Stigeandel</translation>
-    </message>
-    <message>
-        <source>Part of the speed that leads upwards during the reaction time. Same source: 0.707, a climb of 45°.</source>
-        <translation>Andel av farten som fører oppover i reaksjonstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
-    </message>
-    <message>
-        <source>Pull-up part</source>
-        <translation>Utflatingsandel</translation>
-    </message>
-    <message>
-        <source>Part of v²/g that levelling out takes. Same source: 0.3.</source>
-        <translation>Andel av v²/g som utflatingen krever. Samme kilde: 0,3.</translation>
-    </message>
-    <message>
-        <source>Buffer ratio</source>
-        <translation>Bufferforhold</translation>
-    </message>
-    <message>
-        <source>Width of the ground-risk buffer by the height of the contingency volume. Same source: 1, the rule 1:1.</source>
-        <translation>Bakkerisikobufferens bredde delt på beredskapsvolumets høyde. Samme kilde: 1, regelen 1:1.</translation>
-    </message>
-    <message>
-        <source>Adjacent area, time</source>
-        <translation>Tilstøtende område, tid</translation>
-    </message>
-    <message>
-        <source>Of flight at full speed. Same source: 180 s.</source>
-        <translation>Flytid i full fart. Samme kilde: 180 s.</translation>
-    </message>
-    <message>
-        <source>Adjacent area, least</source>
-        <translation>Tilstøtende område, minst</translation>
-    </message>
-    <message>
-        <source>Same source: 5 km.</source>
-        <translation>Samme kilde: 5 km.</translation>
-    </message>
-    <message>
-        <source>Adjacent area, most</source>
-        <translation>Tilstøtende område, mest</translation>
-    </message>
-    <message>
-        <source>Same source: 35 km.</source>
-        <translation>Samme kilde: 35 km.</translation>
-    </message>
-    <message>
-        <source>Crew</source>
-        <translation>Mannskap</translation>
-    </message>
-    <message>
-        <source>Who flies, printed in the flight brief; empty: a blank line.</source>
-        <translation>Hvem som flyr, trykkes på flygearket; tomt: en blank linje.</translation>
-    </message>
-    <message>
-        <source>Call sign</source>
-        <translation>Kallesignal</translation>
-    </message>
-    <message>
-        <source>Likewise.</source>
-        <translation>Likeså.</translation>
-    </message>
-    <message>
-        <source>Contacts</source>
-        <translation>Kontakter</translation>
-    </message>
-    <message>
-        <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
-        <translation>Skip, lufttrafikktjeneste, redning: navn, numre, frekvenser.</translation>
-    </message>
-    <message>
-        <source>Command link</source>
-        <translation>Kommandolink</translation>
-    </message>
-    <message>
-        <source>How the UAVs are commanded, and what they do without it.</source>
-        <translation>Hvordan UAV-ene styres, og hva de gjør uten den.</translation>
-    </message>
-    <message>
-        <source>Checklist</source>
-        <translation>Sjekkliste</translation>
-    </message>
-    <message>
-        <source>One line for each item, printed with a box to tick.</source>
-        <translation>En linje for hvert punkt, trykkes med en rute å krysse av.</translation>
     </message>
     <message>
         <source>Change operation</source>
@@ -3990,7 +2702,7 @@
         <translation>Operasjonsvolum</translation>
     </message>
     <message>
-        <source>Proposal for an application for a permit, to be checked with your authority: on the map, in KML and GeoJSON, and as a second page of the flight brief.</source>
+        <source>Proposed volume for a permit application; check it with your authority. Shown on the map, in KML and GeoJSON, and on a second page of the flight brief.</source>
         <translation>Forslag til en søknad om tillatelse, som må avklares med myndigheten: på kartet, i KML og GeoJSON, og som andre side av flygearket.</translation>
     </message>
     <message>
@@ -4010,7 +2722,7 @@ Tilstøtende område %4</translation>
         <translation>og %1 til</translation>
     </message>
     <message>
-        <source>Airspace that the operation may enter becomes no-fly areas: then the UAVs keep out of it.</source>
+        <source>Makes airspace that the operation may enter no-fly areas, so that the UAVs stay out of it.</source>
         <translation>Luftrom som operasjonen kan komme inn i, blir flyforbudsområder: da holder UAV-ene seg utenfor.</translation>
     </message>
     <message>
@@ -4018,16 +2730,12 @@ Tilstøtende område %4</translation>
         <translation>Gjør berørt luftrom til flyforbudsområder</translation>
     </message>
     <message>
-        <source>All of it; undo brings it back.</source>
+        <source>Removes all airspace. Undo restores it.</source>
         <translation>Alt sammen; angre henter det tilbake.</translation>
     </message>
     <message>
         <source>Remove airspace</source>
         <translation>Fjern luftrom</translation>
-    </message>
-    <message>
-        <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
-        <translation>Dato og klokkeslett for start, som 2026-11-29 12:00 eller 29 Nov 2026 12:00; 1200Z beholder datoen. Tomt: tidene er relative.</translation>
     </message>
     <message>
         <source>Position and course</source>
@@ -4090,7 +2798,7 @@ Tilstøtende område %4</translation>
         <translation>95 % innenfor</translation>
     </message>
     <message>
-        <source>With 95 % the iceberg was inside a circle of this radius when it was last seen: the square root of 5.99 σ₀.</source>
+        <source>When last seen, the iceberg was within this radius with a probability of 95 %: the square root of 5.99 σ₀.</source>
         <translation>Med 95 % var isfjellet innenfor en sirkel med denne radien da det sist ble sett: kvadratroten av 5,99 σ₀.</translation>
     </message>
     <message>
@@ -4098,7 +2806,7 @@ Tilstøtende område %4</translation>
         <translation>Sett med</translation>
     </message>
     <message>
-        <source>Sets the uncertainty to the usual one of this source, for icebergs placed from now on as well.</source>
+        <source>Sets the usual uncertainty of this source, also for icebergs placed later.</source>
         <translation>Setter usikkerheten til den vanlige for denne kilden, også for isfjell som plasseres fra nå av.</translation>
     </message>
     <message>
@@ -4106,192 +2814,55 @@ Tilstøtende område %4</translation>
         <translation>som skrevet</translation>
     </message>
     <message>
-        <source>UAVs are kept so far from each other, unless their altitudes are %1 apart.</source>
-        <translation>UAV-er holdes så langt fra hverandre, med mindre høydene deres skiller seg med %1.</translation>
-    </message>
-    <message>
         <source>Raises UAVs until their altitudes are %1 apart, so that none has to wait for another.</source>
         <translation>Hever UAV-er til høydene deres er %1 fra hverandre, så ingen må vente på en annen.</translation>
     </message>
     <message>
-        <source>Height above the sea: UAVs that are %1 apart in it pass each other.</source>
-        <translation>Høyde over havet: UAV-er som skiller seg med %1 i den, går klar av hverandre.</translation>
+        <source>Change %1</source>
+        <translation>Endre %1</translation>
+    </message>
+</context>
+<context>
+    <name>InterventionText</name>
+    <message>
+        <source>Change policy</source>
+        <translation>Endre strategi</translation>
+    </message>
+    <message>
+        <source>Change wind</source>
+        <translation>Endre vind</translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Flytt objektet</translation>
+    </message>
+    <message>
+        <source>Add iceberg</source>
+        <translation>Legg til isfjell</translation>
+    </message>
+    <message>
+        <source>Report sighting</source>
+        <translation>Meld observasjon</translation>
+    </message>
+    <message>
+        <source>Remove icebergs</source>
+        <translation>Fjern isfjell</translation>
+    </message>
+    <message>
+        <source>Assign iceberg</source>
+        <translation>Overlat isfjell</translation>
+    </message>
+    <message>
+        <source>Order UAV</source>
+        <translation>Gi UAV-en ordre</translation>
+    </message>
+    <message>
+        <source>Change trade-off</source>
+        <translation>Endre avveining</translation>
     </message>
 </context>
 <context>
     <name>IssueText</name>
-    <message>
-        <source>%1 must be UTF-8 text.</source>
-        <translation>%1 må være UTF-8-tekst.</translation>
-    </message>
-    <message>
-        <source>%1 must be a finite number.</source>
-        <translation>%1 må være et endelig tall.</translation>
-    </message>
-    <message>
-        <source>The wind must be two finite numbers.</source>
-        <translation>Vinden må være to endelige tall.</translation>
-    </message>
-    <message>
-        <source>%1 must be from %2 to %3, not %4.</source>
-        <translation>%1 må være fra %2 til %3, ikke %4.</translation>
-    </message>
-    <message>
-        <source>%1 must be above %2 and at most %3, not %4.</source>
-        <translation>%1 må være over %2 og høyst %3, ikke %4.</translation>
-    </message>
-    <message>
-        <source>The start must be a UTC date and time such as 2024-05-01T06:00:00Z.</source>
-        <translation>Starten må være dato og klokkeslett i UTC, for eksempel 2024-05-01T06:00:00Z.</translation>
-    </message>
-    <message>
-        <source>The area must have from 3 to %2 corners, not %3.</source>
-        <translation>Området må ha fra 3 til %2 hjørner, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The area must neither touch nor cross itself.</source>
-        <translation>Området kan verken berøre eller krysse seg selv.</translation>
-    </message>
-    <message>
-        <source>The id must not be empty.</source>
-        <translation>Id-en kan ikke være tom.</translation>
-    </message>
-    <message>
-        <source>The id &quot;%2&quot; is taken already.</source>
-        <translation>Id-en «%2» er allerede opptatt.</translation>
-    </message>
-    <message>
-        <source>A scenario holds from 1 to %2 UAVs, not %3.</source>
-        <translation>Et scenario har fra 1 til %2 UAV-er, ikke %3.</translation>
-    </message>
-    <message>
-        <source>A scenario holds at most %2 icebergs, not %3.</source>
-        <translation>Et scenario har høyst %2 isfjell, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The recorded track must have from 2 to %2 points, not %3.</source>
-        <translation>Det registrerte sporet må ha fra 2 til %2 punkter, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The recorded track has %2 times, but %3 places.</source>
-        <translation>Det registrerte sporet har %2 tidspunkter, men %3 steder.</translation>
-    </message>
-    <message>
-        <source>The times of the recorded track must rise.</source>
-        <translation>Tidspunktene i det registrerte sporet må være stigende.</translation>
-    </message>
-    <message>
-        <source>There are %2 more errors.</source>
-        <translation>Det er %2 feil til.</translation>
-    </message>
-    <message>
-        <source>The time step must not be longer than the run.</source>
-        <translation>Tidssteget kan ikke være lengre enn flygingen.</translation>
-    </message>
-    <message>
-        <source>With a limited endurance, the time between two commands of the autopilot must be at most %2, not %3.</source>
-        <translation>Med begrenset utholdenhet kan tiden mellom to kommandoer fra autopiloten være høyst %2, ikke %3.</translation>
-    </message>
-    <message>
-        <source>A geofence has at most %2 corners, not %3.</source>
-        <translation>Et geogjerde har høyst %2 hjørner, ikke %3.</translation>
-    </message>
-    <message>
-        <source>There is no UAV &quot;%2&quot; in this scenario.</source>
-        <translation>Det er ingen UAV «%2» i dette scenariet.</translation>
-    </message>
-    <message>
-        <source>The sensor interval must not be shorter than the time step.</source>
-        <translation>Sensorintervallet kan ikke være kortere enn tidssteget.</translation>
-    </message>
-    <message>
-        <source>Drifts so fast that the UAV may not catch up with it.</source>
-        <translation>Driver så fort at UAV-en kanskje ikke tar det igjen.</translation>
-    </message>
-    <message>
-        <source>The UAV will make little way against this wind.</source>
-        <translation>UAV-en kommer knapt fremover mot denne vinden.</translation>
-    </message>
-    <message>
-        <source>There are no icebergs yet, so there is nothing to plan.</source>
-        <translation>Det er ingen isfjell ennå, så det er ingenting å planlegge.</translation>
-    </message>
-    <message>
-        <source>Appears after the end of the run, so it is never planned.</source>
-        <translation>Dukker opp etter flygingens slutt, så det blir aldri planlagt.</translation>
-    </message>
-    <message>
-        <source>The endurance is too short for the path to the nearest iceberg and back.</source>
-        <translation>Utholdenheten er for kort til veien til nærmeste isfjell og tilbake.</translation>
-    </message>
-    <message>
-        <source>Starts outside the area.</source>
-        <translation>Starter utenfor området.</translation>
-    </message>
-    <message>
-        <source>The turn radius is larger than half the field of view, so that an iceberg may be missed.</source>
-        <translation>Svingradien er større enn halve synsfeltet, så et isfjell kan bli oversett.</translation>
-    </message>
-    <message>
-        <source>The radius that counts as reached is smaller than the turn radius, so that the UAV flies on and comes back.</source>
-        <translation>Radien som regnes som nådd, er mindre enn svingradien, så UAV-en flyr videre og kommer tilbake.</translation>
-    </message>
-    <message>
-        <source>Lies outside the area.</source>
-        <translation>Ligger utenfor området.</translation>
-    </message>
-    <message>
-        <source>Drifts out of the area before the end of the run.</source>
-        <translation>Driver ut av området før flygingen er slutt.</translation>
-    </message>
-    <message>
-        <source>Lies where another iceberg lies. Is it the same one?</source>
-        <translation>Ligger der et annet isfjell ligger. Er det det samme?</translation>
-    </message>
-    <message>
-        <source>So far away that the UAV cannot get there before the end of the run.</source>
-        <translation>Så langt unna at UAV-en ikke rekker dit før flygingen er slutt.</translation>
-    </message>
-    <message>
-        <source>The run is over before the UAV can get to the first iceberg.</source>
-        <translation>Kjøringen er slutt før UAV-en rekker fram til det første isfjellet.</translation>
-    </message>
-    <message>
-        <source>Drifts faster than icebergs do. Is the unit right?</source>
-        <translation>Driver fortere enn isfjell gjør. Er enheten riktig?</translation>
-    </message>
-    <message>
-        <source>Its recorded track ends before the run does; from then on it stands still.</source>
-        <translation>Det registrerte sporet slutter før flygingen; deretter ligger det stille.</translation>
-    </message>
-    <message>
-        <source>Its recorded track begins so far from the estimate that the UAV will not see it there.</source>
-        <translation>Det registrerte sporet begynner så langt fra estimatet at UAV-en ikke ser det der.</translation>
-    </message>
-    <message>
-        <source>The asset lies inside an iceberg.</source>
-        <translation>Objektet ligger inne i et isfjell.</translation>
-    </message>
-    <message>
-        <source>No iceberg is uncertain at the start, so distance alone makes the first plan.</source>
-        <translation>Ingen isfjell er usikre ved start, så avstanden alene avgjør den første planen.</translation>
-    </message>
-    <message>
-        <source>More icebergs than can be proven optimal; the plan comes with a bound.</source>
-        <translation>Flere isfjell enn det kan bevises optimum for; planen kommer med en skranke.</translation>
-    </message>
-    <message>
-        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
-        <translation>Denne løseren kan ikke planlegge så mange isfjell. Velg Automatisk.</translation>
-    </message>
-    <message>
-        <source>Proving the optimum of so many icebergs can take a minute and more.</source>
-        <translation>Å bevise optimum for så mange isfjell kan ta et minutt eller mer.</translation>
-    </message>
-    <message>
-        <source>The wind must be slower than the UAV flies.</source>
-        <translation>Vinden må være svakere enn UAV-ens fart.</translation>
-    </message>
     <message numerus="yes">
         <source>%n errors</source>
         <translation>
@@ -4312,118 +2883,6 @@ Tilstøtende område %4</translation>
             <numerusform>%n tips</numerusform>
             <numerusform>%n tips</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Icebergs outside the area are not monitored; the UAV may fly beyond it.</source>
-        <translation>Isfjell utenfor området overvåkes ikke; UAV-en kan fly utenfor det.</translation>
-    </message>
-    <message>
-        <source>The endurance is too short for the path home from the start.</source>
-        <translation>Utholdenheten er for kort til hjemveien fra startstedet.</translation>
-    </message>
-    <message>
-        <source>Without a limited endurance, home is used only when you order a return or export with the return home.</source>
-        <translation>Uten begrenset utholdenhet brukes hjemstedet bare når du gir ordre om hjemflyging eller eksporterer med hjemflyging.</translation>
-    </message>
-    <message>
-        <source>The time between two commands of the autopilot is too long for the UAV to follow a leg.</source>
-        <translation>Tiden mellom to kommandoer fra autopiloten er for lang til at UAV-en kan følge en etappe.</translation>
-    </message>
-    <message>
-        <source>A geofence needs an area.</source>
-        <translation>Et geogjerde trenger et område.</translation>
-    </message>
-    <message>
-        <source>Must be inside the area, which is a geofence.</source>
-        <translation>Må ligge innenfor området, som er et geogjerde.</translation>
-    </message>
-    <message>
-        <source>This policy plans icebergs one by one; nearby icebergs are not grouped.</source>
-        <translation>Denne strategien planlegger isfjell ett for ett; nære isfjell grupperes ikke.</translation>
-    </message>
-    <message>
-        <source>A scenario holds at most %2 no-fly areas, not %3.</source>
-        <translation>Et scenario rommer høyst %2 flyforbudsområder, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The ceiling must be above the floor.</source>
-        <translation>Taket må ligge over gulvet.</translation>
-    </message>
-    <message>
-        <source>The endurance must be longer than reserve, climb and landing together.</source>
-        <translation>Flytiden må være lengre enn reserve, stigning og landing til sammen.</translation>
-    </message>
-    <message>
-        <source>The wind is above the limit of this UAV: %2, limit %3.</source>
-        <translation>Vinden er over grensen for denne UAV-en: %2, grense %3.</translation>
-    </message>
-    <message>
-        <source>The gusts are above the limit of this UAV: %2, limit %3.</source>
-        <translation>Vindkastene er over grensen for denne UAV-en: %2, grense %3.</translation>
-    </message>
-    <message>
-        <source>Icing conditions at its altitude: not for this UAV.</source>
-        <translation>Isingsforhold i flyhøyden: ikke for denne UAV-en.</translation>
-    </message>
-    <message>
-        <source>The plan leads out of the range of the ground station for %2.</source>
-        <translation>Planen går utenfor bakkestasjonens rekkevidde i %2.</translation>
-    </message>
-    <message>
-        <source>With the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %2 corners, not %3.</source>
-        <translation>Med geogjerdet og sikkerhetsringen har flyforbudsområdene i høyden til en UAV høyst %2 hjørner, ikke %3.</translation>
-    </message>
-    <message>
-        <source>Must be outside the no-fly area &quot;%2&quot;.</source>
-        <translation>Må ligge utenfor flyforbudsområdet «%2».</translation>
-    </message>
-    <message>
-        <source>Must be outside the stand-off ring round the asset.</source>
-        <translation>Må ligge utenfor sikkerhetsringen rundt objektet.</translation>
-    </message>
-    <message>
-        <source>In flight, the velocity&apos;s deviation counts with the Kalman filter only.</source>
-        <translation>Under flyging teller fartens standardavvik bare med Kalman-filteret.</translation>
-    </message>
-    <message>
-        <source>Home is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home.</source>
-        <translation>Hjemstedet ligger så nær geogjerdet eller et flyforbudsområde at UAV-en ikke kan ta av der igjen og være sikker på å komme hjem.</translation>
-    </message>
-    <message>
-        <source>For its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe.</source>
-        <translation>Med denne kursen har UAV-en ingen vei hjem innenfor geogjerdet og utenom flyforbudsområdene fra startstedet: ingen start er trygg.</translation>
-    </message>
-    <message>
-        <source>The UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time.</source>
-        <translation>UAV-en starter så nær geogjerdet eller et flyforbudsområde, med denne kursen, at den ikke rekker å svinge.</translation>
-    </message>
-    <message>
-        <source>So near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to.</source>
-        <translation>Så nær geogjerdet, eller i et flyforbudsområde, at UAV-en ikke kan komme så nær som den må.</translation>
-    </message>
-    <message>
-        <source>This policy plans without geofence and no-fly areas; they are kept in flight.</source>
-        <translation>Denne strategien planlegger uten geogjerde og flyforbudsområder; de overholdes under flygingen.</translation>
-    </message>
-    <message>
-        <source>The acceptance radius is larger than half the field of view, so that icebergs count as reached that are not seen.</source>
-        <translation>Godkjenningsradien er større enn halve synsfeltet, så isfjell regnes som nådd uten å være sett.</translation>
-    </message>
-    <message>
-        <source>On the way home this UAV may have to wait %2 for others of its altitude layer, longer than its reserve. Separate altitudes, or a greater reserve, avoid it.</source>
-        <translation>På vei hjem kan dette UAV-et måtte vente %2 på andre i samme høydelag, lenger enn reserven varer. Ulike høyder, eller en større reserve, unngår det.</translation>
-    </message>
-    <message>
-        <source>Other UAVs of this altitude layer land on the same pad, so this UAV is planned home %2 early, in a recovery slot of its own. Separate altitudes or pads avoid it.</source>
-        <translation>Andre UAV-er i dette høydelaget lander på samme plass, så denne UAV-en er planlagt hjem %2 før tiden, i sit eget landingsvindue. Ulike høyder eller plasser unngår det.</translation>
-    </message>
-    <message>
-        <source>With these drifts and a round of %2 minutes, %3 of %4 icebergs will be out of view at the next visit.</source>
-        <translation>Med denne driften og en runde på %2 minutter er %3 av %4 isfjell utenfor synsfeltet ved neste besøk.</translation>
-    </message>
-    <message>
-        <source>Seen %2 h ago: may be %3 away (%4 × the field of view).</source>
-        <translation>Sett for %2 t siden: kan være %3 unna (%4 × synsfeltet).</translation>
     </message>
     <message>
         <source>line %1, column %2: %3</source>
@@ -4694,10 +3153,6 @@ Tilstøtende område %4</translation>
         <translation>det finnes ikke noe importformat «%1»; det finnes %2</translation>
     </message>
     <message>
-        <source>is of no known format, and no columns for latitude and longitude are named; known formats: %1</source>
-        <translation>er av ukjent format, og ingen kolonner for bredde og lengde er oppgitt; kjente formater: %1</translation>
-    </message>
-    <message>
         <source>columns of the format %1 cannot be mapped</source>
         <translation>kolonnene i formatet %1 kan ikke velges</translation>
     </message>
@@ -4764,14 +3219,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>has no position</source>
         <translation>har ingen posisjon</translation>
-    </message>
-    <message>
-        <source>latitude is no number from -90 to 90</source>
-        <translation>bredden er ikke et tall fra −90 til 90</translation>
-    </message>
-    <message>
-        <source>longitude is no number from -180 to 360</source>
-        <translation>lengden er ikke et tall fra −180 til 360</translation>
     </message>
     <message>
         <source>a number is out of range</source>
@@ -4942,20 +3389,8 @@ Tilstøtende område %4</translation>
         <translation>viser til et isfjell, men kjøringen har ingen</translation>
     </message>
     <message>
-        <source>A scenario holds at most %2 airspace areas, not %3.</source>
-        <translation>Et scenario har høyst %2 luftromsområder, ikke %3.</translation>
-    </message>
-    <message>
-        <source>The operation may enter the airspace &quot;%2&quot;, which begins at %3.</source>
-        <translation>Operasjonen kan komme inn i luftrommet «%2», som begynner i %3.</translation>
-    </message>
-    <message>
         <source>airspace left out: a place or an arc cannot be read</source>
         <translation>luftrom utelatt: et sted eller en bue kan ikke leses</translation>
-    </message>
-    <message>
-        <source>airspace left out: its outline touches or crosses itself, has too many corners, or the ceiling is not above the floor</source>
-        <translation>luftrom utelatt: omrisset berører eller krysser seg selv, har for mange hjørner, eller taket er ikke over gulvet</translation>
     </message>
     <message>
         <source>is no airspace: neither OpenAir nor GeoJSON</source>
@@ -5018,10 +3453,6 @@ Tilstøtende område %4</translation>
         <translation>må være et endelig tall</translation>
     </message>
     <message>
-        <source>must be two finite numbers</source>
-        <translation>må være to endelige tall</translation>
-    </message>
-    <message>
         <source>must be from %1 to %2, not %3</source>
         <translation>må være fra %1 til %2, ikke %3</translation>
     </message>
@@ -5034,76 +3465,24 @@ Tilstøtende område %4</translation>
         <translation>må være dato og klokkeslett i UTC, for eksempel 2024-05-01T06:00:00Z</translation>
     </message>
     <message>
-        <source>must have from 3 to %1 corners, not %2</source>
-        <translation>må ha fra 3 til %1 hjørner, ikke %2</translation>
-    </message>
-    <message>
-        <source>must be a polygon that neither touches nor crosses itself</source>
-        <translation>må være et polygon som verken berører eller krysser seg selv</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 areas, not %2</source>
-        <translation>kan ha høyst %1 områder, ikke %2</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 airspaces, not %2</source>
-        <translation>kan ha høyst %1 luftromsområder, ikke %2</translation>
-    </message>
-    <message>
         <source>must not be empty</source>
         <translation>kan ikke være tom</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is the id of %2 already</source>
-        <translation>«%1» er allerede id-en til %2</translation>
-    </message>
-    <message>
-        <source>must hold from 1 to %1 UAVs, not %2</source>
-        <translation>må ha fra 1 til %1 UAV-er, ikke %2</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 icebergs, not %2</source>
-        <translation>kan ha høyst %1 isfjell, ikke %2</translation>
     </message>
     <message>
         <source>must have from 2 to %1 entries, not %2</source>
         <translation>må ha fra 2 til %1 verdier, ikke %2</translation>
     </message>
     <message>
-        <source>must have one entry for each of time_s: %1, not %2</source>
-        <translation>må ha én verdi for hver i time_s: %1, ikke %2</translation>
-    </message>
-    <message>
         <source>must be later than the entry before</source>
         <translation>må være senere enn verdien før</translation>
-    </message>
-    <message>
-        <source>and %1 more faults</source>
-        <translation>og %1 feil til</translation>
-    </message>
-    <message>
-        <source>must not be longer than duration_s</source>
-        <translation>kan ikke være lengre enn duration_s</translation>
     </message>
     <message>
         <source>must be at most %1 where the endurance is limited, not %2</source>
         <translation>må være høyst %1 når utholdenheten er begrenset, ikke %2</translation>
     </message>
     <message>
-        <source>needs an area, area_m, to stay inside</source>
-        <translation>trenger et område, area_m, å holde seg innenfor</translation>
-    </message>
-    <message>
-        <source>must have at most %1 corners to be a geofence, not %2</source>
-        <translation>kan ha høyst %1 hjørner som geogjerde, ikke %2</translation>
-    </message>
-    <message>
         <source>must be inside the area, which is a geofence</source>
         <translation>må ligge innenfor området, som er et geogjerde</translation>
-    </message>
-    <message>
-        <source>must have, with the geofence and the stand-off ring, at most %1 corners at the altitude of a UAV, not %2</source>
-        <translation>kan sammen med geogjerdet og sikkerhetsringen ha høyst %1 hjørner i høyden til en UAV, ikke %2</translation>
     </message>
     <message>
         <source>must be outside the no-fly area &quot;%1&quot;</source>
@@ -5114,52 +3493,8 @@ Tilstøtende område %4</translation>
         <translation>må ligge utenfor sikkerhetsringen rundt objektet</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is the id of no UAV of this scenario</source>
-        <translation>«%1» er ikke id-en til noen UAV i dette scenarioet</translation>
-    </message>
-    <message>
-        <source>must be slower than the UAV flies: wind of %1 m/s, airspeed of %2 %3 m/s</source>
-        <translation>må være svakere enn UAV-ens fart: vind på %1 m/s, flyfart for %2 %3 m/s</translation>
-    </message>
-    <message>
-        <source>the UAV will make little way against it: wind of %1 m/s, airspeed of %2 %3 m/s</source>
-        <translation>UAV-en kommer knapt fremover mot den: vind på %1 m/s, flyfart for %2 %3 m/s</translation>
-    </message>
-    <message>
         <source>drifts so fast that the UAV may not catch up with it</source>
         <translation>driver så fort at UAV-en kanskje ikke tar det igjen</translation>
-    </message>
-    <message>
-        <source>must not be shorter than the time step dt_s</source>
-        <translation>kan ikke være kortere enn tidssteget dt_s</translation>
-    </message>
-    <message>
-        <source>must be above the floor of %1 m, not %2 m</source>
-        <translation>må ligge over gulvet på %1 m, ikke %2 m</translation>
-    </message>
-    <message>
-        <source>must be longer than reserve, climb and landing: %1 s, not above %2 s</source>
-        <translation>må være lengre enn reserve, stigning og landing: %1 s, ikke over %2 s</translation>
-    </message>
-    <message>
-        <source>none yet, so there is nothing to plan</source>
-        <translation>ingen ennå, så det er ingenting å planlegge</translation>
-    </message>
-    <message>
-        <source>is after the end of the run</source>
-        <translation>er etter at flygingen er slutt</translation>
-    </message>
-    <message>
-        <source>icebergs outside it are not monitored; the UAV may fly beyond it</source>
-        <translation>isfjell utenfor det overvåkes ikke; UAV-en kan fly utenfor det</translation>
-    </message>
-    <message>
-        <source>is used in flight with the observer kalman only</source>
-        <translation>brukes under flyging bare med observatøren kalman</translation>
-    </message>
-    <message>
-        <source>%1 h old: may be %2 m away (%3 x the field of view)</source>
-        <translation>%1 t gammelt: kan være %2 m unna (%3 x synsfeltet)</translation>
     </message>
     <message>
         <source>with these drifts and a round of %1 minutes, %2 of %3 icebergs will be out of view at the next visit</source>
@@ -5170,10 +3505,6 @@ Tilstøtende område %4</translation>
         <translation>er for kort til hjemveien fra startstedet</translation>
     </message>
     <message>
-        <source>is too short for the path to the nearest iceberg and back</source>
-        <translation>er for kort til veien til nærmeste isfjell og tilbake</translation>
-    </message>
-    <message>
         <source>is used, without a limited endurance, only when you order a return or export with the return home</source>
         <translation>brukes, uten begrenset utholdenhet, bare når du gir ordre om hjemflyging eller eksporterer med hjemflyging</translation>
     </message>
@@ -5182,60 +3513,8 @@ Tilstøtende område %4</translation>
         <translation>er så nær geogjerdet eller et flyforbudsområde at UAV-en ikke kan ta av der igjen og være sikker på å komme hjem</translation>
     </message>
     <message>
-        <source>has, for this heading, no path home inside the geofence and outside no-fly areas, so that no start is safe</source>
-        <translation>har, med denne kursen, ingen vei hjem innenfor geogjerdet og utenom flyforbudsområdene, så ingen start er trygg</translation>
-    </message>
-    <message>
-        <source>is so near the geofence or a no-fly area, for this heading, that the UAV cannot turn in time</source>
-        <translation>er så nær geogjerdet eller et flyforbudsområde, med denne kursen, at UAV-en ikke rekker å svinge</translation>
-    </message>
-    <message>
-        <source>is so near the geofence or in a no-fly area that the UAV, to be within the acceptance radius, cannot be sent there</source>
-        <translation>er så nær geogjerdet, eller i et flyforbudsområde, at UAV-en ikke kan sendes dit for å komme innenfor godkjenningsradien</translation>
-    </message>
-    <message>
-        <source>is so long between two commands that the UAV cannot follow a leg</source>
-        <translation>er så lang mellom to kommandoer at UAV-en ikke kan følge en etappe</translation>
-    </message>
-    <message>
-        <source>must not be exceeded: wind of %1 m/s, limit %2 m/s</source>
-        <translation>kan ikke overskrides: vind på %1 m/s, grense %2 m/s</translation>
-    </message>
-    <message>
-        <source>must not be exceeded: gusts of %1 m/s, limit %2 m/s</source>
-        <translation>kan ikke overskrides: vindkast på %1 m/s, grense %2 m/s</translation>
-    </message>
-    <message>
-        <source>the UAV must not be flown in icing conditions, which this weather brings</source>
-        <translation>UAV-en kan ikke flys i isingsforhold, som dette været gir</translation>
-    </message>
-    <message>
-        <source>is less reserve than waiting for the other UAVs of the altitude layer may take, %1 s</source>
-        <translation>er mindre reserve enn det kan ta å vente på de andre UAV-ene i høydelaget, %1 s</translation>
-    </message>
-    <message>
-        <source>keeps %1 s free for its recovery slot: other UAVs of the altitude layer land on the same pad</source>
-        <translation>brukes unntatt de siste %1 s: andre UAV-er i høydelaget lander på samme plass, så hver er planlagt hjem i sit eget landingsvindue</translation>
-    </message>
-    <message>
-        <source>in one flight of twenty %1 s of the reserve are used to come home</source>
-        <translation>i én av tjue flyginger brukes %1 s av reserven for å komme hjem</translation>
-    </message>
-    <message>
-        <source>the plan leads out of the range of the ground station for %1 s</source>
-        <translation>planen går utenfor bakkestasjonens rekkevidde i %1 s</translation>
-    </message>
-    <message>
-        <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2 m</source>
-        <translation>operasjonen kan komme inn i luftrommet «%1», som begynner i %2 m</translation>
-    </message>
-    <message>
         <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
         <translation>denne strategien planlegger uten geogjerde og flyforbudsområder; de overholdes under flygingen</translation>
-    </message>
-    <message>
-        <source>the UAV starts outside the area</source>
-        <translation>UAV-en starter utenfor området</translation>
     </message>
     <message>
         <source>the turn radius is larger than half the field of view, so that an iceberg may be missed</source>
@@ -5258,14 +3537,6 @@ Tilstøtende område %4</translation>
         <translation>driver ut av området før flygingen er slutt</translation>
     </message>
     <message>
-        <source>lies where another iceberg lies: the same one?</source>
-        <translation>ligger der et annet isfjell ligger: det samme?</translation>
-    </message>
-    <message>
-        <source>is so far away that the UAV cannot get there before the end of the run</source>
-        <translation>er så langt unna at UAV-en ikke rekker dit før flygingen er slutt</translation>
-    </message>
-    <message>
         <source>is over before the UAV can get to the first iceberg</source>
         <translation>er slutt før UAV-en rekker fram til det første isfjellet</translation>
     </message>
@@ -5274,32 +3545,8 @@ Tilstøtende område %4</translation>
         <translation>driver fortere enn isfjell gjør: er enheten riktig?</translation>
     </message>
     <message>
-        <source>ends before the run does; from then on the iceberg stands still</source>
-        <translation>slutter før flygingen; deretter ligger isfjellet stille</translation>
-    </message>
-    <message>
-        <source>begins so far from the estimate that the UAV will not see the iceberg there</source>
-        <translation>begynner så langt fra estimatet at UAV-en ikke ser isfjellet der</translation>
-    </message>
-    <message>
-        <source>lies inside an iceberg</source>
-        <translation>ligger inne i et isfjell</translation>
-    </message>
-    <message>
         <source>no iceberg is uncertain at the start, so distance alone makes the first plan</source>
         <translation>ingen isfjell er usikre ved start, så avstanden alene avgjør den første planen</translation>
-    </message>
-    <message>
-        <source>more than can be proven optimal; the plan comes with a bound</source>
-        <translation>flere enn det kan bevises optimum for; planen kommer med en skranke</translation>
-    </message>
-    <message>
-        <source>the policy plans icebergs one by one; nearby icebergs are not grouped</source>
-        <translation>strategien planlegger isfjell ett for ett; nære isfjell grupperes ikke</translation>
-    </message>
-    <message>
-        <source>cannot plan so many icebergs; the back end auto can</source>
-        <translation>kan ikke planlegge så mange isfjell; løseren auto kan</translation>
     </message>
     <message>
         <source>proving the optimum of so many icebergs can take a minute and more</source>
@@ -5318,20 +3565,8 @@ Tilstøtende område %4</translation>
         <translation>MILP-formuleringen %1 tilbys for høyst %2 isfjell, ikke for %3</translation>
     </message>
     <message>
-        <source>in one flight of twenty the wind is too strong to come home</source>
-        <translation>i én av tjue flyginger er vinden for sterk til å komme hjem</translation>
-    </message>
-    <message>
-        <source>The file holds members that this version does not know, &quot;%2&quot; to begin with. They are kept, but not used.</source>
-        <translation>Filen har felt som denne versjonen ikke kjenner, først «%2». De beholdes, men brukes ikke.</translation>
-    </message>
-    <message>
         <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
         <translation>kolonnen «%1» forstås ikke: gi den et annet navn, eller tilordne den</translation>
-    </message>
-    <message>
-        <source>has more than one place: only the first is taken</source>
-        <translation>har mer enn ett sted: bare det første brukes</translation>
     </message>
     <message>
         <source>airspace left out: a height has no unit</source>
@@ -5342,44 +3577,12 @@ Tilstøtende område %4</translation>
         <translation>felt som denne versjonen ikke kjenner, brukes ikke: «%1»</translation>
     </message>
     <message>
-        <source>The airspace &quot;%3&quot; ends before it begins.</source>
-        <translation>Luftrommet «%3» slutter før det begynner.</translation>
-    </message>
-    <message>
-        <source>must not be earlier than %1</source>
-        <translation>må ikke være tidligere enn %1</translation>
-    </message>
-    <message>
         <source>feature %1</source>
         <translation>objekt %1</translation>
     </message>
     <message>
         <source>packet %1</source>
         <translation>pakke %1</translation>
-    </message>
-    <message>
-        <source>Starts too near another UAV of the same altitude layer: they fly apart first. Let their altitudes differ by %2.</source>
-        <translation>Starter for nær en annen UAV i samme høydelag: de flyr først fra hverandre. La høydene skille %2.</translation>
-    </message>
-    <message>
-        <source>With the usual errors in wind and airspeed, 1 flight in 20 uses %2 or more of the reserve to come home.</source>
-        <translation>Med vanlige feil i vind og flyfart bruker 1 av 20 flyginger %2 eller mer av reserven for å komme hjem.</translation>
-    </message>
-    <message>
-        <source>With the usual errors in wind and airspeed, in 1 flight in 20 the wind is too strong to come home.</source>
-        <translation>Med vanlige feil i vind og flyfart er vinden for sterk til å komme hjem i 1 av 20 flyginger.</translation>
-    </message>
-    <message>
-        <source>Takes off in the dark, at %2 UTC: civil twilight begins at %3 UTC.</source>
-        <translation>Starter i mørket, kl. %2 UTC: borgerlig tussmørke begynner kl. %3 UTC.</translation>
-    </message>
-    <message>
-        <source>Lands in the dark, at %2 UTC: civil twilight ends at %3 UTC.</source>
-        <translation>Lander i mørket, kl. %2 UTC: borgerlig tussmørke slutter kl. %3 UTC.</translation>
-    </message>
-    <message>
-        <source>starts within separation_m of another UAV whose altitude differs by less than %1 m</source>
-        <translation>starter innenfor separation_m fra en annen UAV hvis høyde skiller seg med mindre enn %1 m</translation>
     </message>
     <message>
         <source>takes off in the dark, at %1 UTC: civil twilight begins at %2 UTC</source>
@@ -5389,140 +3592,658 @@ Tilstøtende område %4</translation>
         <source>lands in the dark, at %1 UTC: civil twilight ends at %2 UTC</source>
         <translation>lander i mørket, kl. %1 UTC: borgerlig tussmørke slutter kl. %2 UTC</translation>
     </message>
-</context>
-<context>
-    <name>LogText</name>
     <message>
-        <source>Flight log: %1</source>
-        <translation>Flygelogg: %1</translation>
+        <source>the time zone &quot;%1&quot; is a name: write offsets from UTC, such as +02:00</source>
+        <translation>tidssonen «%1» er et navn: skriv avvik fra UTC, som +02:00</translation>
     </message>
     <message>
-        <source>never</source>
-        <translation>aldri</translation>
+        <source>there is nothing on line %1 or below it</source>
+        <translation>det står ingenting på linje %1 eller under den</translation>
     </message>
     <message>
-        <source>Start, UTC</source>
-        <translation>Start, UTC</translation>
+        <source>nothing tells which rows are sightings of one iceberg: choose one of these</source>
+        <translation>ingenting forteller hvilke rader som er observasjoner av ett isfjell: velg ett av disse</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Start</translation>
+        <source>icebergs: %1, greatest speed between two sightings: %2 m/s</source>
+        <translation>isfjell: %1, største fart mellom to observasjoner: %2 m/s</translation>
     </message>
     <message>
-        <source>Until, UTC</source>
-        <translation>Til, UTC</translation>
+        <source>is faster than 1.5 m/s or on land: check columns, units and ids, or accept it with --accept-doubtful</source>
+        <translation>er raskere enn 1,5 m/s eller på land: kontroller kolonner, enheter og id-er, eller godta det med --accept-doubtful</translation>
     </message>
     <message>
-        <source>Until</source>
-        <translation>Til</translation>
+        <source>has several places: each is taken as an iceberg</source>
+        <translation>har flere steder: hvert tas som et isfjell</translation>
     </message>
     <message>
-        <source>Zeta flown</source>
-        <translation>Zeta fløyet</translation>
+        <source>has points beside lines or areas: only the points are taken</source>
+        <translation>har punkter ved siden av linjer eller flater: bare punktene tas med</translation>
     </message>
     <message>
-        <source>Predicted before take-off</source>
-        <translation>Forutsagt før avgang</translation>
+        <source>has areas beside lines: only the areas are taken</source>
+        <translation>har flater ved siden av linjer: bare flatene tas med</translation>
     </message>
     <message>
-        <source>Visits</source>
-        <translation>Besøk</translation>
+        <source>has points or areas beside a track: only the track is taken</source>
+        <translation>har punkter eller flater ved siden av et spor: bare sporet tas med</translation>
     </message>
     <message>
-        <source>Plans made</source>
-        <translation>Planer laget</translation>
+        <source>has the name of another track, but an iceberg cannot have drifted along both: it is taken as another iceberg</source>
+        <translation>har samme navn som et annet spor, men et isfjell kan ikke ha drevet langs begge: det tas som et annet isfjell</translation>
     </message>
     <message>
-        <source>Planned by</source>
-        <translation>Planlagt av</translation>
+        <source>the property that names the iceberg is the same at two places at once: the ids of the features are taken instead</source>
+        <translation>egenskapen som gir isfjellet navn, er den samme på to steder samtidig: id-ene til objektene brukes i stedet</translation>
     </message>
     <message>
-        <source>Seed</source>
-        <translation>Frø</translation>
+        <source>has more times than places: the times left over are not taken</source>
+        <translation>har flere tider enn steder: tidene til overs tas ikke med</translation>
     </message>
     <message>
-        <source>Program</source>
-        <translation>Program</translation>
+        <source>the place can be read in more than one way: decimals follow a point</source>
+        <translation>stedet kan leses på flere måter: desimaler står etter et punktum</translation>
     </message>
     <message>
-        <source>UAV</source>
-        <translation>UAV</translation>
+        <source>coordinates are no degrees, and the file names no coordinate system: save it in WGS 84 (EPSG:4326)</source>
+        <translation>koordinatene er ikke grader, og filen oppgir ikke noe koordinatsystem: lagre den i WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
-        <source>Visits planned</source>
-        <translation>Besøk planlagt</translation>
+        <source>coordinates look like degrees, but the file says they are metres: save it in WGS 84 (EPSG:4326)</source>
+        <translation>koordinatene ser ut som grader, men filen sier at de er meter: lagre den i WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
-        <source>flown</source>
-        <translation>fløyet</translation>
+        <source>the coordinate system &quot;%1&quot; is not known: save the file in WGS 84 (EPSG:4326)</source>
+        <translation>koordinatsystemet «%1» er ukjent: lagre filen i WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
-        <source>Distance planned</source>
-        <translation>Strekning planlagt</translation>
+        <source>is not well-formed JSON</source>
+        <translation>er ikke velformet JSON</translation>
     </message>
     <message>
-        <source>Time planned</source>
-        <translation>Tid planlagt</translation>
+        <source>links to another file, which is not read: import that file as well</source>
+        <translation>lenker til en annen fil, som ikke leses: importer den filen også</translation>
     </message>
     <message>
-        <source>aloft</source>
-        <translation>i luften</translation>
+        <source>the first document of the archive does not link to this one; it is read all the same</source>
+        <translation>det første dokumentet i arkivet lenker ikke til dette; det leses likevel</translation>
     </message>
     <message>
-        <source>Outside the geography</source>
-        <translation>Utenfor geografien</translation>
+        <source>a document of the archive cannot be read</source>
+        <translation>et dokument i arkivet kan ikke leses</translation>
     </message>
     <message>
-        <source>Iceberg</source>
-        <translation>Isfjell</translation>
+        <source>airspace left out: it has no outline</source>
+        <translation>luftrom utelatt: det har ikke noe omriss</translation>
     </message>
     <message>
-        <source>First seen</source>
-        <translation>Først sett</translation>
+        <source>outline left out: no airspace begins above it</source>
+        <translation>omriss utelatt: ikke noe luftrom begynner over det</translation>
     </message>
     <message>
-        <source>Last seen</source>
-        <translation>Sist sett</translation>
+        <source>airspace left out: its outline encloses nothing</source>
+        <translation>luftrom utelatt: omrisset omslutter ingenting</translation>
     </message>
     <message>
-        <source>Longest unseen</source>
-        <translation>Lengst usett</translation>
+        <source>airspace left out: its ceiling is not above its floor</source>
+        <translation>luftrom utelatt: taket ligger ikke over gulvet</translation>
     </message>
     <message>
-        <source>σ at the end, m²</source>
-        <translation>σ til slutt, m²</translation>
+        <source>airspace left out: it is farther than 100 km</source>
+        <translation>luftrom utelatt: det er lenger unna enn 100 km</translation>
     </message>
     <message>
-        <source>Something was changed in flight: the prediction was for another flight.</source>
-        <translation>Noe ble endret under flygingen: prognosen gjaldt en annen flyging.</translation>
+        <source>airspace left out: the scenario holds as many as it can</source>
+        <translation>luftrom utelatt: scenariet rommer ikke flere</translation>
     </message>
     <message>
-        <source>None on record.</source>
-        <translation>Ingen registrert.</translation>
+        <source>airspace taken without a class</source>
+        <translation>luftrom tatt med uten klasse</translation>
     </message>
     <message>
-        <source>Sightings</source>
-        <translation>Observasjoner</translation>
+        <source>airspace taken down to the sea: its floor is missing or cannot be read</source>
+        <translation>luftrom tatt med helt ned til havet: gulvet mangler eller kan ikke leses</translation>
     </message>
     <message>
-        <source>Deviations</source>
-        <translation>Avvik</translation>
+        <source>airspace taken without end above: its ceiling is missing or cannot be read</source>
+        <translation>luftrom tatt med uten ende oppover: taket mangler eller kan ikke leses</translation>
     </message>
     <message>
-        <source>and %1 more; all of them: export log-html</source>
-        <translation>og %1 til; alle: eksporter log-html</translation>
+        <source>airspace taken with an outline round its own, which touches or crosses itself</source>
+        <translation>luftrom tatt med med et omriss rundt sitt eget, som berører eller krysser seg selv</translation>
     </message>
     <message>
-        <source>SHA-256 of the first plan as a file of the format wpl</source>
-        <translation>SHA-256 av den første planen som fil i formatet wpl</translation>
+        <source>airspace taken with an outline round its own, which has too many corners</source>
+        <translation>luftrom tatt med med et omriss rundt sitt eget, som har for mange hjørner</translation>
     </message>
     <message>
-        <source>Nothing was flown</source>
-        <translation>Ingenting ble fløyet</translation>
+        <source>line not understood and not used</source>
+        <translation>linje ikke forstått og ikke brukt</translation>
     </message>
     <message>
-        <source>95 % within</source>
-        <translation>95 % innenfor</translation>
+        <source>has no time, although other sightings of this iceberg have one</source>
+        <translation>har ikke noe tidspunkt, selv om andre observasjoner av dette isfjellet har det</translation>
+    </message>
+    <message>
+        <source>lies outside the chosen area</source>
+        <translation>ligger utenfor det valgte området</translation>
+    </message>
+    <message>
+        <source>was sighted outside the chosen time</source>
+        <translation>er observert utenfor det valgte tidsrommet</translation>
+    </message>
+    <message>
+        <source>taken without a value that cannot be read</source>
+        <translation>tatt med uten en verdi som ikke kan leses</translation>
+    </message>
+    <message>
+        <source>taken without a number that is out of range</source>
+        <translation>tatt med uten et tall som er utenfor gyldig område</translation>
+    </message>
+    <message>
+        <source>a range, a limit or an estimate is read as one number</source>
+        <translation>et intervall, en grense eller et anslag er lest som ett tall</translation>
+    </message>
+    <message>
+        <source>taken without its time, which cannot be read</source>
+        <translation>tatt med uten tidspunktet, som ikke kan leses</translation>
+    </message>
+    <message>
+        <source>taken without a time, which it does not have</source>
+        <translation>tatt med uten tidspunkt, for det har ikke noe</translation>
+    </message>
+    <message>
+        <source>taken without its time, which is years from all others</source>
+        <translation>tatt med uten tidspunktet, som er år unna alle andre</translation>
+    </message>
+    <message>
+        <source>its time is moved by 1024 weeks, as a GPS clock has lost count of them</source>
+        <translation>tidspunktet er flyttet 1024 uker, fordi en GPS-klokke har mistet tellingen av dem</translation>
+    </message>
+    <message>
+        <source>its id is too long and is shortened</source>
+        <translation>id-en er for lang og er forkortet</translation>
+    </message>
+    <message>
+        <source>the wind must be two finite numbers</source>
+        <translation>vinden må være to endelige tall</translation>
+    </message>
+    <message>
+        <source>the area must have from 3 to %1 corners, not %2</source>
+        <translation>området må ha fra 3 til %1 hjørner, ikke %2</translation>
+    </message>
+    <message>
+        <source>the area must neither touch nor cross itself</source>
+        <translation>området kan verken berøre eller krysse seg selv</translation>
+    </message>
+    <message>
+        <source>a scenario holds at most %1 no-fly areas, not %2</source>
+        <translation>et scenario rommer høyst %1 flyforbudsområder, ikke %2</translation>
+    </message>
+    <message>
+        <source>a scenario holds at most %1 airspace areas, not %2</source>
+        <translation>et scenario har høyst %1 luftromsområder, ikke %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of %2 already: each iceberg and UAV needs a unique id</source>
+        <translation>«%1» er allerede id-en til %2: hvert isfjell og hver UAV trenger sin egen id</translation>
+    </message>
+    <message>
+        <source>a scenario holds from 1 to %1 UAVs, not %2</source>
+        <translation>et scenario har fra 1 til %1 UAV-er, ikke %2</translation>
+    </message>
+    <message>
+        <source>a scenario holds at most %1 icebergs, not %2</source>
+        <translation>et scenario har høyst %1 isfjell, ikke %2</translation>
+    </message>
+    <message>
+        <source>must have one entry for each of the %1 times, not %2</source>
+        <translation>må ha én verdi for hvert av de %1 tidspunktene, ikke %2</translation>
+    </message>
+    <message>
+        <source>there are %1 more errors</source>
+        <translation>det er %1 feil til</translation>
+    </message>
+    <message>
+        <source>must not be longer than the run</source>
+        <translation>kan ikke være lengre enn flygingen</translation>
+    </message>
+    <message>
+        <source>needs an area to stay inside</source>
+        <translation>trenger et område å holde seg innenfor</translation>
+    </message>
+    <message>
+        <source>a geofence has at most %1 corners, not %2</source>
+        <translation>et geogjerde har høyst %1 hjørner, ikke %2</translation>
+    </message>
+    <message>
+        <source>with the geofence and the stand-off ring, the no-fly areas at the altitude of a UAV have at most %1 corners, not %2</source>
+        <translation>med geogjerdet og sikkerhetsringen har flyforbudsområdene i høyden til en UAV høyst %1 hjørner, ikke %2</translation>
+    </message>
+    <message>
+        <source>there is no UAV &quot;%1&quot; in this scenario</source>
+        <translation>det er ingen UAV «%1» i dette scenariet</translation>
+    </message>
+    <message>
+        <source>the wind must be slower than the UAV flies: wind of %1, airspeed of %2 %3</source>
+        <translation>vinden må være svakere enn UAV-ens fart: vind på %1, flyfart for %2 %3</translation>
+    </message>
+    <message>
+        <source>the UAV will make little headway in this wind: wind of %1, airspeed of %2 %3</source>
+        <translation>UAV-en kommer knapt fremover i denne vinden: vind på %1, flyfart for %2 %3</translation>
+    </message>
+    <message>
+        <source>must not be shorter than the time step</source>
+        <translation>kan ikke være kortere enn tidssteget</translation>
+    </message>
+    <message>
+        <source>must be above the floor of %1, not %2</source>
+        <translation>må ligge over gulvet på %1, ikke %2</translation>
+    </message>
+    <message>
+        <source>the airspace &quot;%1&quot; ends before it begins</source>
+        <translation>luftrommet «%1» slutter før det begynner</translation>
+    </message>
+    <message>
+        <source>must be longer than reserve, climb and landing together, %2, not %1</source>
+        <translation>må være lengre enn reserve, stigning og landing til sammen, %2, ikke %1</translation>
+    </message>
+    <message>
+        <source>there are no icebergs yet, so there is nothing to plan</source>
+        <translation>det er ingen isfjell ennå, så det er ingenting å planlegge</translation>
+    </message>
+    <message>
+        <source>is after the end of the run, so the iceberg is never planned</source>
+        <translation>er etter at flygingen er slutt, så isfjellet blir aldri planlagt</translation>
+    </message>
+    <message>
+        <source>icebergs outside the area are not monitored; the UAV may fly beyond it</source>
+        <translation>isfjell utenfor området overvåkes ikke; UAV-en kan fly utenfor det</translation>
+    </message>
+    <message>
+        <source>is used in flight only with the Kalman filter</source>
+        <translation>brukes under flygingen bare med Kalman-filteret</translation>
+    </message>
+    <message>
+        <source>another UAV of this altitude layer starts so near that they fly apart first; let their altitudes differ by %1</source>
+        <translation>en annen UAV i dette høydelaget starter så nær at de først flyr fra hverandre; la høydene skille seg med %1</translation>
+    </message>
+    <message>
+        <source>is too short to reach the nearest iceberg and return</source>
+        <translation>er for kort til å nå det nærmeste isfjellet og komme tilbake</translation>
+    </message>
+    <message>
+        <source>for its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe</source>
+        <translation>med denne kursen har UAV-en ingen vei hjem innenfor geogjerdet og utenom flyforbudsområdene fra startstedet: ingen start er trygg</translation>
+    </message>
+    <message>
+        <source>the UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time</source>
+        <translation>UAV-en starter så nær geogjerdet eller et flyforbudsområde, med denne kursen, at den ikke rekker å svinge</translation>
+    </message>
+    <message>
+        <source>is so near the geofence, or in a no-fly area, that the UAV cannot come as near as it has to</source>
+        <translation>er så nær geogjerdet, eller i et flyforbudsområde, at UAV-en ikke kan komme så nær som den må</translation>
+    </message>
+    <message>
+        <source>the time between two commands is too long for the UAV to follow a leg</source>
+        <translation>tiden mellom to kommandoer er for lang til at UAV-en kan følge en etappe</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: wind of %1, limit %2</source>
+        <translation>må ikke overskrides: vind på %1, grense %2</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: gusts of %1, limit %2</source>
+        <translation>må ikke overskrides: vindkast på %1, grense %2</translation>
+    </message>
+    <message>
+        <source>this weather brings icing at its altitude, in which the UAV must not be flown</source>
+        <translation>dette været gir ising i flyhøyden, som UAV-en ikke må flys i</translation>
+    </message>
+    <message>
+        <source>leaves less reserve than waiting for the other UAVs of the altitude layer may take, %1; separate altitudes, or a greater reserve, avoid it</source>
+        <translation>gir mindre reserve enn ventingen på de andre UAV-ene i høydelaget kan ta, %1; ulike høyder eller en større reserve unngår det</translation>
+    </message>
+    <message>
+        <source>keeps %1 free for a recovery slot, as other UAVs of the altitude layer land on the same pad; separate altitudes or pads avoid it</source>
+        <translation>holder %1 fri til en eget landingsvindu, fordi andre UAV-er i høydelaget lander på samme plass; ulike høyder eller plasser unngår det</translation>
+    </message>
+    <message>
+        <source>with the usual errors in wind and airspeed, 1 flight in 20 uses %1 or more of the reserve to come home</source>
+        <translation>med vanlige feil i vind og flyfart bruker 1 av 20 flyginger %1 eller mer av reserven for å komme hjem</translation>
+    </message>
+    <message>
+        <source>with the usual errors in wind and airspeed, in 1 flight in 20 the wind is too strong to come home</source>
+        <translation>med vanlige feil i vind og flyfart er vinden for sterk til å komme hjem i 1 av 20 flyginger</translation>
+    </message>
+    <message>
+        <source>the plan leads out of the range of the ground station for %1</source>
+        <translation>planen går utenfor bakkestasjonens rekkevidde i %1</translation>
+    </message>
+    <message>
+        <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2</source>
+        <translation>operasjonen kan komme inn i luftrommet «%1», som begynner i %2</translation>
+    </message>
+    <message>
+        <source>starts outside the area</source>
+        <translation>starter utenfor området</translation>
+    </message>
+    <message>
+        <source>lies where another iceberg lies: is it the same one?</source>
+        <translation>ligger der et annet isfjell ligger: er det det samme?</translation>
+    </message>
+    <message>
+        <source>is too far away to reach before the run ends</source>
+        <translation>er for langt unna til å nås før flygingen er slutt</translation>
+    </message>
+    <message>
+        <source>the recorded track ends before the run does; from then on the iceberg stands still</source>
+        <translation>det registrerte sporet slutter før flygingen; deretter ligger isfjellet stille</translation>
+    </message>
+    <message>
+        <source>the recorded track begins so far from the estimate that the UAV will not see the iceberg there</source>
+        <translation>det registrerte sporet begynner så langt fra estimatet at UAV-en ikke ser isfjellet der</translation>
+    </message>
+    <message>
+        <source>the asset lies inside an iceberg</source>
+        <translation>objektet ligger inne i et isfjell</translation>
+    </message>
+    <message>
+        <source>more icebergs than can be proven optimal; the plan comes with a bound</source>
+        <translation>flere isfjell enn det kan bevises optimum for; planen kommer med en skranke</translation>
+    </message>
+    <message>
+        <source>this policy plans icebergs one by one; nearby icebergs are not grouped</source>
+        <translation>denne strategien planlegger isfjell ett for ett; nære isfjell grupperes ikke</translation>
+    </message>
+    <message>
+        <source>this solver cannot plan so many icebergs: choose Automatic (auto)</source>
+        <translation>denne løseren kan ikke planlegge så mange isfjell: velg Automatisk (auto)</translation>
+    </message>
+    <message>
+        <source>is of no format that Bergwatch recognises; if it is a table, name its columns for latitude and longitude; known formats: %1</source>
+        <translation>har ikke et format som Bergwatch kjenner; hvis det er en tabell, oppgi kolonnene for bredde og lengde; kjente formater: %1</translation>
+    </message>
+    <message>
+        <source>latitude must be between -90 and 90, minutes below 60</source>
+        <translation>bredden må være fra -90 til 90, minuttene under 60</translation>
+    </message>
+    <message>
+        <source>longitude must be between -180 and 360, minutes below 60</source>
+        <translation>lengden må være fra -180 til 360, minuttene under 60</translation>
+    </message>
+    <message>
+        <source>iceberg %1</source>
+        <translation>isfjell %1</translation>
+    </message>
+    <message>
+        <source>UAV %1</source>
+        <translation>UAV-en %1</translation>
+    </message>
+    <message>
+        <source>%1 h before the start; the iceberg may be %2 from this position, %3 times the field of view</source>
+        <translation>%1 t før start; isfjellet kan være %2 fra denne posisjonen, %3 ganger synsfeltet</translation>
+    </message>
+    <message>
+        <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
+        <translation>en fil har plass til én UAV: %1 filer skrives, med navn etter UAV-ene</translation>
+    </message>
+    <message>
+        <source>the scenario has no start time, so the file has no dates</source>
+        <translation>scenarioet har ikke noe starttidspunkt, så filen har ingen datoer</translation>
+    </message>
+    <message>
+        <source>the geofence is left out: the format has no place for it</source>
+        <translation>geogjerdet utelates: formatet har ikke plass til det</translation>
+    </message>
+    <message>
+        <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
+        <translation>flyforbudsområder og sikkerhetsringen utelates: formatet har ikke plass til dem</translation>
+    </message>
+    <message>
+        <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
+        <translation>flyforbudsområder har ingen høyder: de i UAV-ens høyde skrives</translation>
+    </message>
+    <message>
+        <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
+        <translation>%1 kan tegne gjerdet den lange veien rundt: det krysser datolinjen</translation>
+    </message>
+    <message>
+        <source>the places where icebergs were reached are written, not the track</source>
+        <translation>stedene der isfjell ble nådd, skrives, ikke sporet</translation>
+    </message>
+    <message>
+        <source>the path becomes %1 waypoints within %2 m of it</source>
+        <translation>banen blir %1 veipunkter innenfor %2 m fra den</translation>
+    </message>
+    <message>
+        <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
+        <translation>%1 lagrer passeringsradier opp til %3 m: %2 m blir %3 m</translation>
+    </message>
+    <message>
+        <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
+        <translation>%1 lagrer sirkelradier over 255 m i trinn på 10 m: %2 m blir %3 m</translation>
+    </message>
+    <message>
+        <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
+        <translation>%1 leser marsjfarten som heltall: %2 m/s blir %3 m/s; farten i oppdraget er nøyaktig</translation>
+    </message>
+    <message>
+        <source>the file is about the whole flight, whatever is chosen to be exported</source>
+        <translation>filen handler om hele flygingen, uansett hva som er valgt å eksportere</translation>
+    </message>
+    <message>
+        <source>UAVs without an iceberg to visit: %1</source>
+        <translation>UAV-er uten et isfjell å besøke: %1</translation>
+    </message>
+    <message>
+        <source>straight legs that lead out of the geofence or through a no-fly area: %1; export the path instead, which leads round</source>
+        <translation>rette etapper som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1; eksporter i stedet banen, som fører utenom</translation>
+    </message>
+    <message>
+        <source>only this sortie is exported; icebergs left for later sorties: %1</source>
+        <translation>bare dette toktet eksporteres; isfjell som er igjen til senere tokt: %1</translation>
+    </message>
+    <message>
+        <source>nothing in the file depends on %1</source>
+        <translation>ingenting i filen avhenger av %1</translation>
+    </message>
+    <message>
+        <source>velocity unknown</source>
+        <translation>hastigheten er ukjent</translation>
+    </message>
+    <message>
+        <source>no time: counts as seen at the start</source>
+        <translation>uten tid: regnes som sett ved start</translation>
+    </message>
+    <message>
+        <source>velocity from the file</source>
+        <translation>hastigheten er fra filen</translation>
+    </message>
+    <message>
+        <source>velocity limited to 5 m/s per axis</source>
+        <translation>hastigheten er begrenset til 5 m/s per akse</translation>
+    </message>
+    <message>
+        <source>q estimated</source>
+        <translation>q er anslått</translation>
+    </message>
+    <message>
+        <source>q limited to 10⁶ m²/s</source>
+        <translation>q er begrenset til 10⁶ m²/s</translation>
+    </message>
+    <message>
+        <source>stationary</source>
+        <translation>ligger stille</translation>
+    </message>
+    <message>
+        <source>several sightings at one time</source>
+        <translation>flere observasjoner til samme tid</translation>
+    </message>
+    <message>
+        <source>sightings at impossible places not used</source>
+        <translation>observasjoner på umulige steder er ikke brukt</translation>
+    </message>
+    <message>
+        <source>recorded track attached</source>
+        <translation>registrert spor er lagt til</translation>
+    </message>
+    <message>
+        <source>no track: not sighted after the start</source>
+        <translation>uten spor: ikke observert etter starten</translation>
+    </message>
+    <message>
+        <source>older than what the scenario has</source>
+        <translation>eldre enn det scenarioet har</translation>
+    </message>
+    <message>
+        <source>sighted only after the start</source>
+        <translation>først observert etter starten</translation>
+    </message>
+    <message>
+        <source>more than 1000 km from the origin at the start</source>
+        <translation>mer enn 1000 km fra origo ved starten</translation>
+    </message>
+    <message>
+        <source>the scenario is full</source>
+        <translation>scenarioet er fullt</translation>
+    </message>
+    <message>
+        <source>a UAV has this id</source>
+        <translation>en UAV har denne id-en</translation>
+    </message>
+    <message>
+        <source>the file&apos;s drift contradicts the positions: not used</source>
+        <translation>driften i filen motsier posisjonene: ikke brukt</translation>
+    </message>
+    <message>
+        <source>faster than 1.5 m/s</source>
+        <translation>raskere enn 1,5 m/s</translation>
+    </message>
+    <message>
+        <source>on land</source>
+        <translation>på land</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) taken over</source>
+        <translation>
+            <numerusform>%n UAV overtatt</numerusform>
+            <numerusform>%n UAV-er overtatt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>area taken over</source>
+        <translation>området overtatt</translation>
+    </message>
+    <message>
+        <source>area taken over as geofence</source>
+        <translation>området overtatt som geogjerde</translation>
+    </message>
+    <message>
+        <source>asset taken over</source>
+        <translation>objektet overtatt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no-fly area(s) taken over</source>
+        <translation>
+            <numerusform>%n flyforbudsområde overtatt</numerusform>
+            <numerusform>%n flyforbudsområder overtatt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>UAVs, area and asset of the file not taken over: the scenario is in use</source>
+        <translation>UAV-er, område og objekt i filen ikke overtatt: scenarioet er i bruk</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) left out: too many</source>
+        <translation>
+            <numerusform>%n UAV utelatt: for mange</numerusform>
+            <numerusform>%n UAV-er utelatt: for mange</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n UAV(s) left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>
+            <numerusform>%n UAV utelatt: mer enn 1000 km øst, vest, nord eller sør for origo</numerusform>
+            <numerusform>%n UAV-er utelatt: mer enn 1000 km øst, vest, nord eller sør for origo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n area(s) left out: unreadable</source>
+        <translation>
+            <numerusform>%n område utelatt: uleselig</numerusform>
+            <numerusform>%n områder utelatt: uleselige</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>area left out: too few or too many corners</source>
+        <translation>området utelatt: for få eller for mange hjørner</translation>
+    </message>
+    <message>
+        <source>area left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>området utelatt: mer enn 1000 km øst, vest, nord eller sør for origo</translation>
+    </message>
+    <message>
+        <source>area left out: it touches or crosses itself</source>
+        <translation>området utelatt: det berører eller krysser seg selv</translation>
+    </message>
+    <message>
+        <source>area left out: it is in several parts</source>
+        <translation>området utelatt: det er i flere deler</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further area(s) left out</source>
+        <translation>
+            <numerusform>%n område til utelatt</numerusform>
+            <numerusform>%n områder til utelatt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s) of the area left out</source>
+        <translation>
+            <numerusform>%n hull i området utelatt</numerusform>
+            <numerusform>%n hull i området utelatt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>area is no geofence: too many corners</source>
+        <translation>området er ikke geogjerde: for mange hjørner</translation>
+    </message>
+    <message>
+        <source>area is no geofence: a UAV starts or lands outside</source>
+        <translation>området er ikke geogjerde: en UAV starter eller lander utenfor</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no-fly area(s) left out: a UAV starts or lands inside, or the heights are wrong</source>
+        <translation>
+            <numerusform>%n flyforbudsområde utelatt: en UAV starter eller lander i det, eller høydene er feil</numerusform>
+            <numerusform>%n flyforbudsområder utelatt: en UAV starter eller lander i dem, eller høydene er feil</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rally point(s) left out</source>
+        <translation>
+            <numerusform>%n samlingspunkt utelatt</numerusform>
+            <numerusform>%n samlingspunkter utelatt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further asset(s) left out</source>
+        <translation>
+            <numerusform>%n objekt til utelatt</numerusform>
+            <numerusform>%n objekter til utelatt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>asset left out: more than 1000 km east, west, north or south of the origin</source>
+        <translation>objektet utelatt: mer enn 1000 km øst, vest, nord eller sør for origo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n number(s) out of range left out</source>
+        <translation>
+            <numerusform>%n tall utenfor gyldig område utelatt</numerusform>
+            <numerusform>%n tall utenfor gyldig område utelatt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5532,7 +4253,7 @@ Tilstøtende område %4</translation>
         <translation>Skriv map.png, zeta.png og sigma.png av en flyging, eller av hele flygingen av et scenario, i &lt;mappe&gt;; med --theme both også map-dark.png, zeta-dark.png og sigma-dark.png.</translation>
     </message>
     <message>
-        <source>Overwrite files that exist.</source>
+        <source>Overwrite existing files.</source>
         <translation>Overskriv filer som finnes.</translation>
     </message>
     <message>
@@ -5573,7 +4294,7 @@ Tilstøtende område %4</translation>
         <translation>--pictures: navnet på en mappe mangler.</translation>
     </message>
     <message>
-        <source>Opens the planner&apos;s window on a scenario; with --pictures it only draws.</source>
+        <source>Opens the window with a scenario; with --pictures it only writes pictures.</source>
         <translation>Åpner planleggerens vindu med et scenario; med --pictures tegner programmet bare.</translation>
     </message>
     <message>
@@ -5589,7 +4310,7 @@ Tilstøtende område %4</translation>
         <translation>Bergwatch har krasjet: %1</translation>
     </message>
     <message>
-        <source>Render the window with the scenario into &lt;file&gt;, then end.</source>
+        <source>Write a picture of the window with the scenario to &lt;file&gt;, then exit.</source>
         <translation>Tegn vinduet med scenarioet til &lt;fil&gt;, og avslutt.</translation>
     </message>
     <message>
@@ -5601,7 +4322,7 @@ Tilstøtende område %4</translation>
         <translation>sekunder</translation>
     </message>
     <message>
-        <source>Keep settings in &lt;file&gt; in place of your own.</source>
+        <source>Store settings in &lt;file&gt; instead of your own settings file.</source>
         <translation>Lagre innstillinger i &lt;fil&gt; i stedet for dine egne.</translation>
     </message>
     <message>
@@ -5617,7 +4338,7 @@ Tilstøtende område %4</translation>
         <translation>--at: «%1» er ikke et antall sekunder.</translation>
     </message>
     <message>
-        <source>Name one scenario file at most; %1 were named.</source>
+        <source>Name at most one scenario file; %1 were named.</source>
         <translation>Oppgi høyst én scenariofil; %1 ble oppgitt.</translation>
     </message>
     <message>
@@ -5629,7 +4350,7 @@ Tilstøtende område %4</translation>
         <translation>Et scenario (.berg), en kjøring (.bergrun) eller en studie (.bergstudy).</translation>
     </message>
     <message>
-        <source>Write the manual as web pages and as PDF into &lt;folder&gt;, with the pictures there.</source>
+        <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
         <translation>Skriv håndboken som nettsider og som PDF i &lt;folder&gt;, med bildene der.</translation>
     </message>
     <message>
@@ -5637,7 +4358,7 @@ Tilstøtende område %4</translation>
         <translation>--manual tar verken scenariofil, --pictures eller --screenshot.</translation>
     </message>
     <message>
-        <source>Before the screenshot, wait so long at most for predictions and the lower bound.</source>
+        <source>Longest wait before the screenshot for predictions and the lower bound, in seconds.</source>
         <translation>Vent høyst så lenge på forutsigelser og nedre grense før skjermbildet.</translation>
     </message>
     <message>
@@ -5700,7 +4421,7 @@ Tilstøtende område %4</translation>
         <translation>Det er ingen isfjell på utklippstavlen.</translation>
     </message>
     <message>
-        <source>What is on the clipboard cannot be pasted. %1</source>
+        <source>The clipboard content cannot be pasted. %1</source>
         <translation>Det som er på utklippstavlen, kan ikke limes inn. %1</translation>
     </message>
     <message numerus="yes">
@@ -5733,7 +4454,7 @@ Tilstøtende område %4</translation>
         <translation>Slett UAV</translation>
     </message>
     <message>
-        <source>The last UAV stays: a scenario has at least one.</source>
+        <source>The last UAV cannot be deleted: a scenario needs at least one.</source>
         <translation>Den siste UAV-en blir: et scenario har minst én.</translation>
     </message>
     <message numerus="yes">
@@ -5797,7 +4518,7 @@ Tilstøtende område %4</translation>
         <translation>Usikkerhet σ</translation>
     </message>
     <message>
-        <source>Still to come, with its time</source>
+        <source>Appears later, with time</source>
         <translation>Kommer senere, med tidspunkt</translation>
     </message>
     <message>
@@ -5817,8 +4538,8 @@ Tilstøtende område %4</translation>
         <translation>I sikte</translation>
     </message>
     <message>
-        <source>To come</source>
-        <translation>Kommer</translation>
+        <source>Appears later</source>
+        <translation>Kommer senere</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -5845,7 +4566,7 @@ Tilstøtende område %4</translation>
         <translation>I synsfeltet nå</translation>
     </message>
     <message>
-        <source>Lost: not where it should be</source>
+        <source>Lost: not found where expected</source>
         <translation>Tapt: ikke der det skulle være</translation>
     </message>
     <message>
@@ -5853,7 +4574,7 @@ Tilstøtende område %4</translation>
         <translation>Tapt</translation>
     </message>
     <message>
-        <source>Search for it given up</source>
+        <source>Search given up</source>
         <translation>Letingen er oppgitt</translation>
     </message>
     <message>
@@ -5861,8 +4582,8 @@ Tilstøtende område %4</translation>
         <translation>Oppgitt</translation>
     </message>
     <message>
-        <source>Inside it with 95 %</source>
-        <translation>Innenfor med 95 %</translation>
+        <source>95 % position circle</source>
+        <translation>95 %-posisjonssirkel</translation>
     </message>
     <message>
         <source>95 % circle</source>
@@ -5897,8 +4618,8 @@ Tilstøtende område %4</translation>
         <translation>Hjem</translation>
     </message>
     <message>
-        <source>Geofence: kept if the start is clear</source>
-        <translation>Geogjerde: holdes når starten er klar av det</translation>
+        <source>Geofence (kept if the UAV starts inside it)</source>
+        <translation>Geogjerde (holdes hvis UAV-en starter innenfor)</translation>
     </message>
     <message>
         <source>Geofence</source>
@@ -5945,10 +4666,6 @@ Tilstøtende område %4</translation>
         <translation>Tildelt én</translation>
     </message>
     <message>
-        <source>Point of no return: reserve needed beyond</source>
-        <translation>Siste vendepunkt: reserven trengs lenger ut</translation>
-    </message>
-    <message>
         <source>Point of no return</source>
         <translation>Siste vendepunkt</translation>
     </message>
@@ -5973,7 +4690,7 @@ Tilstøtende område %4</translation>
         <translation>Sikkerhetsavstand</translation>
     </message>
     <message>
-        <source>Close together: dot, or how many</source>
+        <source>Close together: dot or number</source>
         <translation>Tett sammen: prikk, eller hvor mange</translation>
     </message>
     <message>
@@ -5981,7 +4698,7 @@ Tilstøtende område %4</translation>
         <translation>Tett sammen</translation>
     </message>
     <message>
-        <source>Place to search, chance of finding</source>
+        <source>Place to search, probability of finding</source>
         <translation>Sted å lete, sjanse for funn</translation>
     </message>
     <message>
@@ -6036,6 +4753,14 @@ Tilstøtende område %4</translation>
         <source>Later visit</source>
         <translation>Senere besøk</translation>
     </message>
+    <message>
+        <source>Later visits of the patrol</source>
+        <translation>Senere besøk i patruljen</translation>
+    </message>
+    <message>
+        <source>Patrol</source>
+        <translation>Patrulje</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -6079,7 +4804,7 @@ Tilstøtende område %4</translation>
 <context>
     <name>MapTools</name>
     <message>
-        <source>Drag moves the map, the wheel zooms. Esc leaves the tool.</source>
+        <source>Drag to move the map, turn the wheel to zoom. Esc leaves the tool.</source>
         <translation>Dra flytter kartet, hjulet zoomer. Esc forlater verktøyet.</translation>
     </message>
     <message>
@@ -6127,11 +4852,11 @@ Tilstøtende område %4</translation>
         <translation>Til sammen %1</translation>
     </message>
     <message>
-        <source>Click sets the next point, Enter ends the line, Backspace takes one back, Esc clears.</source>
+        <source>Click to set the next point. Enter ends the line, Backspace removes a point, Esc clears.</source>
         <translation>Klikk setter neste punkt, Enter avslutter linjen, Slett bakover angrer ett, Esc tømmer.</translation>
     </message>
     <message>
-        <source>Click begins another line. Esc clears this one.</source>
+        <source>Click to start another line. Esc clears this one.</source>
         <translation>Klikk begynner en ny linje. Esc fjerner denne.</translation>
     </message>
     <message>
@@ -6166,10 +4891,6 @@ Tilstøtende område %4</translation>
         <translation>Sum av σ, m²</translation>
     </message>
     <message>
-        <source>Zeta ζ, m² s</source>
-        <translation>Zeta ζ, m² s</translation>
-    </message>
-    <message>
         <source>Sum of σ</source>
         <translation>Sum av σ</translation>
     </message>
@@ -6182,7 +4903,7 @@ Tilstøtende område %4</translation>
         <translation>σ, m²</translation>
     </message>
     <message>
-        <source>Nothing flown yet: Space flies the plan</source>
+        <source>Nothing flown yet. Press Space to fly the plan</source>
         <translation>Ingenting fløyet ennå: mellomrom flyr planen</translation>
     </message>
     <message>
@@ -6218,7 +4939,7 @@ Tilstøtende område %4</translation>
         <translation>Nå</translation>
     </message>
     <message>
-        <source>At %1 zeta grows by %2 m² s each second, since take-off by %3 on average.</source>
+        <source>At %1 zeta grows by %2 m² s per second; the mean since take-off is %3.</source>
         <translation>Ved %1 vokser zeta med %2 m² s hvert sekund, siden avgang med %3 i gjennomsnitt.</translation>
     </message>
     <message>
@@ -6230,7 +4951,7 @@ Tilstøtende område %4</translation>
         <translation>Fløyet</translation>
     </message>
     <message>
-        <source>Distance flown by %1: %2.</source>
+        <source>Distance flown until %1: %2.</source>
         <translation>Fløyet distanse ved %1: %2.</translation>
     </message>
     <message>
@@ -6324,6 +5045,10 @@ Tilstøtende område %4</translation>
             <numerusform>Ved %1 er det mest usikre isfjellet %2: %3; %n i syne.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zeta ζ, %1</translation>
+    </message>
 </context>
 <context>
     <name>MissionClockText</name>
@@ -6363,10 +5088,6 @@ Tilstøtende område %4</translation>
         <translation>Legg isfjell med posisjoner inn i scenariofilen, og tegn kartet på nytt.</translation>
     </message>
     <message>
-        <source>Endurance left</source>
-        <translation>Flytid igjen</translation>
-    </message>
-    <message>
         <source>Closest so far</source>
         <translation>Nærmest hittil</translation>
     </message>
@@ -6377,6 +5098,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>if home now</source>
         <translation>hvis hjem nå</translation>
+    </message>
+    <message>
+        <source>Until the reserve</source>
+        <translation>Til reserven</translation>
     </message>
 </context>
 <context>
@@ -6413,15 +5138,15 @@ Tilstøtende område %4</translation>
         <translation>Tilstøtende område, bredde</translation>
     </message>
     <message>
-        <source>Flight geography: inside of the geofence.</source>
+        <source>Flight geography: inside the geofence.</source>
         <translation>Flygeografi: innsiden av geogjerdet.</translation>
     </message>
     <message>
-        <source>Flight geography: all places that a plan may lead to, and %1 m round them.</source>
+        <source>Flight geography: all places that a plan may reach, plus a margin of %1 m.</source>
         <translation>Flygeografi: alle steder en plan kan føre til, og %1 m rundt dem.</translation>
     </message>
     <message>
-        <source>Formulas and usual constants: calculator of Digisky 3.3.0, after the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
+        <source>Formulas and default constants: Digisky calculator 3.3.0, based on the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
         <translation>Formler og vanlige konstanter: kalkulatoren til Digisky 3.3.0, etter veiledningen fra sveitsiske FOCA; ikke en myndighets egen tekst.</translation>
     </message>
     <message>
@@ -6461,7 +5186,7 @@ Tilstøtende område %4</translation>
         <translation>flys ikke</translation>
     </message>
     <message>
-        <source>Made by Bergwatch from the scenario. It says nothing about whether the operation may be flown.</source>
+        <source>Made by Bergwatch from the scenario. It does not imply that the operation may be flown.</source>
         <translation>Laget av Bergwatch ut fra scenariet. Det sier ikke om operasjonen kan flys.</translation>
     </message>
     <message>
@@ -6543,7 +5268,7 @@ Tilstøtende område %4</translation>
         <translation>Som åpnet</translation>
     </message>
     <message>
-        <source>Click a line to go back or forth to it; the disk marks what is saved.</source>
+        <source>Click a line to go to that state; the disk marks the saved one.</source>
         <translation>Klikk på en linje for å gå tilbake eller fram til den; disketten merker det som er lagret.</translation>
     </message>
     <message>
@@ -6666,71 +5391,71 @@ Tilstøtende område %4</translation>
         <translation>Sydpolen</translation>
     </message>
     <message>
-        <source>There is no place of this name here, and it is not a coordinate.</source>
+        <source>No known place has this name, and it is not a coordinate.</source>
         <translation>Ingen sted med dette navnet finnes her, og det er ingen koordinat.</translation>
     </message>
     <message>
-        <source>Several places are called like this.</source>
+        <source>Several places have this name.</source>
         <translation>Flere steder heter noe slikt.</translation>
     </message>
     <message>
-        <source>A coordinate or the name of a place is needed.</source>
+        <source>Enter a coordinate or a place name.</source>
         <translation>En koordinat eller navnet på et sted trengs.</translation>
     </message>
     <message>
-        <source>This is not a coordinate. Such as 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
+        <source>This is not a coordinate. Examples: 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
         <translation>Dette er ingen koordinat. Slik som 47° 03,2′ N 48° 06′ V, eller 47,05 -48,1.</translation>
     </message>
     <message>
-        <source>This is half a coordinate: latitude and longitude are needed.</source>
+        <source>This is half a coordinate. Enter latitude and longitude.</source>
         <translation>Dette er en halv koordinat: både bredde og lengde trengs.</translation>
     </message>
     <message>
-        <source>This can be read in more than one way. Spaces and the letters N, S, E and W make it clear.</source>
+        <source>This coordinate is ambiguous. Add spaces and the letters N, S, E or W.</source>
         <translation>Dette kan leses på flere måter. Mellomrom og bokstavene N, S, Ø og V gjør det klart.</translation>
     </message>
     <message>
-        <source>One half says which hemisphere it is in, the other does not.</source>
-        <translation>Den ene halvdelen sier hvilken halvkule den er på, den andre ikke.</translation>
+        <source>Only one half states its hemisphere. Add N, S, E or W to the other.</source>
+        <translation>Bare den ene halvdelen sier hvilken halvkule den er på. Legg til N, S, Ø eller V på den andre.</translation>
     </message>
     <message>
-        <source>Either a sign or a letter says which hemisphere, not both.</source>
+        <source>Use a sign or a hemisphere letter, not both.</source>
         <translation>Enten et fortegn eller en bokstav sier hvilken halvkule, ikke begge.</translation>
     </message>
     <message>
-        <source>One latitude and one longitude are needed, not two of a kind.</source>
+        <source>Enter one latitude and one longitude.</source>
         <translation>Én bredde og én lengde trengs, ikke to av samme slag.</translation>
     </message>
     <message>
-        <source>Minutes and seconds are less than 60.</source>
+        <source>Minutes and seconds must be below 60.</source>
         <translation>Minutter og sekunder er mindre enn 60.</translation>
     </message>
     <message>
-        <source>Latitudes go from 90° S to 90° N.</source>
+        <source>Latitude must be between 90° S and 90° N.</source>
         <translation>Bredder går fra 90° S til 90° N.</translation>
     </message>
     <message>
-        <source>Longitudes go from 180° W to 180° E.</source>
+        <source>Longitude must be between 180° W and 180° E.</source>
         <translation>Lengder går fra 180° V til 180° Ø.</translation>
     </message>
     <message>
-        <source>There is no such place on the UTM or MGRS grid.</source>
+        <source>This position does not exist on the UTM or MGRS grid.</source>
         <translation>Det finnes ikke noe slikt sted i rutenettet UTM eller MGRS.</translation>
     </message>
     <message>
-        <source>This is a longitude, a latitude is needed.</source>
+        <source>This is a longitude. Enter a latitude.</source>
         <translation>Dette er en lengde, det trengs en bredde.</translation>
     </message>
     <message>
-        <source>This is a latitude, a longitude is needed.</source>
+        <source>This is a latitude. Enter a longitude.</source>
         <translation>Dette er en bredde, det trengs en lengde.</translation>
     </message>
     <message>
-        <source>This is %1 from the origin of the scenario, which reaches %2.</source>
+        <source>This is %1 from the scenario&apos;s origin; the limit is %2.</source>
         <translation>Dette er %1 fra scenarioets origo; scenarioet rekker %2.</translation>
     </message>
     <message>
-        <source>Type one angle: a whole coordinate would put all of them at one place.</source>
+        <source>Enter one angle only: a whole coordinate would move all of them to one place.</source>
         <translation>Skriv én vinkel: en hel koordinat ville sette alle på ett sted.</translation>
     </message>
     <message>
@@ -6884,7 +5609,7 @@ Tilstøtende område %4</translation>
         </translation>
     </message>
     <message>
-        <source>Click adds an iceberg, drag on to set its drift. Esc leaves the tool.</source>
+        <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
         <translation>Klikk legger til et isfjell, dra videre for å sette driften. Esc forlater verktøyet.</translation>
     </message>
     <message>
@@ -6892,7 +5617,7 @@ Tilstøtende område %4</translation>
         <translation>Plasser UAV</translation>
     </message>
     <message>
-        <source>Let go to keep this heading. Esc takes it back.</source>
+        <source>Release to keep this heading. Esc cancels.</source>
         <translation>Slipp for å beholde denne kursen. Esc angrer.</translation>
     </message>
     <message>
@@ -6904,19 +5629,19 @@ Tilstøtende område %4</translation>
         <translation>Plasser objektet</translation>
     </message>
     <message>
-        <source>Let go to place it here. Esc takes it back.</source>
+        <source>Release to place it here. Esc cancels.</source>
         <translation>Slipp for å plassere det her. Esc angrer.</translation>
     </message>
     <message>
-        <source>Click moves the asset here. Esc leaves the tool.</source>
+        <source>Click to move the asset here. Esc leaves the tool.</source>
         <translation>Klikk flytter objektet hit. Esc forlater verktøyet.</translation>
     </message>
     <message>
-        <source>Click places the protected asset. Esc leaves the tool.</source>
+        <source>Click to place the protected asset. Esc leaves the tool.</source>
         <translation>Klikk plasserer objektet som skal vernes. Esc forlater verktøyet.</translation>
     </message>
     <message>
-        <source>Click adds an iceberg that appears here and now, drag on to set its drift. In flight that cannot be undone.</source>
+        <source>Click to add an iceberg that appears here now; drag to set its drift. In flight this cannot be undone.</source>
         <translation>Klikk legger til et isfjell som dukker opp her og nå, dra videre for å sette driften. Under flyging kan det ikke angres.</translation>
     </message>
     <message>
@@ -6924,11 +5649,11 @@ Tilstøtende område %4</translation>
         <translation>Legg til UAV</translation>
     </message>
     <message>
-        <source>Click places the UAV, drag on to turn it. With Ctrl it is another one. Esc leaves the tool.</source>
+        <source>Click to place the UAV; drag to set its heading. Ctrl+click adds another one. Esc leaves the tool.</source>
         <translation>Klikk plasserer UAV-en, dra videre for å dreie den. Med Ctrl blir det en ny. Esc forlater verktøyet.</translation>
     </message>
     <message>
-        <source>Click places %1, drag on to turn it. With Ctrl it is another UAV. Esc leaves the tool.</source>
+        <source>Click to place %1; drag to set its heading. Ctrl+click adds another UAV. Esc leaves the tool.</source>
         <translation>Klikk plasserer %1, dra videre for å dreie den. Med Ctrl blir det en ny UAV. Esc forlater verktøyet.</translation>
     </message>
     <message>
@@ -6979,7 +5704,7 @@ Tilstøtende område %4</translation>
         <translation>Nedre grense: %1 m²</translation>
     </message>
     <message>
-        <source>Started from the plan before</source>
+        <source>Warm start from the previous plan</source>
         <translation>Startet fra forrige plan</translation>
     </message>
     <message>
@@ -7031,7 +5756,7 @@ Tilstøtende område %4</translation>
         <translation>Valgt ett isfjell om gangen</translation>
     </message>
     <message>
-        <source>Following the route made before</source>
+        <source>Following the existing route</source>
         <translation>Følger ruten som alt er lagt</translation>
     </message>
     <message>
@@ -7105,7 +5830,7 @@ Tilstøtende område %4</translation>
         <translation>Ingen plan mens UAV-en er på vei hjem, holder eller er på bakken</translation>
     </message>
     <message>
-        <source>The wind is too strong to come home</source>
+        <source>The wind is too strong to return home</source>
         <translation>Vinden er for sterk til å komme hjem</translation>
     </message>
     <message>
@@ -7117,7 +5842,7 @@ Tilstøtende område %4</translation>
         <translation>Hjemme med %1 over reserven</translation>
     </message>
     <message>
-        <source>In 1 flight of 20 the wind is too strong to come home</source>
+        <source>In 1 flight in 20 the wind is too strong to return home</source>
         <translation>I 1 av 20 flyginger er vinden for sterk til å komme hjem</translation>
     </message>
     <message>
@@ -7214,7 +5939,7 @@ Tilstøtende område %4</translation>
         <translation>Rundtur</translation>
     </message>
     <message>
-        <source>Weighs uncertainty seen early against the length of the path, by τ.</source>
+        <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
         <translation>Veier usikkerhet sett tidlig mot veiens lengde, med τ.</translation>
     </message>
     <message>
@@ -7230,7 +5955,7 @@ Tilstøtende område %4</translation>
         <translation>Flyr til det nærmeste isfjellet som ikke er i synsfeltet.</translation>
     </message>
     <message>
-        <source>Flies to the iceberg of the greatest uncertainty.</source>
+        <source>Flies to the most uncertain iceberg.</source>
         <translation>Flyr til isfjellet med størst usikkerhet.</translation>
     </message>
     <message>
@@ -7585,11 +6310,11 @@ Tilstøtende område %4</translation>
         <translation>målt med støy, kjente hastigheter</translation>
     </message>
     <message>
-        <source>measured with noise, velocities not known by 0.1 m/s</source>
+        <source>measured with noise, velocities uncertain by 0.1 m/s</source>
         <translation>målt med støy, hastigheter ukjente med 0.1 m/s</translation>
     </message>
     <message>
-        <source>measured with noise, with unknown velocities that change as those of icebergs do</source>
+        <source>measured with noise, unknown velocities that change like those of real icebergs</source>
         <translation>målt med støy, med ukjente hastigheter som endrer seg slik isfjells gjør</translation>
     </message>
     <message>
@@ -7597,7 +6322,7 @@ Tilstøtende område %4</translation>
         <translation>Tilfeldige felt: %1, frø %2 til %3. Isfjell i hvert: %4, i %5 m × %6 m, med drift opptil %7 m/s</translation>
     </message>
     <message>
-        <source>σ at first %1 to %2 m², growing by q = %3 m²/s</source>
+        <source>initial σ of %1 to %2 m², growing by q = %3 m²/s</source>
         <translation>σ først %1 til %2 m², øker med q = %3 m²/s</translation>
     </message>
     <message>
@@ -7613,7 +6338,7 @@ Tilstøtende område %4</translation>
         <translation>scenarioets eget frø, det samme for alle innstillinger</translation>
     </message>
     <message>
-        <source>seeds for each scenario: %1, its own first, the same for every setting</source>
+        <source>seeds for each scenario: %1, starting with its own, the same for every setting</source>
         <translation>frø for hvert scenario: %1, dets eget først, de samme for alle innstillinger</translation>
     </message>
     <message>
@@ -7653,7 +6378,7 @@ Tilstøtende område %4</translation>
         <translation>Maskin</translation>
     </message>
     <message>
-        <source>Made</source>
+        <source>Created</source>
         <translation>Laget</translation>
     </message>
     <message>
@@ -7661,39 +6386,39 @@ Tilstøtende område %4</translation>
         <translation>Siste kjøring tok</translation>
     </message>
     <message>
-        <source>How to make it again</source>
+        <source>How to reproduce this report</source>
         <translation>Slik lages den på nytt</translation>
     </message>
     <message>
-        <source>This page holds the whole study, with every scenario, seed and result, and can be given to Bergwatch as a study file. From the results in it:</source>
+        <source>This page contains the whole study with every scenario, seed and result, and Bergwatch opens it as a study file. To make the page again from these results:</source>
         <translation>Denne siden inneholder hele studien, med alle scenarioer, frø og resultater, og kan gis til Bergwatch som studiefil. Fra resultatene i den:</translation>
     </message>
     <message>
-        <source>Flown anew; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <source>To fly the study again; the results depend neither on the machine nor on the number of threads:</source>
         <translation>Fløyet på nytt; tallene avhenger verken av maskinen eller av hvor mange tråder som flyr:</translation>
     </message>
     <message>
-        <source>Flown anew, with the scenario files by name; the numbers depend neither on the machine nor on how many threads fly them:</source>
+        <source>To fly the study again with your scenario files; the results depend neither on the machine nor on the number of threads:</source>
         <translation>Fløyet på nytt, med scenariofilene ved navn; tallene avhenger verken av maskinen eller av hvor mange tråder som flyr:</translation>
     </message>
     <message>
-        <source>ζ is the integral over the flight of the uncertainty σ of all icebergs together: less is better.</source>
+        <source>ζ is the total uncertainty σ of all icebergs, integrated over the flight. Lower is better.</source>
         <translation>ζ er integralet over flygingen av usikkerheten σ for alle isfjell samlet: mindre er bedre.</translation>
     </message>
     <message>
-        <source>One case, so there is no spread to show.</source>
+        <source>There is only one case, so there is no spread to show.</source>
         <translation>Ett tilfelle, så det er ingen spredning å vise.</translation>
     </message>
     <message>
-        <source>The line is the mean over the cases (%1), the bands hold the middle half and 80 % of them. Lines across are the means of policies that have no τ.</source>
+        <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
         <translation>Linjen er middelet over tilfellene (%1), båndene rommer den midterste halvdelen og 80 % av dem. Linjer på tvers er middelet for strategier uten τ.</translation>
     </message>
     <message>
-        <source>Each case is compared with itself, on the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Left of 0 is better than the reference.</source>
+        <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
         <translation>Hvert tilfelle sammenlignes med seg selv, med de samme isfjellene og den samme støyen; strekene er 95 %-intervaller for middelet (Students t). Til venstre for 0 er bedre enn referansen.</translation>
     </message>
     <message>
-        <source>Not every τ is drawn; all are in the table.</source>
+        <source>Not every τ is drawn; the table contains all of them.</source>
         <translation>Ikke alle τ er tegnet; alle står i tabellen.</translation>
     </message>
     <message>
@@ -7709,11 +6434,11 @@ Tilstøtende område %4</translation>
         <translation>Beste τ i hvert tilfelle</translation>
     </message>
     <message>
-        <source>The τ with the lowest ζ of a case, chosen in hindsight: nobody knows it before the flight. Of equal ones the smallest counts.</source>
+        <source>The τ with the lowest ζ of a case, chosen in hindsight; it is not known before the flight. If several are equal, the smallest counts.</source>
         <translation>Den τ som gir lavest ζ i et tilfelle, valgt i ettertid: ingen kjenner den før flygingen. Av like gode teller den minste.</translation>
     </message>
     <message>
-        <source>Stuck: two icebergs at most as targets in the last half of the flight.</source>
+        <source>Stuck: at most two icebergs were targets in the second half of the flight.</source>
         <translation>Fastlåst: høyst to isfjell som mål i siste halvdel av flygingen.</translation>
     </message>
     <message>
@@ -7805,7 +6530,7 @@ Tilstøtende område %4</translation>
         <translation>Andel</translation>
     </message>
     <message>
-        <source>One case recommends no policy: fly more of them.</source>
+        <source>One case is too few to recommend a policy. Fly more cases.</source>
         <translation>Ett tilfelle anbefaler ingen strategi: fly flere.</translation>
     </message>
     <message>
@@ -7833,7 +6558,7 @@ Tilstøtende område %4</translation>
         <translation>Ikke fullstendig.</translation>
     </message>
     <message>
-        <source>Missions flown: %1 of %2. Everything below is of the cases that every setting has flown: %3 of %4.</source>
+        <source>Missions flown: %1 of %2. The results below use only the cases that every setting has flown: %3 of %4.</source>
         <translation>Fløyne oppdrag: %1 av %2. Alt nedenfor gjelder tilfellene som alle innstillinger har fløyet: %3 av %4.</translation>
     </message>
     <message>
@@ -7900,15 +6625,75 @@ Tilstøtende område %4</translation>
         <source>Recommended: %1, %2 against %3, the closest other setting.</source>
         <translation>Anbefalt: %1, %2 mot %3, den nærmeste andre innstillingen.</translation>
     </message>
+    <message>
+        <source>Took off</source>
+        <translation>Lettet</translation>
+    </message>
+    <message>
+        <source>Landed</source>
+        <translation>Landet</translation>
+    </message>
+    <message>
+        <source>Start, UTC</source>
+        <translation>Start, UTC</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Until, UTC</source>
+        <translation>Til, UTC</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Til</translation>
+    </message>
+    <message>
+        <source>Zeta flown</source>
+        <translation>Zeta fløyet</translation>
+    </message>
+    <message>
+        <source>Predicted before take-off</source>
+        <translation>Forutsagt før avgang</translation>
+    </message>
+    <message>
+        <source>Plans made</source>
+        <translation>Planer laget</translation>
+    </message>
+    <message>
+        <source>Planned by</source>
+        <translation>Planlagt av</translation>
+    </message>
+    <message>
+        <source>Distance planned</source>
+        <translation>Strekning planlagt</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % innenfor</translation>
+    </message>
+    <message>
+        <source>Something was changed in flight: the prediction was for another flight.</source>
+        <translation>Noe ble endret under flygingen: prognosen gjaldt en annen flyging.</translation>
+    </message>
+    <message>
+        <source>and %1 more; all of them: export log-html</source>
+        <translation>og %1 til; alle: eksporter log-html</translation>
+    </message>
+    <message>
+        <source>Nothing was flown</source>
+        <translation>Ingenting ble fløyet</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
     <message>
-        <source>Let go to place it here. Esc takes the move back.</source>
+        <source>Release to place it here. Esc cancels.</source>
         <translation>Slipp for å plassere her. Esc angrer flyttingen.</translation>
     </message>
     <message>
-        <source>Locked while a flight is under way. Stop the flight to change the scenario.</source>
+        <source>The scenario is locked during a flight. Stop the flight to change it.</source>
         <translation>Låst mens en flyging pågår. Stopp flygingen for å endre scenarioet.</translation>
     </message>
     <message>
@@ -7916,15 +6701,15 @@ Tilstøtende område %4</translation>
         <translation>Alt innenfor rammen blir valgt.</translation>
     </message>
     <message>
-        <source>Click selects, drag moves. Ctrl adds, a drag on water selects what is inside the frame.</source>
+        <source>Click to select, drag to move. Ctrl+click adds; drag on open water to select a box.</source>
         <translation>Klikk velger, dra flytter. Ctrl legger til, dra på sjøen velger det som er innenfor rammen.</translation>
     </message>
     <message>
-        <source>Click selects. In flight the tip of the wind&apos;s arrow and the asset can be dragged.</source>
+        <source>Click to select. In flight you can drag the tip of the wind arrow and the asset.</source>
         <translation>Klikk velger. Under flyging kan spissen av vindpilen og objektet dras.</translation>
     </message>
     <message>
-        <source>Click selects. Stop and edit to change the scenario.</source>
+        <source>Click to select. Choose Stop and edit to change the scenario.</source>
         <translation>Klikk velger. Stopp og rediger for å endre scenariet.</translation>
     </message>
 </context>
@@ -8001,6 +6786,167 @@ Tilstøtende område %4</translation>
         <source>%1, 95 % within %2</source>
         <translation>%1, 95 % innenfor %2</translation>
     </message>
+    <message>
+        <source>AIS</source>
+        <translation>AIS</translation>
+    </message>
+    <message>
+        <source>aircraft</source>
+        <translation>fly</translation>
+    </message>
+</context>
+<context>
+    <name>StudyTables</name>
+    <message>
+        <source>Best τ of each case</source>
+        <translation>Beste τ i hvert tilfelle</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <comment>from, to</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>referanse</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
+        <translation>τ med lavest ζ i hvert tilfelle, valgt i ettertid: median %1, kvartiler %2 og %3.</translation>
+    </message>
+    <message>
+        <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
+        <translation>Mindre enn referansen i %1 av %2 tilfeller, verst %3. I middel %4 besøk.</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>fast</translation>
+    </message>
+    <message>
+        <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
+        <translation>%1 besøk, %2 planer, %3 fløyet. Enter eller dobbeltklikk åpner denne flygingen.</translation>
+    </message>
+    <message>
+        <source>Random %1</source>
+        <comment>scenario drawn from a seed</comment>
+        <translation>Tilfeldig %1</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Innstilling</translation>
+    </message>
+    <message>
+        <source>Mean ζ</source>
+        <translation>Middel ζ</translation>
+    </message>
+    <message>
+        <source>Median ζ</source>
+        <translation>Median ζ</translation>
+    </message>
+    <message>
+        <source>Quartiles</source>
+        <translation>Kvartiler</translation>
+    </message>
+    <message>
+        <source>vs reference</source>
+        <translation>Mot referanse</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95 %-intervall</translation>
+    </message>
+    <message>
+        <source>Best in</source>
+        <translation>Best i</translation>
+    </message>
+    <message>
+        <source>Stuck</source>
+        <translation>Fast</translation>
+    </message>
+    <message>
+        <source>How the next iceberg is chosen.</source>
+        <translation>Hvordan neste isfjell velges.</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
+        <translation>Akkumulert usikkerhet i m² s, middel av alle tilfeller: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>Half of the cases have less.</source>
+        <translation>Halvparten av tilfellene har mindre.</translation>
+    </message>
+    <message>
+        <source>A quarter of the cases has less than the first, a quarter more than the second.</source>
+        <translation>En firedel av tilfellene har mindre enn den første, en firedel mer enn den andre.</translation>
+    </message>
+    <message>
+        <source>Mean of the differences, case by case, in per cent of the reference.</source>
+        <translation>Middel av forskjellene, tilfelle for tilfelle, i prosent av referansen.</translation>
+    </message>
+    <message>
+        <source>Confidence interval of the mean difference by Student&apos;s t.</source>
+        <translation>For den midlere forskjellen: konfidensintervall etter Students t.</translation>
+    </message>
+    <message>
+        <source>Cases in which no other setting has less ζ.</source>
+        <translation>Tilfeller der ingen annen innstilling har mindre ζ.</translation>
+    </message>
+    <message>
+        <source>Cases that visit at most two icebergs in the second half.</source>
+        <translation>Tilfeller som flyr til høyst to isfjell i andre halvdel.</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Tilfelle</translation>
+    </message>
+    <message>
+        <source>Noise seed</source>
+        <translation>Støyfrø</translation>
+    </message>
+    <message>
+        <source>ζ, m² s</source>
+        <translation>ζ, m² s</translation>
+    </message>
+    <message>
+        <source>Best τ</source>
+        <translation>Beste τ</translation>
+    </message>
+    <message>
+        <source>Best of all</source>
+        <translation>Best av alle</translation>
+    </message>
+    <message>
+        <source>Name of the scenario, or the seed it was drawn from.</source>
+        <translation>Navnet på scenarioet, eller frøet det ble trukket fra.</translation>
+    </message>
+    <message>
+        <source>Seed of the true drift, the same for every setting.</source>
+        <translation>Det den sanne driften ble trukket fra: det samme for hver innstilling.</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty of this flight: less is better.</source>
+        <translation>Akkumulert usikkerhet for denne flygingen: mindre er bedre.</translation>
+    </message>
+    <message>
+        <source>Compared with the flight of this case with the reference.</source>
+        <translation>Sammenlignet med flygingen av dette tilfellet med referansen.</translation>
+    </message>
+    <message>
+        <source>The τ with the lowest ζ in this case, in hindsight.</source>
+        <translation>τ med lavest ζ i dette tilfellet, i ettertid.</translation>
+    </message>
+    <message>
+        <source>The setting with the lowest ζ in this case.</source>
+        <translation>Innstillingen med lavest ζ i dette tilfellet.</translation>
+    </message>
+    <message>
+        <source>Visits at most two icebergs in the second half.</source>
+        <translation>Flyr til høyst to isfjell i andre halvdel.</translation>
+    </message>
 </context>
 <context>
     <name>TimeChartText</name>
@@ -8020,7 +6966,7 @@ Tilstøtende område %4</translation>
 <context>
     <name>TimeEntry</name>
     <message>
-        <source>Day and month of &quot;%1&quot; can be read either way. Type it like 2026-11-29 12:00.</source>
+        <source>The day and month of &quot;%1&quot; are ambiguous. Type the date like 2026-11-29 12:00.</source>
         <translation>Dag og måned i «%1» kan leses på to måter. Skriv det som 2026-11-29 12:00.</translation>
     </message>
     <message>
@@ -8057,18 +7003,18 @@ towards %2</source>
 mot %2</translation>
     </message>
     <message>
-        <source>The arrow points where the wind blows to; the ring is the airspeed of %1, beyond the dashed one the UAV makes little way against the wind.</source>
-        <translation>Pilen peker dit vinden blåser; ringen er flyfarten på %1, utenfor den stiplede kommer UAV-en knapt fremover mot vinden.</translation>
+        <source>The arrow points downwind. The ring is the airspeed of the slowest UAV (%1); beyond the dashed ring UAVs make little headway.</source>
+        <translation>Pilen peker dit vinden blåser. Ringen er flyfarten til den langsomste UAV-en (%1); utenfor den stiplede ringen kommer UAV-er knapt fremover mot vinden.</translation>
     </message>
     <message>
-        <source>The thin line in the middle of a leg is the heading flown there.</source>
-        <translation>Den tynne streken midt på en etappe er kursen som styres der.</translation>
+        <source>The small aircraft in the middle of a leg shows the heading flown there.</source>
+        <translation>Det lille flyet midt på en etappe viser kursen som styres der.</translation>
     </message>
 </context>
 <context>
     <name>WorkFailureText</name>
     <message>
-        <source>There is not enough memory for this. Close other programs, or ask for less.</source>
+        <source>Not enough memory. Close other programs or choose a smaller task.</source>
         <translation>Det er ikke nok minne til dette. Lukk andre programmer, eller be om mindre.</translation>
     </message>
     <message>
@@ -8083,7 +7029,7 @@ mot %2</translation>
         <translation>Bekreft</translation>
     </message>
     <message>
-        <source>Takes it off this list. It comes back when it was over and happens again.</source>
+        <source>Removes this notice. It returns if the condition ends and occurs again.</source>
         <translation>Tar det bort fra denne lista. Det kommer tilbake når det var over og skjer igjen.</translation>
     </message>
     <message>
@@ -8091,7 +7037,7 @@ mot %2</translation>
         <translation>Fly videre herfra</translation>
     </message>
     <message>
-        <source>Gives up what was flown after this instant. From here the trade-off and the policy can be changed and another path flown.</source>
+        <source>Discards the flight after this instant. From here you can change the trade-off and the policy and fly another path.</source>
         <translation>Forkaster det som ble fløyet etter dette øyeblikket. Herfra kan avveining og strategi endres og en annen vei flys.</translation>
     </message>
     <message>
@@ -8099,7 +7045,7 @@ mot %2</translation>
         <translation>Tilbake til siste</translation>
     </message>
     <message>
-        <source>Back to the end of what is flown.</source>
+        <source>Goes to the latest instant of the flight.</source>
         <translation>Tilbake til slutten av det som er fløyet.</translation>
     </message>
     <message>
@@ -8107,15 +7053,15 @@ mot %2</translation>
         <translation>Kontroll</translation>
     </message>
     <message>
-        <source>Lists everything that is found about the scenario.</source>
+        <source>Lists all findings in the scenario.</source>
         <translation>Viser alt som er funnet om scenarioet.</translation>
     </message>
     <message>
-        <source>Bring it back</source>
-        <translation>Hent den tilbake</translation>
+        <source>Restore</source>
+        <translation>Gjenopprett</translation>
     </message>
     <message>
-        <source>Takes up the flight where it was left.</source>
+        <source>Continues the flight where it was left.</source>
         <translation>Tar opp flygingen der den ble forlatt.</translation>
     </message>
     <message>
@@ -8138,7 +7084,7 @@ mot %2</translation>
         </translation>
     </message>
     <message>
-        <source>Click shows it.</source>
+        <source>Click to show it on the map.</source>
         <translation>Klikk viser det.</translation>
     </message>
     <message>
@@ -8157,16 +7103,31 @@ mot %2</translation>
         <translation>Kart (*.geojson *.json *.kml *.kmz);;Alle filer (*)</translation>
     </message>
     <message>
-        <source>%1 holds no places, lines or polygons</source>
+        <source>%1 contains no points, lines or polygons</source>
         <translation>%1 inneholder ingen steder, linjer eller polygoner</translation>
     </message>
     <message>
-        <source>The background %1 cannot be read</source>
+        <source>The background map %1 cannot be read</source>
         <translation>Bakgrunnen %1 kan ikke leses</translation>
     </message>
     <message>
         <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
         <translation>%1 er verken GeoJSON eller KML. Konverter filen med et kartprogram, for eksempel QGIS, og velg den på nytt.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::BenchmarkController</name>
+    <message>
+        <source>Solve time</source>
+        <translation>Løsningstid</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Lagret %1</translation>
     </message>
 </context>
 <context>
@@ -8176,7 +7137,7 @@ mot %2</translation>
         <translation>Diagram</translation>
     </message>
     <message>
-        <source>What is shown over time</source>
+        <source>Quantity shown over time</source>
         <translation>Hva som vises over tid</translation>
     </message>
     <message>
@@ -8184,7 +7145,7 @@ mot %2</translation>
         <translation>Linjer</translation>
     </message>
     <message>
-        <source>Which lines are shown</source>
+        <source>Choose the lines to show</source>
         <translation>Hvilke linjer som vises</translation>
     </message>
     <message>
@@ -8255,7 +7216,7 @@ mot %2</translation>
         <translation>Feil: må rettes før noe kan planlegges</translation>
     </message>
     <message>
-        <source>Warning: probably not what you want</source>
+        <source>Warning: probably not intended</source>
         <translation>Advarsel: trolig ikke det du ønsker</translation>
     </message>
     <message>
@@ -8285,11 +7246,7 @@ mot %2</translation>
         <translation>Sammenligning av samlet usikkerhet</translation>
     </message>
     <message>
-        <source>Zeta ζ, m² s</source>
-        <translation>Zeta ζ, m² s</translation>
-    </message>
-    <message>
-        <source>The comparison of runs of one scenario is shown here.</source>
+        <source>This chart compares runs of one scenario.</source>
         <translation>Her vises sammenligningen av flyginger av samme scenario.</translation>
     </message>
     <message>
@@ -8309,6 +7266,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Time, UTC</source>
         <translation>Tid, UTC</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zeta ζ, %1</translation>
     </message>
 </context>
 <context>
@@ -8370,7 +7331,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Fjern</translation>
     </message>
     <message>
-        <source>Takes the chosen run off the list.</source>
+        <source>Removes the chosen run from the list.</source>
         <translation>Tar den valgte flygingen ut av listen.</translation>
     </message>
     <message>
@@ -8522,7 +7483,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Forskjeller fra referansen</translation>
     </message>
     <message>
-        <source>Here each setting is compared with a reference, case by case.</source>
+        <source>This chart compares each setting with a reference, case by case.</source>
         <translation>Her sammenlignes hver innstilling med en referanse, tilfelle for tilfelle.</translation>
     </message>
     <message>
@@ -8704,20 +7665,20 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Ikke mulig</translation>
     </message>
     <message>
-        <source>Everything that was asked for is in the file.</source>
-        <translation>Alt det ble bedt om, er i filen.</translation>
-    </message>
-    <message>
         <source>%1, %2, to %3</source>
         <translation>%1, %2, til %3</translation>
     </message>
     <message>
-        <source>There already: you will be asked before anything is lost.</source>
+        <source>The file exists. Bergwatch asks before it overwrites it.</source>
         <translation>Finnes fra før: du blir spurt før noe går tapt.</translation>
     </message>
     <message>
         <source>Working ...</source>
         <translation>Arbeider …</translation>
+    </message>
+    <message>
+        <source>Nothing was changed or left out.</source>
+        <translation>Ingenting ble endret eller utelatt.</translation>
     </message>
 </context>
 <context>
@@ -8838,12 +7799,811 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Fil</translation>
     </message>
     <message>
-        <source>The page as it is written</source>
+        <source>Preview of the page</source>
         <translation>Siden slik den skrives</translation>
     </message>
     <message>
         <source>Page</source>
         <translation>Side</translation>
+    </message>
+</context>
+<context>
+    <name>berg::Fields</name>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Shown on the map in place of the id.</source>
+        <translation>Vises på kartet i stedet for id.</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Øst</translation>
+    </message>
+    <message>
+        <source>Position at the start, east of the scenario&apos;s origin.</source>
+        <translation>Posisjon ved start, øst for scenarioets origo.</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Position at the start, north of the scenario&apos;s origin.</source>
+        <translation>Posisjon ved start, nord for scenarioets origo.</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Clockwise from north, at the start.</source>
+        <translation>Med klokken fra nord, ved start.</translation>
+    </message>
+    <message>
+        <source>Airspeed</source>
+        <translation>Flyfart</translation>
+    </message>
+    <message>
+        <source>Must exceed the wind speed.</source>
+        <translation>Alltid raskere enn vinden.</translation>
+    </message>
+    <message>
+        <source>Maximum bank angle</source>
+        <translation>Største krengning</translation>
+    </message>
+    <message>
+        <source>Bank in a turn; the larger, the tighter the turns.</source>
+        <translation>Krengning i sving; jo større, desto krappere svinger.</translation>
+    </message>
+    <message>
+        <source>View along-track</source>
+        <translation>Synsfelt langs</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view along the heading.</source>
+        <translation>Synsfeltets utstrekning langs kursen.</translation>
+    </message>
+    <message>
+        <source>View cross-track</source>
+        <translation>Synsfelt tvers</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view across the heading.</source>
+        <translation>Synsfeltets utstrekning på tvers av kursen.</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Høyde</translation>
+    </message>
+    <message>
+        <source>Height above sea level. UAVs at least %1 apart in height may pass each other.</source>
+        <translation>Høyde over havet: UAV-er som skiller seg med %1 i den, går klar av hverandre.</translation>
+    </message>
+    <message>
+        <source>unlimited</source>
+        <translation>ubegrenset</translation>
+    </message>
+    <message>
+        <source>Endurance</source>
+        <translation>Utholdenhet</translation>
+    </message>
+    <message>
+        <source>Longest flight; the UAV is home before it ends. At 0 it lands only when ordered to return.</source>
+        <translation>Lengste flytur: den er hjemme før det; ved 0 lander den bare når den får ordre om å fly hjem.</translation>
+    </message>
+    <message>
+        <source>Home east</source>
+        <translation>Hjem øst</translation>
+    </message>
+    <message>
+        <source>Landing place, east of the scenario&apos;s origin.</source>
+        <translation>Hvor den lander, øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Home north</source>
+        <translation>Hjem nord</translation>
+    </message>
+    <message>
+        <source>Landing place, north of the scenario&apos;s origin.</source>
+        <translation>Hvor den lander, nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Turn-around</source>
+        <translation>Bakketid</translation>
+    </message>
+    <message>
+        <source>Time on the ground between landing and the next take-off.</source>
+        <translation>Tid på bakken mellom landing og neste avgang.</translation>
+    </message>
+    <message>
+        <source>Reserve</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Share of the endurance that plans leave unused.</source>
+        <translation>Del av flytiden som ingen flyging planlegges å bruke.</translation>
+    </message>
+    <message>
+        <source>by percentage</source>
+        <translation>etter prosent</translation>
+    </message>
+    <message>
+        <source>Fixed reserve</source>
+        <translation>Fast reserve</translation>
+    </message>
+    <message>
+        <source>Reserve as a time, in place of the percentage.</source>
+        <translation>En tid i stedet for prosentandelen.</translation>
+    </message>
+    <message>
+        <source>Climb</source>
+        <translation>Stigning</translation>
+    </message>
+    <message>
+        <source>Time from take-off to the flight altitude.</source>
+        <translation>Tid fra avgang til flyhøyden.</translation>
+    </message>
+    <message>
+        <source>Landing</source>
+        <translation>Landing</translation>
+    </message>
+    <message>
+        <source>Time from the flight altitude above home to the ground.</source>
+        <translation>Tid fra flyhøyden, over hjemstedet, ned til bakken.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Wind limit</source>
+        <translation>Vindgrense</translation>
+    </message>
+    <message>
+        <source>Strongest wind in which the UAV may fly.</source>
+        <translation>Sterkeste vind den flys i.</translation>
+    </message>
+    <message>
+        <source>Gust limit</source>
+        <translation>Grense for vindkast</translation>
+    </message>
+    <message>
+        <source>Strongest gusts in which the UAV may fly.</source>
+        <translation>Sterkeste vindkast den flys i.</translation>
+    </message>
+    <message>
+        <source>Icing conditions</source>
+        <translation>Isingsforhold</translation>
+    </message>
+    <message>
+        <source>Whether the UAV may fly below 0 °C in nearly saturated air.</source>
+        <translation>Om den kan flys under 0 °C i nesten mettet luft.</translation>
+    </message>
+    <message>
+        <source>each time step</source>
+        <translation>hvert tidssteg</translation>
+    </message>
+    <message>
+        <source>Autopilot rate</source>
+        <translation>Autopilotens takt</translation>
+    </message>
+    <message>
+        <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
+        <translation>Tid mellom to kommandoer fra autopiloten; ved 0 kommer én i hvert tidssteg.</translation>
+    </message>
+    <message>
+        <source>Drift east</source>
+        <translation>Drift østover</translation>
+    </message>
+    <message>
+        <source>Known drift to the east, without the current.</source>
+        <translation>Kjent drift mot øst; strømmen kommer i tillegg.</translation>
+    </message>
+    <message>
+        <source>Drift north</source>
+        <translation>Drift nordover</translation>
+    </message>
+    <message>
+        <source>Known drift to the north, without the current.</source>
+        <translation>Kjent drift mot nord; strømmen kommer i tillegg.</translation>
+    </message>
+    <message>
+        <source>Drift error</source>
+        <translation>Driftfeil</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of the known drift, along each axis.</source>
+        <translation>Standardavvik for feilen i den kjente driften, langs hver akse.</translation>
+    </message>
+    <message>
+        <source>Drift variation</source>
+        <translation>Variasjon i drift</translation>
+    </message>
+    <message>
+        <source>Long-term standard deviation of the drift about the current, along each axis. Example, a beacon off Canada: 0.15 m/s.</source>
+        <translation>Standardavvik for driften i det lange løp, langs hver akse, omkring strømmens. En bøye utenfor Canada: 0,15 m/s.</translation>
+    </message>
+    <message>
+        <source>Drift time constant</source>
+        <translation>Driften endrer seg på</translation>
+    </message>
+    <message>
+        <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
+        <translation>Tiden som går før en kjent drift ikke er kjent lenger: den avtar mot strømmen. 0: driften er konstant. En bøye utenfor Canada: 36 000 s.</translation>
+    </message>
+    <message>
+        <source>Growth q</source>
+        <translation>Vekst q</translation>
+    </message>
+    <message>
+        <source>Growth of the uncertainty per second out of view.</source>
+        <translation>Det usikkerheten vokser med per sekund utenfor synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ₀</source>
+        <translation>Usikkerhet σ₀</translation>
+    </message>
+    <message>
+        <source>Variance of the position when it was last seen.</source>
+        <translation>Posisjonens varians da det sist ble sett.</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Sist sett</translation>
+    </message>
+    <message>
+        <source>Time between the last sighting and the start; σ has grown since.</source>
+        <translation>Hvor lenge før start det sist ble sett; σ har vokst siden.</translation>
+    </message>
+    <message>
+        <source>Appears at</source>
+        <translation>Dukker opp</translation>
+    </message>
+    <message>
+        <source>Run time from which the iceberg is known; 0 is the start.</source>
+        <translation>Tidspunktet da det blir kjent; 0 er starten.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Halvlengde</translation>
+    </message>
+    <message>
+        <source>Half its length. It sets the size on the map and how far outside the area the iceberg is monitored.</source>
+        <translation>Halve lengden: størrelsen på kartet, og hvor langt utenfor området det fortsatt overvåkes.</translation>
+    </message>
+    <message>
+        <source>Visited by</source>
+        <translation>Besøkes av</translation>
+    </message>
+    <message>
+        <source>The only UAV that may visit it.</source>
+        <translation>UAV-en som alene skal besøke det.</translation>
+    </message>
+    <message>
+        <source>Speed east</source>
+        <translation>Fart øst</translation>
+    </message>
+    <message>
+        <source>Speed of a ship to the east; 0 for a platform.</source>
+        <translation>Et skips fart mot øst; 0 for en plattform.</translation>
+    </message>
+    <message>
+        <source>Speed north</source>
+        <translation>Fart nord</translation>
+    </message>
+    <message>
+        <source>Speed of a ship to the north; 0 for a platform.</source>
+        <translation>Et skips fart mot nord; 0 for en plattform.</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Rekkevidde</translation>
+    </message>
+    <message>
+        <source>Distance within which icebergs matter to the asset.</source>
+        <translation>Hvor nær et isfjell betyr noe for det.</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Vekt</translation>
+    </message>
+    <message>
+        <source>Additional weight of an iceberg at the asset.</source>
+        <translation>Hvor mye mer et isfjell i nærheten betyr.</translation>
+    </message>
+    <message>
+        <source>half the range</source>
+        <translation>halve rekkevidden</translation>
+    </message>
+    <message>
+        <source>Inner ring</source>
+        <translation>Indre ring</translation>
+    </message>
+    <message>
+        <source>An iceberg predicted to enter it within an hour raises an alarm. At 0 it is half the range.</source>
+        <translation>Et isfjell på vei inn i den innen en time utløser alarm; ved 0 er den halve rekkevidden.</translation>
+    </message>
+    <message>
+        <source>Stand-off ring</source>
+        <translation>Sikkerhetsring</translation>
+    </message>
+    <message>
+        <source>Least distance of UAVs from the asset; for a ship, from its whole track.</source>
+        <translation>Ingen UAV kommer nærmere; for et skip gjelder det hele seilasen.</translation>
+    </message>
+    <message>
+        <source>Stand-off ceiling</source>
+        <translation>Tak for sikkerhetsringen</translation>
+    </message>
+    <message>
+        <source>Height above which UAVs may cross the ring.</source>
+        <translation>Over dette kan UAV-er fly over ringen.</translation>
+    </message>
+    <message>
+        <source>Shown on the map.</source>
+        <translation>Vises på kartet.</translation>
+    </message>
+    <message>
+        <source>Corner of the no-fly area</source>
+        <translation>Hjørne i flyforbudsområdet</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Gulv</translation>
+    </message>
+    <message>
+        <source>UAVs below this height may pass under the area.</source>
+        <translation>UAV-er som flyr lavere, flyr under det.</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>Tak</translation>
+    </message>
+    <message>
+        <source>UAVs above this height may pass over the area.</source>
+        <translation>UAV-er som flyr høyere, flyr over det.</translation>
+    </message>
+    <message>
+        <source>Corner of the airspace</source>
+        <translation>Hjørne av luftrommet</translation>
+    </message>
+    <message>
+        <source>Start of the airspace</source>
+        <translation>Luftrommets start</translation>
+    </message>
+    <message>
+        <source>End of the airspace</source>
+        <translation>Luftrommets slutt</translation>
+    </message>
+    <message>
+        <source>Station east</source>
+        <translation>Stasjon øst</translation>
+    </message>
+    <message>
+        <source>East of the scenario&apos;s origin.</source>
+        <translation>Øst for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Station north</source>
+        <translation>Stasjon nord</translation>
+    </message>
+    <message>
+        <source>North of the scenario&apos;s origin.</source>
+        <translation>Nord for scenariets origo.</translation>
+    </message>
+    <message>
+        <source>Antenna height</source>
+        <translation>Antennehøyde</translation>
+    </message>
+    <message>
+        <source>Height above the sea.</source>
+        <translation>Høyde over havet.</translation>
+    </message>
+    <message>
+        <source>radio horizon</source>
+        <translation>radiohorisont</translation>
+    </message>
+    <message>
+        <source>Link range</source>
+        <translation>Rekkevidde for samband</translation>
+    </message>
+    <message>
+        <source>Range of the link; the lowest value means the radio horizon of the antenna and the UAV&apos;s altitude.</source>
+        <translation>Hvor langt sambandet rekker; ved laveste verdi til radiohorisonten for antennen og UAV-ens høyde.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margin</translation>
+    </message>
+    <message>
+        <source>Distance around all places of the plan, for turns and replanning. Not used with a geofence.</source>
+        <translation>Rundt alle steder en plan kan føre til, for svinger og endringer av planen. Med geogjerde brukes den ikke.</translation>
+    </message>
+    <message>
+        <source>UAV size</source>
+        <translation>UAV-ens størrelse</translation>
+    </message>
+    <message>
+        <source>Largest dimension of a UAV; half of it is added to the ground-risk buffer.</source>
+        <translation>Største mål på en UAV; halvparten gjør bakkerisikobufferen bredere.</translation>
+    </message>
+    <message>
+        <source>Satellite position error</source>
+        <translation>Feil i satellittposisjon</translation>
+    </message>
+    <message>
+        <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
+        <translation>Del av beredskapsvolumets bredde. Kilde: Digisky 3.3.0, etter veiledningen fra sveitsiske FOCA: 3 m.</translation>
+    </message>
+    <message>
+        <source>Path-keeping error</source>
+        <translation>Feil i banefølging</translation>
+    </message>
+    <message>
+        <source>Error of the autopilot, part of the width of the contingency volume. Same source: 3 m.</source>
+        <translation>Autopilotens feil, del av beredskapsvolumets bredde. Samme kilde: 3 m.</translation>
+    </message>
+    <message>
+        <source>Map error</source>
+        <translation>Kartfeil</translation>
+    </message>
+    <message>
+        <source>Part of the width of the contingency volume. Same source: 1 m.</source>
+        <translation>Del av beredskapsvolumets bredde. Samme kilde: 1 m.</translation>
+    </message>
+    <message>
+        <source>Reaction time</source>
+        <translation>Reaksjonstid</translation>
+    </message>
+    <message>
+        <source>Time at full speed before the crew reacts. Same source: 1 s.</source>
+        <translation>Tid i full fart før mannskapet reagerer. Samme kilde: 1 s.</translation>
+    </message>
+    <message>
+        <source>Bank of the turn back</source>
+        <translation>Krengning i vendingen tilbake</translation>
+    </message>
+    <message>
+        <source>Sets the turn radius v²/(g tan bank). Same source: 30°.</source>
+        <translation>Gir svingradien v²/(g tan krengning). Samme kilde: 30°.</translation>
+    </message>
+    <message>
+        <source>Height error</source>
+        <translation>Høydefeil</translation>
+    </message>
+    <message>
+        <source>Part of the height of the contingency volume. Same source: 4 m.</source>
+        <translation>Del av beredskapsvolumets høyde. Samme kilde: 4 m.</translation>
+    </message>
+    <message>
+        <source>Climb part</source>
+        <translation>Stigeandel</translation>
+    </message>
+    <message>
+        <source>Share of the speed that is climb during the reaction time. Same source: 0.707, a climb of 45°.</source>
+        <translation>Andel av farten som fører oppover i reaksjonstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
+    </message>
+    <message>
+        <source>Pull-up part</source>
+        <translation>Utflatingsandel</translation>
+    </message>
+    <message>
+        <source>Height needed to level out, as a share of v²/g. Same source: 0.3.</source>
+        <translation>Andel av v²/g som utflatingen krever. Samme kilde: 0,3.</translation>
+    </message>
+    <message>
+        <source>Buffer ratio</source>
+        <translation>Bufferforhold</translation>
+    </message>
+    <message>
+        <source>Width of the ground-risk buffer divided by the height of the contingency volume. Same source: 1, the 1:1 rule.</source>
+        <translation>Bakkerisikobufferens bredde delt på beredskapsvolumets høyde. Samme kilde: 1, regelen 1:1.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, time</source>
+        <translation>Tilstøtende område, tid</translation>
+    </message>
+    <message>
+        <source>Flight time at full speed. Same source: 180 s.</source>
+        <translation>Flytid i full fart. Samme kilde: 180 s.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, minimum</source>
+        <translation>Tilstøtende område, minimum</translation>
+    </message>
+    <message>
+        <source>Minimum width. Same source: 5 km.</source>
+        <translation>Minste bredde. Samme kilde: 5 km.</translation>
+    </message>
+    <message>
+        <source>Adjacent area, maximum</source>
+        <translation>Tilstøtende område, maksimum</translation>
+    </message>
+    <message>
+        <source>Maximum width. Same source: 35 km.</source>
+        <translation>Største bredde. Samme kilde: 35 km.</translation>
+    </message>
+    <message>
+        <source>Crew</source>
+        <translation>Mannskap</translation>
+    </message>
+    <message>
+        <source>Names printed in the flight brief. If empty, the brief has a blank line.</source>
+        <translation>Hvem som flyr, trykkes på flygearket; tomt: en blank linje.</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Kallesignal</translation>
+    </message>
+    <message>
+        <source>Printed in the flight brief. If empty, the brief has a blank line.</source>
+        <translation>Trykkes på flygearket. Er feltet tomt, blir det en blank linje.</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakter</translation>
+    </message>
+    <message>
+        <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
+        <translation>Skip, lufttrafikktjeneste, redning: navn, numre, frekvenser.</translation>
+    </message>
+    <message>
+        <source>Command link</source>
+        <translation>Kommandolink</translation>
+    </message>
+    <message>
+        <source>How the UAVs are commanded, and what they do if the link is lost.</source>
+        <translation>Hvordan UAV-ene styres, og hva de gjør uten den.</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Sjekkliste</translation>
+    </message>
+    <message>
+        <source>One item per line, printed with a box to tick.</source>
+        <translation>En linje for hvert punkt, trykkes med en rute å krysse av.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>ikke kjent</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Vindkast</translation>
+    </message>
+    <message>
+        <source>Speed of the gusts, compared with the limits of the UAVs.</source>
+        <translation>Vindkastenes fart, sammenlignet med UAV-enes grenser.</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Air temperature at sea level.</source>
+        <translation>Luftens temperatur ved havoverflaten.</translation>
+    </message>
+    <message>
+        <source>Dew point</source>
+        <translation>Duggpunkt</translation>
+    </message>
+    <message>
+        <source>Dew point at sea level. With the temperature it shows whether ice may form.</source>
+        <translation>Duggpunkt ved havoverflaten. Sammen med temperaturen viser det om is kan dannes.</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Coordinate of the origin, in any format; a full coordinate or a place name sets both. Everything moves with it.</source>
+        <translation>For origo, i hvilken som helst form; en hel koordinat eller et navn setter begge. Alt flyttes med.</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Lengde</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>Observatør</translation>
+    </message>
+    <message>
+        <source>Exact: a sighting gives the true position. Filter: position and velocity are estimated from noisy measurements, and icebergs can get lost.</source>
+        <translation>Eksakt: et isfjell i synsfeltet er der det ses. Filter: målinger med støy, som posisjon og fart estimeres fra, og isfjell kan gå tapt.</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Posisjonsfeil</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured position, along each axis.</source>
+        <translation>Standardavvik for en målt posisjon, langs hver akse.</translation>
+    </message>
+    <message>
+        <source>Sensor interval</source>
+        <translation>Sensorintervall</translation>
+    </message>
+    <message>
+        <source>Time between two samples of the sensor, each of which measures what is in view.</source>
+        <translation>Tid mellom to bilder fra kameraet; hvert av dem måler det som er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Detection probability</source>
+        <translation>Deteksjonssannsynlighet</translation>
+    </message>
+    <message>
+        <source>Probability that one sample shows an iceberg in view.</source>
+        <translation>Sannsynlighet for at ett bilde viser et isfjell i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Leting</translation>
+    </message>
+    <message>
+        <source>Search pattern for an iceberg that is not at its estimated position.</source>
+        <translation>Søkemønster for et isfjell som ikke er ved sin estimerte posisjon.</translation>
+    </message>
+    <message>
+        <source>Trade-off τ</source>
+        <translation>Avveining τ</translation>
+    </message>
+    <message>
+        <source>Formulation</source>
+        <translation>Formulering</translation>
+    </message>
+    <message>
+        <source>Integer program that COIN-OR CBC solves when it is the solver.</source>
+        <translation>Heltallsprogrammet som COIN-OR CBC løser når den er valgt.</translation>
+    </message>
+    <message>
+        <source>Planning time</source>
+        <translation>Planleggingstid</translation>
+    </message>
+    <message>
+        <source>Time to make a plan in flight; until it is ready the UAV continues with the previous plan.</source>
+        <translation>Hvor lang tid en plan tar i luften; til den foreligger, fortsetter UAV-en med den forrige planen.</translation>
+    </message>
+    <message>
+        <source>in view</source>
+        <translation>i synsfeltet</translation>
+    </message>
+    <message>
+        <source>Acceptance radius</source>
+        <translation>Godkjenningsradius</translation>
+    </message>
+    <message>
+        <source>Distance at which an iceberg counts as reached; at 0 it is reached when it is in view.</source>
+        <translation>Hvor nær UAV-en må komme et isfjell; ved 0 er det nådd når det er i synsfeltet.</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Synsfelt</translation>
+    </message>
+    <message>
+        <source>Shape of the area that the camera covers.</source>
+        <translation>Formen på det kameraet dekker.</translation>
+    </message>
+    <message>
+        <source>Group nearby icebergs</source>
+        <translation>Grupper nære isfjell</translation>
+    </message>
+    <message>
+        <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
+        <translation>Isfjell som får plass i ett synsfelt, planlegges som ett punkt som alle ses fra.</translation>
+    </message>
+    <message>
+        <source>Title of the scenario, shown on the map.</source>
+        <translation>Scenarioets tittel, vises på kartet.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notater</translation>
+    </message>
+    <message>
+        <source>Any text, stored in the file.</source>
+        <translation>Valgfri tekst, lagres i filen.</translation>
+    </message>
+    <message>
+        <source>Start (UTC)</source>
+        <translation>Starttid (UTC)</translation>
+    </message>
+    <message>
+        <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
+        <translation>Dato og klokkeslett for start, som 2026-11-29 12:00 eller 29 Nov 2026 12:00; 1200Z beholder datoen. Tomt: tidene er relative.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Varighet</translation>
+    </message>
+    <message>
+        <source>Length of the run, at most seven days.</source>
+        <translation>Flygingens lengde, høyst sju døgn.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startfrø</translation>
+    </message>
+    <message>
+        <source>Seed of the random drift: the same seed repeats the run.</source>
+        <translation>Bestemmer den tilfeldige driften: samme frø, samme flyging.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Tidssteg</translation>
+    </message>
+    <message>
+        <source>Step of the simulation; a smaller step is more exact and slower.</source>
+        <translation>Simuleringens steg; lite er nøyaktig og langsomt.</translation>
+    </message>
+    <message>
+        <source>Random drift</source>
+        <translation>Tilfeldig drift</translation>
+    </message>
+    <message>
+        <source>Off: icebergs drift exactly as known.</source>
+        <translation>Av: isfjellene driver nøyaktig som kjent.</translation>
+    </message>
+    <message>
+        <source>Wind east</source>
+        <translation>Vind østover</translation>
+    </message>
+    <message>
+        <source>Towards the east; must be below the UAV&apos;s airspeed.</source>
+        <translation>Mot øst; alltid langsommere enn UAV-en flyr.</translation>
+    </message>
+    <message>
+        <source>Wind north</source>
+        <translation>Vind nordover</translation>
+    </message>
+    <message>
+        <source>Towards the north; must be below the UAV&apos;s airspeed.</source>
+        <translation>Mot nord; alltid langsommere enn UAV-en flyr.</translation>
+    </message>
+    <message>
+        <source>Current east</source>
+        <translation>Strøm østover</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the east.</source>
+        <translation>Fører alle isfjell mot øst.</translation>
+    </message>
+    <message>
+        <source>Current north</source>
+        <translation>Strøm nordover</translation>
+    </message>
+    <message>
+        <source>Carries every iceberg towards the north.</source>
+        <translation>Fører alle isfjell mot nord.</translation>
+    </message>
+    <message>
+        <source>Corner of the area</source>
+        <translation>Hjørne av området</translation>
+    </message>
+    <message>
+        <source>Geofence</source>
+        <translation>Geogjerde</translation>
+    </message>
+    <message>
+        <source>UAVs stay inside the area if they start clear of its edge.</source>
+        <translation>UAV-er som starter klar av kanten, holder seg innenfor området.</translation>
+    </message>
+    <message>
+        <source>no separation</source>
+        <translation>ingen avstandskrav</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Avstand mellom UAV-er</translation>
+    </message>
+    <message>
+        <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
+        <translation>UAV-er holdes så langt fra hverandre, med mindre høydene deres skiller seg med %1.</translation>
     </message>
 </context>
 <context>
@@ -8900,12 +8660,36 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>UAV</translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation>Sted</translation>
-    </message>
-    <message>
         <source>Command</source>
         <translation>Kommando</translation>
+    </message>
+    <message>
+        <source>Coordinate</source>
+        <translation>Koordinat</translation>
+    </message>
+    <message>
+        <source>Sea or bay</source>
+        <translation>Hav eller bukt</translation>
+    </message>
+    <message>
+        <source>Island or coast</source>
+        <translation>Øy eller kyst</translation>
+    </message>
+    <message>
+        <source>Cape</source>
+        <translation>Nes</translation>
+    </message>
+    <message>
+        <source>Town or station</source>
+        <translation>By eller stasjon</translation>
+    </message>
+    <message>
+        <source>Oil or gas field</source>
+        <translation>Olje- eller gassfelt</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Felt</translation>
     </message>
 </context>
 <context>
@@ -8931,11 +8715,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Zeta ζ</translation>
     </message>
     <message>
-        <source>Against prediction</source>
+        <source>vs prediction</source>
         <translation>Mot forutsigelsen</translation>
     </message>
     <message>
-        <source>ζ against what was predicted before take-off for the policy.</source>
+        <source>ζ compared with the prediction for the policy before take-off.</source>
         <translation>ζ mot det som ble forutsagt for strategien før avgang.</translation>
     </message>
     <message>
@@ -8971,7 +8755,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Sammenlign</translation>
     </message>
     <message>
-        <source>Sets the run beside others.</source>
+        <source>Compares the run with others.</source>
         <translation>Stiller flygingen ved siden av andre.</translation>
     </message>
     <message>
@@ -8979,7 +8763,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Lagre flyging</translation>
     </message>
     <message>
-        <source>Keeps the run in a file.</source>
+        <source>Saves the run to a file.</source>
         <translation>Tar vare på flygingen i en fil.</translation>
     </message>
     <message>
@@ -8995,7 +8779,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Forutsagt område</translation>
     </message>
     <message>
-        <source>ζ of nine flights in ten was predicted to lie in this range.</source>
+        <source>Predicted range of ζ for 90 % of flights.</source>
         <translation>ζ for ni av ti flyginger ble forutsagt å ligge i dette området.</translation>
     </message>
     <message>
@@ -9026,7 +8810,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Planen lages fortsatt.</translation>
     </message>
     <message>
-        <source>Flight to %1 given up</source>
+        <source>Flight to %1 discarded</source>
         <translation>Flyging til %1 oppgitt</translation>
     </message>
 </context>
@@ -9037,7 +8821,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Planlegger</translation>
     </message>
     <message>
-        <source>Ready: Space flies it</source>
+        <source>Ready. Press Space to fly</source>
         <translation>Klar: mellomrom starter flygingen</translation>
     </message>
     <message>
@@ -9057,14 +8841,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Kan ikke planlegges: %1</translation>
     </message>
     <message>
-        <source>Press I and click on the map to place one, drag on to let it drift, or import sightings.</source>
+        <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
         <translation>Trykk I og klikk i kartet for å plassere ett, dra videre for å la det drive, eller importer observasjoner.</translation>
     </message>
 </context>
 <context>
     <name>berg::GenerateDialog</name>
     <message>
-        <source>There is no room for so many so far from each other. Take fewer, a smaller distance or a larger area.</source>
+        <source>There is no room for this many icebergs at this spacing. Choose fewer icebergs, a smaller spacing or a larger area.</source>
         <translation>Det er ikke plass til så mange så langt fra hverandre. Velg færre, en mindre avstand eller et større område.</translation>
     </message>
     <message>
@@ -9096,7 +8880,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Scenarioets område</translation>
     </message>
     <message>
-        <source>What the map shows</source>
+        <source>Visible part of the map</source>
         <translation>Det kartet viser</translation>
     </message>
     <message>
@@ -9140,7 +8924,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>I alle retninger</translation>
     </message>
     <message>
-        <source>About one direction</source>
+        <source>Around one direction</source>
         <translation>Omkring én retning</translation>
     </message>
     <message>
@@ -9148,11 +8932,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Drift</translation>
     </message>
     <message>
-        <source>Direction they drift to, from north</source>
+        <source>Drift direction, clockwise from north</source>
         <translation>Retningen de driver mot, fra nord</translation>
     </message>
     <message>
-        <source>To either side of it</source>
+        <source>Spread to either side</source>
         <translation>Til hver side av den</translation>
     </message>
     <message>
@@ -9180,15 +8964,15 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Vekst q</translation>
     </message>
     <message>
-        <source>Least distance between two icebergs</source>
+        <source>Minimum distance between two icebergs</source>
         <translation>Minste avstand mellom to isfjell</translation>
     </message>
     <message>
-        <source>Least &amp;distance</source>
+        <source>&amp;Minimum spacing</source>
         <translation>&amp;Minste avstand</translation>
     </message>
     <message>
-        <source>The same number draws the same field again.</source>
+        <source>The same seed generates the same field again.</source>
         <translation>Samme tall gir samme felt på nytt.</translation>
     </message>
     <message>
@@ -9204,7 +8988,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Startverdi</translation>
     </message>
     <message>
-        <source>R&amp;eplace the present icebergs</source>
+        <source>R&amp;eplace existing icebergs</source>
         <translation>Erst&amp;att isfjellene som er der</translation>
     </message>
     <message>
@@ -9212,7 +8996,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Generer</translation>
     </message>
     <message numerus="yes">
-        <source>The scenario then holds %n icebergs.</source>
+        <source>The scenario will have %n icebergs.</source>
         <translation>
             <numerusform>Scenarioet får da ett isfjell.</numerusform>
             <numerusform>Scenarioet får da %n isfjell.</numerusform>
@@ -9223,12 +9007,31 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>ingen</translation>
     </message>
     <message>
-        <source>Not known, changing within 10 h</source>
+        <source>Unknown, changing within 10 h</source>
         <translation>Ikke kjent, endrer seg i løpet av 10 t</translation>
     </message>
     <message>
-        <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. The icebergs are then measured in flight.</source>
+        <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
         <translation>Som tilpasset en bøye: 0,15 m/s langs hver akse, i alle retninger. Isfjellene måles da under flyging.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::HistoryActions</name>
+    <message>
+        <source>Undo</source>
+        <translation>Angre</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Gjør om</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Angre</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gjør om</translation>
     </message>
 </context>
 <context>
@@ -9285,7 +9088,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Lim inn isfjell</translation>
     </message>
     <message>
-        <source>The column &quot;%1&quot; follows from the others. Nothing was pasted.</source>
+        <source>The column &quot;%1&quot; is computed from others. Nothing was pasted.</source>
         <translation>Kolonnen «%1» følger av de andre. Ingenting ble limt inn.</translation>
     </message>
 </context>
@@ -9307,6 +9110,30 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Automatic: %1</source>
         <translation>Automatisk: %1</translation>
     </message>
+    <message>
+        <source>Line of the file that names the columns, if a title precedes it.</source>
+        <translation>Linjen i filen som har kolonnenes navn, når en tittel står over den.</translation>
+    </message>
+    <message>
+        <source>&amp;Header line</source>
+        <translation>&amp;Linje med overskrifter</translation>
+    </message>
+    <message>
+        <source>Columns as for the last file with this header.</source>
+        <translation>Kolonner som for den forrige filen med denne overskriften.</translation>
+    </message>
+    <message>
+        <source>&amp;Forget columns</source>
+        <translation>&amp;Glem kolonner</translation>
+    </message>
+    <message>
+        <source>Headers whose columns were chosen by hand in an earlier import.</source>
+        <translation>Overskrifter der kolonnene ble valgt for hånd ved en tidligere import.</translation>
+    </message>
+    <message>
+        <source>All of them</source>
+        <translation>Alle</translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportDialog</name>
@@ -9315,7 +9142,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Ingen isfjell</translation>
     </message>
     <message>
-        <source>None of the sightings is taken.</source>
+        <source>No sighting can be imported.</source>
         <translation>Ingen av observasjonene er tatt med.</translation>
     </message>
     <message>
@@ -9343,10 +9170,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Isfjell</translation>
     </message>
     <message>
-        <source>Rejected rows</source>
-        <translation>Avviste rader</translation>
-    </message>
-    <message>
         <source>Columns</source>
         <translation>Kolonner</translation>
     </message>
@@ -9361,10 +9184,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Icebergs (%1)</source>
         <translation>Isfjell (%1)</translation>
-    </message>
-    <message>
-        <source>Rejected rows (%1)</source>
-        <translation>Avviste rader (%1)</translation>
     </message>
     <message>
         <source>Reading %1, %2 ...</source>
@@ -9383,14 +9202,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Isfjell (de første %1 av %2)</translation>
     </message>
     <message>
-        <source>Rejected rows (first %1 of %2)</source>
-        <translation>Avviste rader (de første %1 av %2)</translation>
-    </message>
-    <message>
-        <source>Velocities are not known exactly, so the observer becomes the Kalman filter.</source>
-        <translation>Hastighetene er ikke nøyaktig kjent, så observatøren blir Kalman-filteret.</translation>
-    </message>
-    <message>
         <source>Import into a &amp;new scenario</source>
         <translation>Importer til et &amp;nytt scenario</translation>
     </message>
@@ -9402,16 +9213,62 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Re&amp;port</source>
         <translation>&amp;Meld</translation>
     </message>
+    <message>
+        <source>Report all t&amp;he same</source>
+        <translation>Meld &amp;likevel</translation>
+    </message>
+    <message>
+        <source>Import all t&amp;he same</source>
+        <translation>Importer &amp;likevel</translation>
+    </message>
+    <message>
+        <source>Choose below which rows belong to the same iceberg.</source>
+        <translation>Velg nedenfor hvilke rader som er observasjoner av ett isfjell.</translation>
+    </message>
+    <message>
+        <source>Faster than 1.5 m/s or on land: %1. Check columns, units and ids.</source>
+        <translation>Raskere enn 1,5 m/s eller på land: %1. Kontroller kolonner, enheter og id-er.</translation>
+    </message>
+    <message>
+        <source>Velocities are uncertain, so the scenario will use the Kalman filter.</source>
+        <translation>Hastighetene er usikre, så scenarioet vil bruke Kalman-filteret.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportIdentityView</name>
+    <message>
+        <source>Rows with the same “%1”</source>
+        <translation>Rader med samme «%1»</translation>
+    </message>
+    <message>
+        <source>All rows are one iceberg</source>
+        <translation>Alle rader er ett isfjell</translation>
+    </message>
+    <message>
+        <source>Each row is a separate iceberg</source>
+        <translation>Hver rad er sitt eget isfjell</translation>
+    </message>
+    <message>
+        <source>up to %1 m/s between sightings</source>
+        <translation>opptil %1 m/s mellom observasjoner</translation>
+    </message>
+    <message>
+        <source>The file does not say which rows belong to the same iceberg. Choose:</source>
+        <translation>Ingenting i filen forteller hvilke rader som er observasjoner av ett isfjell. Velg:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n icebergs</source>
+        <translation>
+            <numerusform>%n isfjell</numerusform>
+            <numerusform>%n isfjell</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>berg::ImportOptionsView</name>
     <message>
         <source>S&amp;tart at</source>
         <translation>&amp;Start</translation>
-    </message>
-    <message>
-        <source>UTC time that becomes the start of the scenario. Otherwise the last sighting is.</source>
-        <translation>UTC-tiden som blir scenarioets start. Ellers er det den siste observasjonen.</translation>
     </message>
     <message>
         <source>Not &amp;before</source>
@@ -9434,7 +9291,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Vekst q</translation>
     </message>
     <message>
-        <source>Growth of the uncertainty where the sightings are too few to estimate it.</source>
+        <source>Growth of the uncertainty if there are too few sightings to estimate it.</source>
         <translation>Usikkerhetens vekst der observasjonene er for få til å anslå den.</translation>
     </message>
     <message>
@@ -9446,7 +9303,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Et nytt scenario</translation>
     </message>
     <message>
-        <source>Icebergs that this scenario has already are updated by their ids.</source>
+        <source>Icebergs already in this scenario are updated by their ids.</source>
         <translation>Isfjell som scenarioet på skjermen alt har, oppdateres etter id-ene.</translation>
     </message>
     <message>
@@ -9462,7 +9319,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Observasjoner utenfor disse bredde- og lengdegradene utelates.</translation>
     </message>
     <message>
-        <source>What the &amp;map shows</source>
+        <source>Visible part of the &amp;map</source>
         <translation>Det &amp;kartet viser</translation>
     </message>
     <message>
@@ -9486,31 +9343,19 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Med &amp;registrerte spor</translation>
     </message>
     <message>
-        <source>Sightings after the start become the true motion of an iceberg. Name the start for that.</source>
+        <source>Sightings after the start become the true motion of an iceberg. Requires a start time.</source>
         <translation>Observasjoner etter starten blir isfjellets sanne bevegelse. Da må starten oppgis.</translation>
-    </message>
-    <message>
-        <source>All rows are &amp;one iceberg</source>
-        <translation>&amp;Alle radene er ett isfjell</translation>
-    </message>
-    <message>
-        <source>The file names no icebergs: its rows are the track of one beacon, or an iceberg each.</source>
-        <translation>Filen navngir ingen isfjell: Radene er sporet til én bøye, eller ett isfjell hver.</translation>
     </message>
     <message>
         <source>Position &amp;error</source>
         <translation>Posis&amp;jonsfeil</translation>
     </message>
     <message>
-        <source>Standard deviation of a position where the file tells none: 20 m by satellite navigation, 300 m by Argos, 1,852 m from an aircraft.</source>
-        <translation>Standardavvik for en posisjon der filen ikke angir det: 20 m med satellittnavigasjon, 300 m med Argos, 1852 m fra fly.</translation>
-    </message>
-    <message>
         <source>Drift &amp;variation</source>
         <translation>Variasjon i &amp;drift</translation>
     </message>
     <message>
-        <source>Standard deviation of the drift where it is not known, along each axis. With 0 the drift is taken as known and constant.</source>
+        <source>Standard deviation of an unknown drift along each axis. With 0 the drift counts as known and constant.</source>
         <translation>Standardavvik for driften der den ikke er kjent, langs hver akse. Med 0 regnes driften som kjent og konstant.</translation>
     </message>
     <message>
@@ -9518,7 +9363,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Driften endrer se&amp;g på</translation>
     </message>
     <message>
-        <source>Time in which a drift that was known is known no more. 0: never.</source>
+        <source>Time after which a known drift is no longer valid. 0 means never.</source>
         <translation>Tiden som går før en kjent drift ikke er kjent lenger. 0: aldri.</translation>
     </message>
     <message>
@@ -9534,12 +9379,75 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Dagen først: 31/12/2021</translation>
     </message>
     <message>
-        <source>How dates such as 05/02/2021 are meant.</source>
+        <source>How to read dates such as 05/02/2021.</source>
         <translation>Hvordan datoer som 05/02/2021 er ment.</translation>
     </message>
     <message>
         <source>Dat&amp;es</source>
         <translation>Dato&amp;er</translation>
+    </message>
+    <message>
+        <source>UTC time that becomes the start of the scenario. Otherwise its start stays, or moves to the last sighting if that is later.</source>
+        <translation>UTC-tid som blir starten på scenarioet. Ellers blir starten stående, eller flyttes til den siste observasjonen der den er senere.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a position along each axis if the file states none and no column names the source.</source>
+        <translation>Standardavvik for en posisjon langs hver akse der filen ikke oppgir noe og ingen kolonne navngir kilden.</translation>
+    </message>
+    <message>
+        <source>As stated in the file</source>
+        <translation>Som filen sier</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Som skrevet</translation>
+    </message>
+    <message>
+        <source>Sensor that found the positions. Rows whose column “source”, “method” or “sensor” names another source use its error.</source>
+        <translation>Hva posisjonene ble funnet med. Rader der kolonnen «source», «method» eller «sensor» navngir en annen kilde, har feilen til den.</translation>
+    </message>
+    <message>
+        <source>Seen b&amp;y</source>
+        <translation>K&amp;ilde</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ImportRowsView</name>
+    <message>
+        <source>Rejected rows</source>
+        <translation>Avviste rader</translation>
+    </message>
+    <message>
+        <source>Rejected rows (%1)</source>
+        <translation>Avviste rader (%1)</translation>
+    </message>
+    <message>
+        <source>Rejected rows (first %1 of %2)</source>
+        <translation>Avviste rader (de første %1 av %2)</translation>
+    </message>
+    <message>
+        <source>Changed rows</source>
+        <translation>Endrede rader</translation>
+    </message>
+    <message>
+        <source>Changed rows (%1)</source>
+        <translation>Endrede rader (%1)</translation>
+    </message>
+    <message>
+        <source>Changed rows (first %1 of %2)</source>
+        <translation>Endrede rader (de første %1 av %2)</translation>
+    </message>
+    <message>
+        <source>Outside area or time</source>
+        <translation>Utenfor område eller tid</translation>
+    </message>
+    <message>
+        <source>Outside area or time (%1)</source>
+        <translation>Utenfor område eller tid (%1)</translation>
+    </message>
+    <message>
+        <source>Outside area or time (first %1 of %2)</source>
+        <translation>Utenfor område eller tid (de første %1 av %2)</translation>
     </message>
 </context>
 <context>
@@ -9575,11 +9483,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         </translation>
     </message>
     <message>
-        <source>Only the icebergs selected are edited here.</source>
+        <source>Only the selected icebergs are edited here.</source>
         <translation>Bare de valgte isfjellene redigeres her.</translation>
     </message>
     <message>
-        <source>What is entered here goes to all of them.</source>
+        <source>Edits apply to all of them.</source>
         <translation>Det som skrives her, gjelder for alle.</translation>
     </message>
     <message>
@@ -9598,7 +9506,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Et isfjell må ha en id.</translation>
     </message>
     <message>
-        <source>The id &quot;%1&quot; is taken. Every iceberg and UAV needs one of its own.</source>
+        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
         <translation>Id-en «%1» er opptatt. Hvert isfjell og hver UAV må ha sin egen.</translation>
     </message>
     <message>
@@ -9606,7 +9514,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Endre id</translation>
     </message>
     <message>
-        <source>Select something on the map to edit it.</source>
+        <source>Select an object on the map to edit it.</source>
         <translation>Velg noe på kartet for å redigere det.</translation>
     </message>
     <message>
@@ -9622,11 +9530,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Dra hjørnene på kartet for å endre det.</translation>
     </message>
     <message>
-        <source>Names the iceberg in files and lists; each id is there once.</source>
+        <source>Identifies the iceberg in files and lists; must be unique.</source>
         <translation>Navngir isfjellet i filer og lister; hver id finnes bare én gang.</translation>
     </message>
     <message>
-        <source>Names the UAV in files and lists; each id is there once.</source>
+        <source>Identifies the UAV in files and lists; must be unique.</source>
         <translation>Navngir UAV-en i filer og lister; hver id finnes bare én gang.</translation>
     </message>
     <message>
@@ -9636,6 +9544,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>No-fly area</source>
         <translation>Flyforbudsområde</translation>
+    </message>
+    <message>
+        <source>UAV</source>
+        <translation>UAV</translation>
     </message>
 </context>
 <context>
@@ -9649,7 +9561,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Driftpiler</translation>
     </message>
     <message>
-        <source>Rings of uncertainty</source>
+        <source>Uncertainty rings</source>
         <translation>Usikkerhetsringer</translation>
     </message>
     <message>
@@ -9669,11 +9581,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>%1: dekning i prosent</translation>
     </message>
     <message>
-        <source>Opacity; at the left end it is hidden</source>
+        <source>Opacity; at the left end the layer is hidden</source>
         <translation>Dekning; helt til venstre er det skjult</translation>
     </message>
     <message>
-        <source>How far ahead drift arrows look; those too long for the map are cut short and dashed</source>
+        <source>Time covered by drift arrows; arrows too long for the map are shortened and dashed</source>
         <translation>Hvor langt fram driftpilene ser; de som er for lange for kartet, er avkortet og stiplet</translation>
     </message>
     <message>
@@ -9697,7 +9609,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Fjern</translation>
     </message>
     <message>
-        <source>Shows no background any more</source>
+        <source>Removes the background</source>
         <translation>Viser ikke lenger noen bakgrunn</translation>
     </message>
     <message>
@@ -9705,7 +9617,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Velg en fil …</translation>
     </message>
     <message>
-        <source>A map of your own below everything: GeoJSON, KML or KMZ, such as an ice chart</source>
+        <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
         <translation>Et eget kart under alt annet: GeoJSON, KML eller KMZ, for eksempel et iskart</translation>
     </message>
     <message>
@@ -9784,12 +9696,12 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
-    <name>berg::MapLinks</name>
+    <name>berg::MapController</name>
     <message numerus="yes">
-        <source>%n icebergs removed from this run. To undo that, look back to before it and choose Continue from here.</source>
+        <source>%n icebergs removed from this run. Undo brings them back.</source>
         <translation>
-            <numerusform>%n isfjell fjernet fra denne flygingen. For å angre: se tilbake til før det og velg Fly videre herfra.</numerusform>
-            <numerusform>%n isfjell fjernet fra denne flygingen. For å angre: se tilbake til før det og velg Fly videre herfra.</numerusform>
+            <numerusform>%n isfjell fjernet fra denne flygingen. Angre henter det tilbake.</numerusform>
+            <numerusform>%n isfjell fjernet fra denne flygingen. Angre henter dem tilbake.</numerusform>
         </translation>
     </message>
 </context>
@@ -9800,7 +9712,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Kart</translation>
     </message>
     <message numerus="yes">
-        <source>%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus and minus zoom, F fits. The table of icebergs has them in rows.</source>
+        <source>%n icebergs and the UAVs on the sea. Arrow keys move the map or the selection, plus and minus zoom, F fits. The iceberg table lists the icebergs.</source>
         <translation>
             <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser. Isfjelltabellen har dem rad for rad.</numerusform>
             <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser. Isfjelltabellen har dem rad for rad.</numerusform>
@@ -9859,7 +9771,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Behold en sikkerhets&amp;kopi</translation>
     </message>
     <message>
-        <source>Before a file is first overwritten, a copy is kept as NAME.berg~</source>
+        <source>Before the first overwrite of a file, a copy is kept as NAME.berg~</source>
         <translation>Før en fil skrives over første gang, tas det som sto i den, vare på som NAVN.berg~</translation>
     </message>
     <message>
@@ -9867,7 +9779,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Gjenopprett ulagret arbeid …</translation>
     </message>
     <message>
-        <source>No unsaved work is left to recover</source>
+        <source>There is no unsaved work to recover</source>
         <translation>Det er ikke noe ulagret arbeid å gjenopprette</translation>
     </message>
     <message>
@@ -9923,22 +9835,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Flytt scenarioet…</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Angre</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Gjør om</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Angre</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Gjør om</translation>
-    </message>
-    <message>
         <source>&amp;View</source>
         <translation>&amp;Vis</translation>
     </message>
@@ -9987,7 +9883,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Vis sanne posisjoner</translation>
     </message>
     <message>
-        <source>Where the icebergs are in truth, beside where the observer believes them to be; off: only what an operator would see</source>
+        <source>Shows the true positions of the icebergs beside the estimates. When off, the map shows only what an operator would see.</source>
         <translation>Hvor isfjellene egentlig er, ved siden av der observatøren tror de er; av: bare det en operatør ville se</translation>
     </message>
     <message>
@@ -10007,7 +9903,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Sto&amp;pp og rediger</translation>
     </message>
     <message>
-        <source>Bring the flight b&amp;ack</source>
+        <source>Restore disc&amp;arded flight</source>
         <translation>&amp;Hent flygingen tilbake</translation>
     </message>
     <message>
@@ -10135,7 +10031,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>piltastene</translation>
     </message>
     <message>
-        <source>Close what is drawn, take its last point back</source>
+        <source>Finish drawing, undo last point</source>
         <translation>Lukk det som tegnes, angre siste punkt</translation>
     </message>
     <message>
@@ -10151,7 +10047,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Skift</translation>
     </message>
     <message>
-        <source>Leave what is drawn, the tool, the selection</source>
+        <source>Cancel drawing, leave tool, clear selection</source>
         <translation>Forlat det som tegnes, verktøyet, utvalget</translation>
     </message>
     <message>
@@ -10167,7 +10063,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Om Bergwatch</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans, flies and measures UAV missions that keep watch over drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
+        <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans and simulates UAV missions that monitor drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlegger, flyr og måler UAV-oppdrag som holder øye med drivende isfjell.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-lisens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområdene er laget med Natural Earth.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -10316,7 +10212,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Det er ingen flyging å lagre: scenarioet kan ikke planlegges.</translation>
     </message>
     <message>
-        <source>Flown again, this run comes out differently: %1</source>
+        <source>The replay of this run differs from the recording: %1</source>
         <translation>Fløyet på nytt blir denne flygingen annerledes: %1</translation>
     </message>
 </context>
@@ -10354,7 +10250,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Flytt &amp;alt sammen med origo</translation>
     </message>
     <message>
-        <source>&amp;Leave everything where it is on the Earth</source>
+        <source>&amp;Leave everything at its place on the Earth</source>
         <translation>&amp;La alt ligge der det er på jorden</translation>
     </message>
     <message>
@@ -10362,15 +10258,15 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Flytt</translation>
     </message>
     <message>
-        <source>Not everything could stay where it is: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
+        <source>Not everything can stay at its place: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
         <translation>Ikke alt kunne ligge der det er: et scenario rekker %1 fra origo. Flytt alt med, eller velg et nærmere sted.</translation>
     </message>
     <message>
-        <source>The origin comes to %1, %2 away. Places, courses and drift on the Earth stay the same.</source>
+        <source>The origin moves to %1, %2 away. Positions, courses and drift on the Earth stay the same.</source>
         <translation>Origo kommer til %1, %2 unna. Steder, kurser og drift på jorden blir de samme.</translation>
     </message>
     <message>
-        <source>Everything comes to %1, %2 away, and keeps its place about the origin.</source>
+        <source>Everything moves to %1, %2 away, and keeps its position relative to the origin.</source>
         <translation>Alt kommer til %1, %2 unna, og beholder plassen sin rundt origo.</translation>
     </message>
     <message>
@@ -10385,7 +10281,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Oversiktskart</translation>
     </message>
     <message>
-        <source>Polar chart of where the map is. A click picks a place for the map.</source>
+        <source>Polar chart showing the location of the map. Click a place to move the map there.</source>
         <translation>Polarkart over hvor kartet er. Et klikk velger et sted for kartet.</translation>
     </message>
 </context>
@@ -10458,7 +10354,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Etappe</translation>
     </message>
     <message>
-        <source>Distance from the one before, the first from the UAV</source>
+        <source>Distance from the previous iceberg, or from the UAV</source>
         <translation>Avstand fra det forrige, det første fra UAV-en</translation>
     </message>
     <message>
@@ -10485,7 +10381,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         </translation>
     </message>
     <message>
-        <source>There is nothing for it to visit.</source>
+        <source>It has no iceberg to visit.</source>
         <translation>Den har ingenting å besøke.</translation>
     </message>
     <message>
@@ -10498,7 +10394,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Tildelt %1</translation>
     </message>
     <message>
-        <source>It is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
         <translation>Den er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
     </message>
     <message>
@@ -10506,7 +10402,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>I synsfelt</translation>
     </message>
     <message>
-        <source>Chance that the iceberg is in view when the UAV is over its estimate</source>
+        <source>Probability that the iceberg is in view when the UAV reaches its estimate</source>
         <translation>Sjansen for at isfjellet er i synsfeltet når dronen er over dets estimat</translation>
     </message>
     <message>
@@ -10535,7 +10431,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Holder</translation>
     </message>
     <message>
-        <source>Uncertainty of the position when the UAV is there</source>
+        <source>Uncertainty of the position on arrival</source>
         <translation>Posisjonens usikkerhet når UAV-en er der</translation>
     </message>
     <message>
@@ -10565,24 +10461,32 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Fart</translation>
     </message>
     <message>
-        <source>Speed over ground in the wind of now</source>
+        <source>Ground speed in the present wind</source>
         <translation>Fart over grunnen i vinden som er nå</translation>
     </message>
     <message>
-        <source>When the UAV is there</source>
+        <source>Arrival of the UAV</source>
         <translation>Når UAV-en er der</translation>
     </message>
     <message>
         <source>95 % now</source>
         <translation>95 % nå</translation>
     </message>
+    <message>
+        <source>A later visit of the patrol, %1. Its path is planned when its turn comes.</source>
+        <translation>Et senere besøk i patruljen, %1. Banen planlegges når det er dets tur.</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Igjen</translation>
+    </message>
+    <message>
+        <source>When the patrol comes back to the iceberg</source>
+        <translation>Når patruljen kommer tilbake til isfjellet</translation>
+    </message>
 </context>
 <context>
     <name>berg::PlanPanel</name>
-    <message>
-        <source>Nothing to visit: there are no icebergs yet, or all of them are in view.</source>
-        <translation>Ingenting å besøke: det er ingen isfjell ennå, eller alle er i synsfeltet.</translation>
-    </message>
     <message>
         <source>There is no plan: see Checks.</source>
         <translation>Det finnes ingen plan: se Kontroll.</translation>
@@ -10597,13 +10501,13 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Predicted for straight legs to the icebergs as they drift,
-with nothing seen on the way and no new plans.</source>
+without sightings en route and without new plans.</source>
         <translation>Beregnet for rette etapper til isfjellene slik de driver,
 uten noe sett underveis og uten ny planlegging.</translation>
     </message>
     <message>
         <source>Predicted for the path on the map, with every iceberg that comes into view
-on it, and no new plans.</source>
+on it, without new plans.</source>
         <translation>Forutsagt for veien på kartet, med hvert isfjell som kommer i sikte
 på den, og uten at noe planlegges på nytt.</translation>
     </message>
@@ -10612,8 +10516,8 @@ på den, og uten at noe planlegges på nytt.</translation>
         <translation>Ingen nyttig nedre grense for ζ</translation>
     </message>
     <message>
-        <source>That limit is proven for this scenario and the noise that it draws,
-whatever the policy and however tightly the UAV turns.</source>
+        <source>The lower bound is proven for this scenario and its random drift,
+for any policy and any turn radius.</source>
         <translation>Grensen er bevist for dette scenariet og støyen det trekker,
 uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
@@ -10626,11 +10530,11 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Landingsvinduer: %1</translation>
     </message>
     <message>
-        <source>The UAV is on its way home, on the ground or holding: it is planned again at take-off or when it resumes.</source>
+        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
         <translation>UAV-en er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
     </message>
     <message>
-        <source>Against the plan before: %1</source>
+        <source>Compared with the last plan: %1</source>
         <translation>Mot planen før: %1</translation>
     </message>
     <message>
@@ -10658,15 +10562,15 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>ζ til slutt: %1</translation>
     </message>
     <message>
-        <source>ζ at %1 without another plan: %2</source>
-        <translation>ζ kl. %1 uten ny plan: %2</translation>
+        <source>Expected ζ at %1 with this plan: %2</source>
+        <translation>Forventet ζ kl. %1 hvis denne planen flys: %2</translation>
     </message>
     <message>
-        <source>ζ at the end without another plan: %1</source>
-        <translation>ζ til slutt uten ny plan: %1</translation>
+        <source>Expected ζ at the end with this plan: %1</source>
+        <translation>Forventet ζ hvis denne planen flys til slutten: %1</translation>
     </message>
     <message>
-        <source>Against the plan before: %1, ζ %2</source>
+        <source>Compared with the last plan: %1, ζ %2</source>
         <translation>Mot planen før: %1, ζ %2</translation>
     </message>
     <message>
@@ -10678,8 +10582,17 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Nedre grense for ζ: %1</translation>
     </message>
     <message>
-        <source>The length of this sortie is over ground, until the run ends at most.</source>
+        <source>The length of this sortie is over ground, up to the end of the run at most.</source>
         <translation>Lengden av dette toktet er over grunnen, høyst til flygingen slutter.</translation>
+    </message>
+    <message>
+        <source>Nothing to visit: there are no icebergs yet, all of them are in view, or none can be visited without using the reserve.</source>
+        <translation>Ingenting å besøke: det er ingen isfjell ennå, alle er i syne, eller ingen kan besøkes før reserven.</translation>
+    </message>
+    <message>
+        <source>Longest time unseen: %1 (%2)</source>
+        <comment>duration and iceberg</comment>
+        <translation>Lengste tid usett: %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -10693,7 +10606,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Usikkerhetsgevinst</translation>
     </message>
     <message>
-        <source>Each iceberg&apos;s σ times the number of places after its own in the order: the sooner the uncertain ones come, the more.</source>
+        <source>Sum of each iceberg&apos;s σ times the number of places after it in the order: larger if uncertain icebergs come early.</source>
         <translation>Hvert isfjells σ ganger antall plasser etter dets egen i rekkefølgen: jo før de usikre kommer, desto mer.</translation>
     </message>
     <message>
@@ -10737,7 +10650,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Hele rekkefølgen</translation>
     </message>
     <message>
-        <source>Length of the whole order as it was planned, through the air, in wind the mean of both directions, and with its turns: what the solver weighs, as in the trade-off chart. The plan panel has that of this sortie over ground.</source>
+        <source>Planned length of the whole order through the air, with turns; in wind the mean of both directions. The solver weighs this length and the trade-off chart shows it. The plan panel shows the length of this sortie over ground.</source>
         <translation>Lengden av hele rekkefølgen slik den ble planlagt, gjennom luften, i vind midlet av begge retninger, og med svingene: det løseren veier, som i avveiningsdiagrammet. Rutepanelet har lengden av dette toktet over grunnen.</translation>
     </message>
 </context>
@@ -10768,7 +10681,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Planen lages fortsatt.</translation>
     </message>
     <message>
-        <source>This scenario cannot be flown. Correct what is reported first.</source>
+        <source>This scenario cannot be flown. Fix the reported errors first.</source>
         <translation>Dette scenarioet kan ikke flys. Rett først det som er meldt.</translation>
     </message>
     <message>
@@ -10804,7 +10717,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>Vist tid</translation>
     </message>
     <message>
-        <source>Time shown. Type one to look back at it, e.g. 3:20.</source>
+        <source>Time shown. Type a time to look back, e.g. 3:20.</source>
         <translation>Vist tid. Skriv en tid for å se tilbake på den, f.eks. 3:20.</translation>
     </message>
     <message>
@@ -10844,7 +10757,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
         <translation>«%1» er ikke et tidspunkt i denne flygingen. Skriv det som 1215Z, 3:20 eller 45 min.</translation>
     </message>
     <message>
-        <source>Time shown. Type one to look back at it, e.g. 1215Z or, since the start, 3:20.</source>
+        <source>Time shown. Type a time to look back, e.g. 1215Z, or 3:20 since the start.</source>
         <translation>Tiden som vises. Skriv en for å se tilbake på den, f.eks. 1215Z eller, siden start, 3:20.</translation>
     </message>
     <message>
@@ -11020,7 +10933,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Tekstst&amp;ørrelse</translation>
     </message>
     <message>
-        <source>The text has this size when Bergwatch is started again.</source>
+        <source>Restart Bergwatch to apply the new text size.</source>
         <translation>Teksten får denne størrelsen når Bergwatch startes på nytt.</translation>
     </message>
     <message>
@@ -11056,7 +10969,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>&amp;Tider</translation>
     </message>
     <message>
-        <source>UTC, where the scenario has a start</source>
+        <source>UTC, if the scenario has a start time</source>
         <translation>UTC, der scenarioet har en start</translation>
     </message>
     <message>
@@ -11088,7 +11001,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Rettvisende og magnetiske, misvisning %1 …</translation>
     </message>
     <message>
-        <source>True and magnetic, declination typed in...</source>
+        <source>True and magnetic, declination entered by hand...</source>
         <translation>Rettvisende og magnetiske, misvisning skrives inn …</translation>
     </message>
 </context>
@@ -11103,7 +11016,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Fjern</translation>
     </message>
     <message>
-        <source>Take it out of this list.</source>
+        <source>Remove it from this list.</source>
         <translation>Ta den ut av denne listen.</translation>
     </message>
 </context>
@@ -11114,7 +11027,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Gjenopprettet arbeid</translation>
     </message>
     <message>
-        <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, then save.</source>
+        <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, and then save them.</source>
         <translation>Bergwatch sluttet uventet. Ulagrede endringer er tatt vare på. Gjenopprett dem, og lagre.</translation>
     </message>
     <message>
@@ -11157,7 +11070,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Lagret %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n files of these names are there. What is in them would be lost.</source>
+        <source>%n files with these names exist. Their content would be lost.</source>
         <translation>
             <numerusform>%n fil med dette navnet finnes. Innholdet går tapt.</numerusform>
             <numerusform>%n filer med disse navnene finnes. Innholdet går tapt.</numerusform>
@@ -11179,7 +11092,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Bilde av kartet er kopiert</translation>
     </message>
     <message>
-        <source>The run is saved when the plan under way is made.</source>
+        <source>The run is saved as soon as the current plan is made.</source>
         <translation>Flygingen lagres når planen som er under arbeid, er laget.</translation>
     </message>
     <message>
@@ -11237,11 +11150,11 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Zeta sammenlignet med den for A ved tiden begge har fløyet.</translation>
     </message>
     <message>
-        <source>Runs you have flown come here. The button below flies this scenario along the shortest round tour beside your own settings.</source>
+        <source>Flown runs are listed here. The button below flies this scenario along the shortest round tour for comparison.</source>
         <translation>Flyginger du har fløyet, kommer hit. Knappen nedenfor flyr dette scenarioet langs korteste rundtur ved siden av dine egne innstillinger.</translation>
     </message>
     <message>
-        <source>Another scenario than that of A: they cannot be compared.</source>
+        <source>Its scenario differs from that of A: they cannot be compared.</source>
         <translation>Et annet scenario enn det for A: de kan ikke sammenlignes.</translation>
     </message>
     <message>
@@ -11271,7 +11184,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
 <context>
     <name>berg::RunTimeLine</name>
     <message>
-        <source>%1: point of no return of the plan; later the reserve is needed to come home</source>
+        <source>%1: point of no return; a later return uses the reserve</source>
         <translation>%1: planens siste vendepunkt; senere trengs reserven for å komme hjem</translation>
     </message>
 </context>
@@ -11328,7 +11241,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Et annet program har endret den siden du åpnet den. De endringene ville gå tapt.</translation>
     </message>
     <message>
-        <source>%1 has it open. What is saved there would be lost.</source>
+        <source>%1 has it open. Changes saved there would be lost.</source>
         <translation>%1 har den åpen. Det som lagres der, ville gå tapt.</translation>
     </message>
     <message>
@@ -11336,7 +11249,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Lagret %1</translation>
     </message>
     <message>
-        <source>Saved %1; its folder takes no backup copy</source>
+        <source>Saved %1; a backup copy cannot be written to its folder</source>
         <translation>Lagret %1; mappen tar ikke imot en sikkerhetskopi</translation>
     </message>
     <message>
@@ -11377,25 +11290,21 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Importer luftrom fra %1</translation>
     </message>
     <message numerus="yes">
-        <source>Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, %4 left out</source>
+        <source>Airspace of %1: %n areas added, %2 already present, %3 farther than 100 km, %4 left out</source>
         <translation>
             <numerusform>Luftrom fra %1: %n område lagt til, %2 fantes fra før, %3 lenger unna enn 100 km, %4 utelatt</numerusform>
             <numerusform>Luftrom fra %1: %n områder lagt til, %2 fantes fra før, %3 lenger unna enn 100 km, %4 utelatt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n areas: a scenario holds at most %1</source>
+        <source>%n areas: a scenario can have at most %1</source>
         <translation>
             <numerusform>%n område: et scenario har plass til høyst %1</numerusform>
             <numerusform>%n områder: et scenario har plass til høyst %1</numerusform>
         </translation>
     </message>
     <message>
-        <source>Airspace left out</source>
-        <translation>Luftrom utelatt</translation>
-    </message>
-    <message>
-        <source>Airspace cannot be imported in flight. Stop the flight to import it.</source>
+        <source>Airspace cannot be imported in flight. Stop the flight before importing.</source>
         <translation>Luftrom kan ikke importeres under flygingen. Stopp flygingen for å importere det.</translation>
     </message>
     <message>
@@ -11403,7 +11312,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Utklippstavle</translation>
     </message>
     <message>
-        <source>The flight has gone on meanwhile: nothing was reported.</source>
+        <source>The flight has continued in the meantime, so nothing was reported.</source>
         <translation>Flygingen har gått videre i mellomtiden: ingenting ble meldt.</translation>
     </message>
     <message numerus="yes">
@@ -11412,6 +11321,10 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
             <numerusform>Meldte %n isfjell fra %1</numerusform>
             <numerusform>Meldte %n isfjell fra %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Airspace left out or changed</source>
+        <translation>Luftrom utelatt eller endret</translation>
     </message>
 </context>
 <context>
@@ -11461,32 +11374,17 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
 </context>
 <context>
-    <name>berg::SolveTimeDesk</name>
-    <message>
-        <source>Solve time</source>
-        <translation>Løsningstid</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv);;All files (*)</source>
-        <translation>Tabeller (*.csv);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>Lagret %1</translation>
-    </message>
-</context>
-<context>
     <name>berg::SolveTimePanel</name>
     <message>
-        <source>Proves the optimum, by dynamic programming or by the bound of our own engine.</source>
+        <source>Proves the optimum by dynamic programming or by the bound of Bergwatch&apos;s engine.</source>
         <translation>Beviser optimum, med dynamisk programmering eller med grensen fra vår egen løser.</translation>
     </message>
     <message>
-        <source>Searches, and proves as far as about a second&apos;s work goes.</source>
+        <source>Searches, and proves as much as about a second of work allows.</source>
         <translation>Søker, og beviser så langt omtrent et sekunds arbeid rekker.</translation>
     </message>
     <message>
-        <source>COIN-OR CBC on a MILP with a variable for each leg and position. Uses nothing of our own engine.</source>
+        <source>COIN-OR CBC on a MILP with a variable for each leg and position. Independent of Bergwatch&apos;s engine.</source>
         <translation>COIN-OR CBC på et MILP med en variabel for hver etappe og plass. Bruker ingenting fra vår egen løser.</translation>
     </message>
     <message>
@@ -11494,7 +11392,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>COIN-OR CBC på MILP-et slik artikkelen trykker det. Langsom over 8 isfjell.</translation>
     </message>
     <message>
-        <source>COIN-OR CBC on the few legs that the bound of our engine leaves.</source>
+        <source>COIN-OR CBC on the few legs that the bound of Bergwatch&apos;s engine leaves.</source>
         <translation>COIN-OR CBC på de få etappene som grensen fra vår løser lar stå igjen.</translation>
     </message>
     <message>
@@ -11514,11 +11412,11 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Tilfeldige problemer som i artikkelens tabell 1, de samme hver gang.</translation>
     </message>
     <message>
-        <source>Time for everything</source>
+        <source>Total time limit</source>
         <translation>Tid til alt</translation>
     </message>
     <message>
-        <source>A solver that does not finish a size is not given a larger one.</source>
+        <source>A solver that does not finish a size skips the larger ones.</source>
         <translation>En løser som ikke blir ferdig med en størrelse, får ingen større.</translation>
     </message>
     <message>
@@ -11538,7 +11436,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Måler, omtrent %1 igjen</translation>
     </message>
     <message>
-        <source>Start measures this machine beside the paper&apos;s, with the paper&apos;s problems.</source>
+        <source>Start measures this machine on the problems of the paper, for comparison with the paper&apos;s times.</source>
         <translation>Start måler denne maskinen ved siden av artikkelens, med artikkelens problemer.</translation>
     </message>
     <message>
@@ -11554,43 +11452,12 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Velg en løser først.</translation>
     </message>
     <message>
-        <source>Stopped. What was measured is kept.</source>
+        <source>Stopped. The times measured so far are kept.</source>
         <translation>Stoppet. Det som er målt, er beholdt.</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>Stopp</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StartGuide</name>
-    <message>
-        <source>Untitled</source>
-        <translation>Uten navn</translation>
-    </message>
-    <message>
-        <source>1. Place icebergs</source>
-        <translation>1. Plasser isfjell</translation>
-    </message>
-    <message>
-        <source>2. Drag τ</source>
-        <translation>2. Dra τ</translation>
-    </message>
-    <message>
-        <source>To the left the most uncertain icebergs come first, to the right the route gets shorter. Ticks mark where another order becomes the best one.</source>
-        <translation>Til venstre kommer de mest usikre isfjellene først, til høyre blir veien kortere. Merkene viser hvor en annen rekkefølge blir den beste.</translation>
-    </message>
-    <message>
-        <source>3. Press Space</source>
-        <translation>3. Trykk mellomrom</translation>
-    </message>
-    <message>
-        <source>Space flies the plan and pauses it; drag along the time line to look back. Stop and edit goes back to the start.</source>
-        <translation>Mellomrom flyr planen og tar pause; dra langs tidslinjen for å se tilbake. «Stopp og rediger» går tilbake til start.</translation>
-    </message>
-    <message>
-        <source>After this tour, press I and click on the map: an iceberg. Drag it to move it, double-click it to set its drift and how uncertain its place is. The plan follows at once.</source>
-        <translation>Etter denne omvisningen: trykk I og klikk i kartet: et isfjell. Dra det for å flytte det, dobbeltklikk på det for å oppgi driften og hvor usikker posisjonen er. Planen følger med straks.</translation>
     </message>
 </context>
 <context>
@@ -11641,9 +11508,40 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
 </context>
 <context>
+    <name>berg::StartPageController</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>1. Place icebergs</source>
+        <translation>1. Plasser isfjell</translation>
+    </message>
+    <message>
+        <source>2. Drag τ</source>
+        <translation>2. Dra τ</translation>
+    </message>
+    <message>
+        <source>Drag left to visit the most uncertain icebergs first, right for a shorter route. Ticks mark where another order becomes optimal.</source>
+        <translation>Til venstre kommer de mest usikre isfjellene først, til høyre blir veien kortere. Merkene viser hvor en annen rekkefølge blir den beste.</translation>
+    </message>
+    <message>
+        <source>3. Press Space</source>
+        <translation>3. Trykk mellomrom</translation>
+    </message>
+    <message>
+        <source>Press Space to fly and to pause. Drag the time line to look back. Stop and edit returns to the start.</source>
+        <translation>Mellomrom flyr planen og tar pause; dra langs tidslinjen for å se tilbake. «Stopp og rediger» går tilbake til start.</translation>
+    </message>
+    <message>
+        <source>After this tour, press I and click on the map to place an iceberg. Drag it to move it, double-click it to set its drift and the uncertainty of its position. The plan follows at once.</source>
+        <translation>Etter denne omvisningen: trykk I og klikk i kartet: et isfjell. Dra det for å flytte det, dobbeltklikk på det for å oppgi driften og hvor usikker posisjonen er. Planen følger med straks.</translation>
+    </message>
+</context>
+<context>
     <name>berg::StatusLine</name>
     <message>
-        <source>Shows what is found about the scenario.</source>
+        <source>Shows the findings about the scenario.</source>
         <translation>Viser hva som er funnet om scenarioet.</translation>
     </message>
     <message>
@@ -11661,98 +11559,14 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
 </context>
 <context>
-    <name>berg::StudyCasesModel</name>
-    <message>
-        <source>reference</source>
-        <translation>referanse</translation>
-    </message>
-    <message>
-        <source>stuck</source>
-        <translation>fast</translation>
-    </message>
-    <message>
-        <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
-        <translation>%1 besøk, %2 planer, %3 fløyet. Enter eller dobbeltklikk åpner denne flygingen.</translation>
-    </message>
-    <message>
-        <source>Name of the scenario, or the seed it was drawn from.</source>
-        <translation>Navnet på scenarioet, eller frøet det ble trukket fra.</translation>
-    </message>
-    <message>
-        <source>Noise seed</source>
-        <translation>Støyfrø</translation>
-    </message>
-    <message>
-        <source>What the true drift was drawn from: the same for every setting.</source>
-        <translation>Det den sanne driften ble trukket fra: det samme for hver innstilling.</translation>
-    </message>
-    <message>
-        <source>ζ, m² s</source>
-        <translation>ζ, m² s</translation>
-    </message>
-    <message>
-        <source>Accumulated uncertainty of this flight: less is better.</source>
-        <translation>Akkumulert usikkerhet for denne flygingen: mindre er bedre.</translation>
-    </message>
-    <message>
-        <source>vs reference</source>
-        <translation>Mot referanse</translation>
-    </message>
-    <message>
-        <source>Compared with the flight of this case with the reference.</source>
-        <translation>Sammenlignet med flygingen av dette tilfellet med referansen.</translation>
-    </message>
-    <message>
-        <source>Best τ</source>
-        <translation>Beste τ</translation>
-    </message>
-    <message>
-        <source>The τ with the lowest ζ in this case, in hindsight.</source>
-        <translation>τ med lavest ζ i dette tilfellet, i ettertid.</translation>
-    </message>
-    <message>
-        <source>Best of all</source>
-        <translation>Best av alle</translation>
-    </message>
-    <message>
-        <source>The setting with the lowest ζ in this case.</source>
-        <translation>Innstillingen med lavest ζ i dette tilfellet.</translation>
-    </message>
-    <message>
-        <source>Stuck</source>
-        <translation>Fast</translation>
-    </message>
-    <message>
-        <source>Flies to two icebergs at most in the second half.</source>
-        <translation>Flyr til høyst to isfjell i andre halvdel.</translation>
-    </message>
-    <message>
-        <source>Random %1</source>
-        <comment>scenario drawn from a seed</comment>
-        <translation>Tilfeldig %1</translation>
-    </message>
-    <message>
-        <source>Case</source>
-        <translation>Tilfelle</translation>
-    </message>
-</context>
-<context>
     <name>berg::StudyChart</name>
     <message>
         <source>Accumulated uncertainty ζ against the trade-off τ</source>
         <translation>Akkumulert usikkerhet ζ mot avveiningen τ</translation>
     </message>
     <message>
-        <source>Choose what to fly and press Start, or take a figure of the paper.</source>
+        <source>Choose what to fly and press Start, or load a figure from the paper.</source>
         <translation>Velg hva som skal flys, og trykk Start, eller ta en figur fra artikkelen.</translation>
-    </message>
-    <message>
-        <source>Mean ζ, m² s</source>
-        <translation>Middel av ζ, m² s</translation>
-    </message>
-    <message>
-        <source>Zeta ζ, m² s</source>
-        <translation>Zeta ζ, m² s</translation>
     </message>
     <message>
         <source>Trade-off τ</source>
@@ -11795,16 +11609,24 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>står fast i %1 av %2 tilfeller</translation>
     </message>
     <message>
-        <source>stuck: flies to two icebergs at most in the second half</source>
+        <source>stuck: visits at most two icebergs in the second half</source>
         <translation>står fast: flyr til høyst to isfjell i andre halvdel</translation>
     </message>
     <message>
         <source>%1 vs %2</source>
         <translation>%1 mot %2</translation>
     </message>
+    <message>
+        <source>Mean ζ, %1</source>
+        <translation>Middel ζ, %1</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zeta ζ, %1</translation>
+    </message>
 </context>
 <context>
-    <name>berg::StudyDesk</name>
+    <name>berg::StudyController</name>
     <message>
         <source>Studies (*.bergstudy);;All files (*)</source>
         <translation>Studier (*.bergstudy);;Alle filer (*)</translation>
@@ -11836,6 +11658,21 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Study: %1</source>
         <translation>Studie: %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StudyFigure</name>
+    <message numerus="yes">
+        <source>%n cases</source>
+        <translation>
+            <numerusform>%n tilfelle</numerusform>
+            <numerusform>%n tilfeller</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>name of a study, how many cases</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -11893,21 +11730,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
 </context>
 <context>
-    <name>berg::StudyPicture</name>
-    <message numerus="yes">
-        <source>%n cases</source>
-        <translation>
-            <numerusform>%n tilfelle</numerusform>
-            <numerusform>%n tilfeller</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>name of a study, how many cases</comment>
-        <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
     <name>berg::StudyResults</name>
     <message>
         <source>Compared with</source>
@@ -11930,7 +11752,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Lagre …</translation>
     </message>
     <message>
-        <source>Saves the study with all that was flown, also while it is being flown.</source>
+        <source>Saves the study with all flights so far, also while it is running.</source>
         <translation>Lagrer studien med alt som er fløyet, også mens den flys.</translation>
     </message>
     <message>
@@ -11990,7 +11812,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Tilfeller av %1</translation>
     </message>
     <message>
-        <source>Flies this case again, the same in every number, and shows it on the map and the time line.</source>
+        <source>Repeats this case exactly and shows it on the map and the time line.</source>
         <translation>Flyr dette tilfellet igjen, likt i hvert tall, og viser det på kartet og tidslinjen.</translation>
     </message>
     <message>
@@ -12014,7 +11836,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Velg et punkt i bildet eller en innstilling.</translation>
     </message>
     <message>
-        <source>Lowest ζ: %1. One case recommends no policy: fly more of them.</source>
+        <source>Lowest ζ: %1. One case is too few for a recommendation: fly more of them.</source>
         <translation>Lavest ζ: %1. Ett tilfelle gir ingen anbefaling: fly flere.</translation>
     </message>
     <message>
@@ -12055,11 +11877,11 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>omtrent %1 t</translation>
     </message>
     <message>
-        <source>Carry on</source>
+        <source>Continue</source>
         <translation>Fortsett</translation>
     </message>
     <message>
-        <source>Flies what is missing of the study shown.</source>
+        <source>Flies the missing missions of the study shown.</source>
         <translation>Flyr det som mangler av studien som vises.</translation>
     </message>
     <message>
@@ -12083,7 +11905,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Omtrent %1 igjen.</translation>
     </message>
     <message>
-        <source>What has been flown is kept.</source>
+        <source>The flights so far are kept.</source>
         <translation>Det som er fløyet, beholdes.</translation>
     </message>
     <message>
@@ -12093,98 +11915,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Stop</source>
         <translation>Stopp</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StudySettingsModel</name>
-    <message>
-        <source>Best τ of each case</source>
-        <translation>Beste τ i hvert tilfelle</translation>
-    </message>
-    <message>
-        <source>%1 – %2</source>
-        <comment>from, to</comment>
-        <translation>%1 – %2</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>referanse</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
-    <message>
-        <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
-        <translation>τ med lavest ζ i hvert tilfelle, valgt i ettertid: median %1, kvartiler %2 og %3.</translation>
-    </message>
-    <message>
-        <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
-        <translation>Mindre enn referansen i %1 av %2 tilfeller, verst %3. I middel %4 besøk.</translation>
-    </message>
-    <message>
-        <source>Setting</source>
-        <translation>Innstilling</translation>
-    </message>
-    <message>
-        <source>How the next iceberg is chosen.</source>
-        <translation>Hvordan neste isfjell velges.</translation>
-    </message>
-    <message>
-        <source>Mean ζ</source>
-        <translation>Middel ζ</translation>
-    </message>
-    <message>
-        <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
-        <translation>Akkumulert usikkerhet i m² s, middel av alle tilfeller: mindre er bedre.</translation>
-    </message>
-    <message>
-        <source>Median ζ</source>
-        <translation>Median ζ</translation>
-    </message>
-    <message>
-        <source>Half of the cases have less.</source>
-        <translation>Halvparten av tilfellene har mindre.</translation>
-    </message>
-    <message>
-        <source>Quartiles</source>
-        <translation>Kvartiler</translation>
-    </message>
-    <message>
-        <source>A quarter of the cases has less than the first, a quarter more than the second.</source>
-        <translation>En firedel av tilfellene har mindre enn den første, en firedel mer enn den andre.</translation>
-    </message>
-    <message>
-        <source>vs reference</source>
-        <translation>Mot referanse</translation>
-    </message>
-    <message>
-        <source>Mean of the differences, case by case, in per cent of the reference.</source>
-        <translation>Middel av forskjellene, tilfelle for tilfelle, i prosent av referansen.</translation>
-    </message>
-    <message>
-        <source>95 % interval</source>
-        <translation>95 %-intervall</translation>
-    </message>
-    <message>
-        <source>Of the mean difference: confidence interval by Student&apos;s t.</source>
-        <translation>For den midlere forskjellen: konfidensintervall etter Students t.</translation>
-    </message>
-    <message>
-        <source>Best in</source>
-        <translation>Best i</translation>
-    </message>
-    <message>
-        <source>Cases in which no other setting has less ζ.</source>
-        <translation>Tilfeller der ingen annen innstilling har mindre ζ.</translation>
-    </message>
-    <message>
-        <source>Stuck</source>
-        <translation>Fast</translation>
-    </message>
-    <message>
-        <source>Cases that fly to two icebergs at most in the second half.</source>
-        <translation>Tilfeller som flyr til høyst to isfjell i andre halvdel.</translation>
     </message>
 </context>
 <context>
@@ -12202,8 +11932,8 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Isfjellfelt som i tabell 3 i artikkelen, ett for hvert frø.</translation>
     </message>
     <message>
-        <source>How many</source>
-        <translation>Hvor mange</translation>
+        <source>Number</source>
+        <translation>Antall</translation>
     </message>
     <message>
         <source>Number of random scenarios.</source>
@@ -12214,7 +11944,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Første frø</translation>
     </message>
     <message>
-        <source>The others have the seeds that follow.</source>
+        <source>Further scenarios use the seeds that follow.</source>
         <translation>De andre har frøene som følger.</translation>
     </message>
     <message>
@@ -12230,7 +11960,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Flyginger av hvert</translation>
     </message>
     <message>
-        <source>Flights of each scenario with other noise: the true drift is drawn again, the same for every setting.</source>
+        <source>Flights of each scenario with different noise: the true drift is drawn again, identically for every setting.</source>
         <translation>Flyginger av hvert scenario med annen støy: den sanne driften trekkes på nytt, den samme for hver innstilling.</translation>
     </message>
     <message>
@@ -12256,7 +11986,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>steg</translation>
     </message>
     <message>
-        <source>Between two values of τ.</source>
+        <source>Step between two values of τ.</source>
         <translation>Mellom to verdier av τ.</translation>
     </message>
     <message numerus="yes">
@@ -12275,7 +12005,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Største τ er under minste.</translation>
     </message>
     <message>
-        <source>These are too many values of τ. Take a larger step.</source>
+        <source>Too many values of τ. Choose a larger step.</source>
         <translation>Dette er for mange verdier av τ. Ta et større steg.</translation>
     </message>
     <message>
@@ -12287,7 +12017,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>En studie har høyst %1 oppdrag.</translation>
     </message>
     <message>
-        <source>What is known of the drift in random scenarios, and how icebergs are seen.</source>
+        <source>Knowledge of the drift in random scenarios, and how icebergs are observed.</source>
         <translation>Hva som er kjent om driften i tilfeldige scenarier, og hvordan isfjell blir sett.</translation>
     </message>
     <message>
@@ -12311,7 +12041,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Ukjent hastighet</translation>
     </message>
     <message>
-        <source>Measured; velocities are not known by 0.1 m/s along each axis.</source>
+        <source>Measured; velocities are uncertain by 0.1 m/s along each axis.</source>
         <translation>Målt; hastighetene er ukjente med 0,1 m/s langs hver akse.</translation>
     </message>
     <message>
@@ -12319,7 +12049,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Virkelig drift</translation>
     </message>
     <message>
-        <source>Measured; velocities are not known and change, as those of icebergs with beacons.</source>
+        <source>Measured; velocities are unknown and change, as observed for icebergs with beacons.</source>
         <translation>Målt; hastighetene er ukjente og endrer seg, som hos isfjell med sporingsbøyer.</translation>
     </message>
     <message>
@@ -12403,11 +12133,11 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Rutetype</translation>
     </message>
     <message>
-        <source>This build of Bergwatch was made without this solver.</source>
+        <source>This build of Bergwatch does not include this solver.</source>
         <translation>Denne utgaven av Bergwatch er bygd uten denne løseren.</translation>
     </message>
     <message>
-        <source>The policy chosen does not use this.</source>
+        <source>The chosen policy does not use this.</source>
         <translation>Den valgte strategien bruker ikke dette.</translation>
     </message>
     <message>
@@ -12415,7 +12145,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Låst under flyging. Stopp flygingen for å endre dette.</translation>
     </message>
     <message>
-        <source>Small: icebergs of great uncertainty come first. Large: the route gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
+        <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
         <translation>Liten: isfjell med stor usikkerhet kommer først. Stor: veien blir kort. Piltaster endrer τ med 0,01, Page-taster med 0,25.</translation>
     </message>
     <message>
@@ -12423,7 +12153,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Avveining τ fra 0 til 100.</translation>
     </message>
     <message>
-        <source>What makes the plan. Automatic proves small problems and searches in large ones.</source>
+        <source>Solver of the plan. Automatic proves small problems optimal and searches in large ones.</source>
         <translation>Det som lager planen. Automatisk beviser små problemer og søker i store.</translation>
     </message>
     <message>
@@ -12433,6 +12163,39 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Locked while looking back. Choose Back to latest or Continue from here to change it.</source>
         <translation>Låst mens du ser tilbake. Velg Tilbake til siste eller Fly videre herfra for å endre det.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::UnsavedWorkGuard</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>Autosaved %1</source>
+        <translation>Autolagret %1</translation>
+    </message>
+    <message>
+        <source>Autosaving failed: %1</source>
+        <translation>Autolagringen mislyktes: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
+%1</source>
+        <translation>Ulagret arbeid fra et program som sluttet uventet, kan ikke leses. Det er tatt vare på i denne filen:
+%1</translation>
+    </message>
+    <message>
+        <source>Restored, not saved yet</source>
+        <translation>Gjenopprettet, ikke lagret ennå</translation>
+    </message>
+    <message>
+        <source>%1, in flight</source>
+        <translation>%1, under flyging</translation>
+    </message>
+    <message>
+        <source>Reading unsaved work</source>
+        <translation>Leser arbeid som ikke er lagret</translation>
     </message>
 </context>
 <context>
@@ -12469,45 +12232,12 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Blåser &amp;fra</translation>
     </message>
     <message>
-        <source>The UAV will make little way against this wind.</source>
-        <translation>UAV-en kommer knapt fremover mot denne vinden.</translation>
+        <source>The UAV will make little headway in this wind.</source>
+        <translation>UAV-en kommer knapt fremover i denne vinden.</translation>
     </message>
     <message>
-        <source>Always slower than the UAV flies: %1.</source>
-        <translation>Alltid langsommere enn UAV-en flyr: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>berg::WorkSafety</name>
-    <message>
-        <source>Untitled</source>
-        <translation>Uten navn</translation>
-    </message>
-    <message>
-        <source>Autosaved %1</source>
-        <translation>Autolagret %1</translation>
-    </message>
-    <message>
-        <source>Autosaving failed: %1</source>
-        <translation>Autolagringen mislyktes: %1</translation>
-    </message>
-    <message>
-        <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
-%1</source>
-        <translation>Ulagret arbeid fra et program som sluttet uventet, kan ikke leses. Det er tatt vare på i denne filen:
-%1</translation>
-    </message>
-    <message>
-        <source>Restored, not saved yet</source>
-        <translation>Gjenopprettet, ikke lagret ennå</translation>
-    </message>
-    <message>
-        <source>%1, in flight</source>
-        <translation>%1, under flyging</translation>
-    </message>
-    <message>
-        <source>Reading unsaved work</source>
-        <translation>Leser arbeid som ikke er lagret</translation>
+        <source>Must be below the UAV&apos;s airspeed (%1).</source>
+        <translation>Må være under UAV-ens flyfart (%1).</translation>
     </message>
 </context>
 <context>
@@ -12529,7 +12259,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Endre rutetype</translation>
     </message>
     <message>
-        <source>You are looking back. Continue from here, or go back to the latest, to change this.</source>
+        <source>You are viewing an earlier instant. To change this, continue from here or go back to the latest.</source>
         <translation>Du ser tilbake. Fly videre herfra, eller gå til det nyeste bildet, for å endre dette.</translation>
     </message>
     <message>
@@ -12549,7 +12279,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Scenariet ble endret før avgang: ingenting ble fløyet.</translation>
     </message>
     <message>
-        <source>Bring the flight back</source>
+        <source>Restore flight</source>
         <translation>Hent flygingen tilbake</translation>
     </message>
 </context>

@@ -42,7 +42,7 @@ CbcFrame heard(CbcFrameBuffer& buffer)
 {
     std::array<char, 65536> bytes; // NOLINT(cppcoreguidelines-pro-type-member-init): written first
     while (true) {
-        if (std::optional<CbcFrame> frame = buffer.taken())
+        if (std::optional<CbcFrame> frame = buffer.nextFrame())
             return *frame;
         const ssize_t count = recv(kSocket, bytes.data(), bytes.size(), 0);
         if (count == 0 || (count < 0 && errno != EINTR))

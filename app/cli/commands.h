@@ -12,10 +12,10 @@ class App;
 
 namespace berg::cli {
 
-/** What a command does once the line is parsed; returns the exit code. */
+/** Runs a command after its line has been parsed; returns the exit code. */
 using Action = std::function<int(const std::stop_token&)>;
 
-// Each adds its sub-commands with their options to `app` and sets `action` when one is chosen.
+// Each function adds its sub-commands with their options to `app`; the chosen one sets `action`.
 void addPlanCommands(CLI::App& app, Action& action);    ///< solve, plan
 void addCurveCommand(CLI::App& app, Action& action);    ///< curve
 void addSimulateCommand(CLI::App& app, Action& action); ///< simulate
@@ -24,9 +24,9 @@ void addStudyCommand(CLI::App& app, Action& action);    ///< study
 void addBenchmarkCommand(CLI::App& app, Action& action);
 void addFileCommands(CLI::App& app, Action& action);  ///< validate
 void addImportCommand(CLI::App& app, Action& action); ///< import
-/** export; what is painted is left to the program bergwatch, which is given `argv` as well. */
+/** Adds `export`. Painted formats run the program bergwatch with the arguments `argv`. */
 void addExportCommand(CLI::App& app, Action& action, char** argv);
-/** The same of a program that paints. */
+/** Adds `export` to a program that can paint; `painter` writes the painted formats. */
 void addExportCommand(CLI::App& app, Action& action, const ExportPainter& painter);
 
 } // namespace berg::cli

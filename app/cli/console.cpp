@@ -34,12 +34,12 @@ std::string clock(double seconds)
     return text;
 }
 
-/** What main and the thread that waits for signals share. */
+/** State shared by main and the thread that waits for signals. */
 struct Interrupts
 {
     std::mutex mutex;
     std::stop_source source;
-    int readers = 0; ///< `EndsAtOnce` that live
+    int readers = 0; ///< `ImmediateInterruptScope` that live
 };
 
 Interrupts& interrupts()
@@ -73,7 +73,7 @@ bool isQuiet = false; // set in main before anything runs
 
 } // namespace
 
-EndsAtOnce::EndsAtOnce()
+ImmediateInterruptScope::ImmediateInterruptScope()
 {
     const std::lock_guard lock(interrupts().mutex);
     ++interrupts().readers;
@@ -81,7 +81,7 @@ EndsAtOnce::EndsAtOnce()
         endAtOnce();
 }
 
-EndsAtOnce::~EndsAtOnce()
+ImmediateInterruptScope::~ImmediateInterruptScope()
 {
     const std::lock_guard lock(interrupts().mutex);
     --interrupts().readers;
@@ -108,7 +108,7 @@ std::stop_token interruptToken()
         pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
     }
     std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is told as any other failure
+    std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is reported like any other failure
     return interrupts().source.get_token();
 }
 

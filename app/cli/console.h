@@ -10,7 +10,7 @@
 
 namespace berg::cli {
 
-/** Exit codes: a promise to scripts. */
+/** Exit codes. Scripts rely on them, so they never change. */
 inline constexpr int kDone = 0;
 inline constexpr int kFailure = 1;
 inline constexpr int kWrongUsage = 2;
@@ -18,15 +18,15 @@ inline constexpr int kBadInput = 3;
 inline constexpr int kLimitWithoutPlan = 4;
 inline constexpr int kInterrupted = 130;
 
-/** What is said when `Interrupted` ends a command. */
+/** The message after `Interrupted` has ended a command. */
 inline constexpr std::string_view kNothingWritten =
     QT_TRANSLATE_NOOP("CommandLine", "interrupted, nothing written");
 
-/** Of an option whose files cannot be standard output. */
+/** The message for an option whose file cannot be standard output. */
 inline constexpr std::string_view kNoStream =
-    QT_TRANSLATE_NOOP("CommandLine", "%1: '-' is not possible here: give a name");
+    QT_TRANSLATE_NOOP("CommandLine", "%1: '-' is not possible here; give a file name");
 
-/** Thrown where Ctrl-C ended a command; main turns it into `kInterrupted`. */
+/** Thrown when Ctrl-C ends a command; `runProgram` returns `kInterrupted` for it. */
 struct Interrupted
 {
 };
@@ -41,37 +41,38 @@ struct UsageError
     }
     Sentence message;
 };
-/** For options, "--policy, --backend", that the reason is about. */
+/** Returns the error of the named options ("--policy, --backend"), with `reason` as its text. */
 [[nodiscard]] UsageError wrongOptions(const std::string& options, const IssueReason& reason);
 
 /**
- * Makes Ctrl-C and termination a stop request, and lets a second one end the program at once. To be
- * called first in main, before any thread starts. The token is requested at the first signal.
+ * Turns Ctrl-C and termination into a stop request; a second signal ends the program at once. Call
+ * it first in main, before any thread starts. The token is stopped at the first signal.
  */
 [[nodiscard]] std::stop_token interruptToken();
 
 /**
- * While one lives, Ctrl-C and termination end the program at once, as nothing is written and
- * nothing can be lost: for reading, which asks for no stop. In the thread of main only.
+ * While a scope of this type lives, Ctrl-C and termination end the program at once. Reading files
+ * uses it: reading has no stop token, and nothing can be lost. Main thread only.
  */
-class EndsAtOnce
+class ImmediateInterruptScope
 {
 public:
-    EndsAtOnce();
-    EndsAtOnce(const EndsAtOnce&) = delete;
-    EndsAtOnce& operator=(const EndsAtOnce&) = delete;
-    ~EndsAtOnce();
+    ImmediateInterruptScope();
+    ImmediateInterruptScope(const ImmediateInterruptScope&) = delete;
+    ImmediateInterruptScope& operator=(const ImmediateInterruptScope&) = delete;
+    ~ImmediateInterruptScope();
 };
 
-/** The result of `read`, which writes nothing and may be ended at once. */
+/** Returns the result of `read`, which writes nothing, so that Ctrl-C may end it at once. */
 template <class Read>
 auto reading(Read&& read)
 {
-    const EndsAtOnce scope;
+    const ImmediateInterruptScope scope;
     return std::forward<Read>(read)();
 }
 
-/** The result of `make`; what it throws names the file, unless a solver has failed by itself. */
+/** Returns the result of `make`. Errors that it throws get the name of the file, except
+ * `SolverFailed`. */
 template <class Make>
 auto naming(const std::string& file, const Make& make)
 {
@@ -85,30 +86,30 @@ auto naming(const std::string& file, const Make& make)
 }
 
 /**
- * A text of a file fit for a terminal: control characters, escapes and marks that turn the writing
- * direction are `?`; `word` also has no line end.
+ * Makes the text of a file safe for a terminal: control characters, escapes and marks that change
+ * the writing direction become `?`. `word` replaces line ends as well.
  */
 [[nodiscard]] std::string shown(std::string_view text);
 [[nodiscard]] std::string word(std::string_view text);
 
-/** Prints to stdout as `shown`, all or nothing: a closed pipe or full disk is an error. */
+/** Prints `shown(text)` to stdout. A closed pipe or a full disk throws `Error`. */
 void print(const std::string& text);
 
-/** A line on stderr, as `shown`. */
+/** Prints `shown(text)` as a line on stderr. */
 void tell(const std::string& text);
 
-/** The same, but nothing when quiet. */
+/** Prints a note as a line on stderr, unless the program is quiet. */
 void tellNote(const std::string& text);
 
-/** From here on no warnings, hints, notes and progress bars. */
+/** Turns off warnings, hints, notes and progress bars. */
 void beQuiet();
 
-/** Warnings and hints on stderr, one line each; errors are not for here. */
+/** Prints warnings and hints on stderr, one line each. `issues` contains no errors. */
 void printWarnings(const std::string& subject, const std::vector<Issue>& issues);
 
 /**
- * Progress bar with time left on stderr; draws nothing when `wanted` is false or stderr is no
- * terminal. Erased when destroyed.
+ * Progress bar with the time left, on stderr. It draws nothing if `wanted` is false or stderr is no
+ * terminal, and erases itself when destroyed.
  */
 class ProgressBar
 {
@@ -125,26 +126,28 @@ private:
     std::string m_label;
     bool m_active;
     double m_start_s;
-    double m_first = -1; ///< fraction there was from the start: work done earlier
+    double m_first =
+        -1; ///< fraction at the start, from earlier work; negative before the first update
     double m_lastDrawn_s = -1;
 };
 
-/** 84 213 -> "84 213": rounded, thousands apart, for people. */
+/** Returns 84213.4 as "84 213": rounded, with thousands separated. */
 [[nodiscard]] std::string grouped(double value);
-/** `decimals` after the point. */
+/** Returns the value with `decimals` digits after the point. */
 [[nodiscard]] std::string fixed(double value, int decimals);
-/** Filled up with blanks in front to `width`: an entry of a table. */
+/** Returns the text right-aligned in a column of `width` characters. */
 [[nodiscard]] std::string column(const std::string& text, std::size_t width);
-/** A line for each row: the first `aligned` entries flush right in columns as wide as the widest of
- * them, what follows as it is; two blanks at least between. All rows have so many. */
+/** Returns a line for each row. The first `aligned` entries are right-aligned in columns as wide as
+ * their widest entry, the others follow unchanged, with at least two blanks between. Every row has
+ * at least `aligned` entries. */
 [[nodiscard]] std::string tableLines(const std::vector<std::vector<std::string>>& rows,
                                      std::size_t aligned);
-/** A name in front of a row of words, filled up with blanks to the width of "objective ", two at
- * least. */
+/** Returns the name filled up with blanks, at least two, to the width of "objective ". */
 [[nodiscard]] std::string rowLabel(const std::string& name);
-/** "a,b" at ',' -> a, b; empty parts are kept, but for one at the end. */
+/** Splits a text at the separator. Keeps empty parts, except one at the end. */
 [[nodiscard]] std::vector<std::string> split(const std::string& text, char separator);
-/** A whole text as a finite number; `UsageError` naming the option otherwise. */
+/** Returns the whole text as a finite number; throws `UsageError` with the option's name otherwise.
+ */
 [[nodiscard]] double numberOf(const std::string& option, const std::string& text);
 
 } // namespace berg::cli

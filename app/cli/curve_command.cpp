@@ -36,7 +36,7 @@ std::string uavId(const CurveReport& report, std::size_t order)
 std::string curveTable(const CurveReport& report)
 {
     std::vector<std::vector<std::string>> rows{
-        {"tau from", "tau to", "distance m", "reward m2", "proven", "order"}};
+        {"tau from", "tau to", "whole order m", "reward m2", "proven", "order"}};
     for (const CurveInterval& interval : report.curve.intervals) {
         std::string order;
         for (std::size_t k = 0; k < interval.plan.size(); ++k) {
@@ -136,7 +136,7 @@ void addCurveCommand(CLI::App& app, Action& action)
         ->check(numberFrom(1e-6, 100.0));
     addOutputFile(*command, "-o,--output", a.outputFile, "CSV file for the table");
     addOutputFile(*command, "--certificate", a.certificateFile,
-                  "File for proofs of the orders that others can check");
+                  "File for proofs of the orders, for independent checking");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
 }

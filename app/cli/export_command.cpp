@@ -29,7 +29,7 @@ struct ExportArguments
     std::string outputFile;
     ExportOptions options;
     bool force = false;
-    ExportPainter painter; ///< none: the program bergwatch paints, given `argv`
+    ExportPainter painter; ///< if empty, the program bergwatch paints, with the arguments `argv`
     char** argv = nullptr;
 };
 
@@ -40,7 +40,7 @@ void printNotes(const ExportFormat& format, const ExportContent& content)
                       {word(said(notePattern(note.kind), noteArguments(note)))}));
 }
 
-/** Adds what is made of `source` to the set and tells what the user should know. Options that
+/** Adds the files made from `source` to the set and prints notes for the user. Options that
  * cannot be met are wrong usage. */
 void addExported(FileSet& set, const ExportSource& source, const ExportArguments& arguments,
                  const ExportFormat& format)
@@ -103,7 +103,8 @@ void checkOutputs(const ExportArguments& arguments, const ExportFormat& format,
     const std::vector<std::string> paths = exportPaths(format, uavs, arguments.outputFile);
     if (paths.size() > 1 && isOpenDescriptor(arguments.outputFile))
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--output: this format has a file for each UAV; choose one with --uav"));
+            "CommandLine",
+            "--output: this format writes one file per UAV; choose a UAV with --uav"));
     for (const std::string& path : paths)
         files.outputs.push_back({.option = "--output", .path = path});
     checkFiles(files);
@@ -173,7 +174,7 @@ const ExportFormat& chosenFormat(const ExportArguments& arguments)
             return format;
     throw UsageError(
         QT_TRANSLATE_NOOP("CommandLine",
-                          "--output: no format has the suffix of %1; --format names one of %2"),
+                          "--output: no format has the suffix of %1; choose one with --format: %2"),
         {arguments.outputFile, formatIds()});
 }
 
@@ -185,8 +186,8 @@ int handOver(const ExportArguments& arguments)
                 .force = arguments.force});
     becomeBergwatch(arguments.argv);
     tell(said(QT_TRANSLATE_NOOP("CommandLine",
-                                "--format %1: is painted by the program bergwatch, which was found "
-                                "neither beside this one nor on the PATH"),
+                                "--format %1: the program bergwatch paints this format, "
+                                "but it is neither in this folder nor on the PATH"),
               {std::string(chosenFormat(arguments).id)}));
     return kFailure;
 }
@@ -211,10 +212,10 @@ void addOptions(CLI::App& command, ExportArguments& arguments)
     command.add_option("-f,--format", arguments.format,
                        formatIds() + " (that of the suffix of --output)");
     addOutputFile(command, "-o,--output", arguments.outputFile,
-                  "File to write; of formats that hold one UAV, for several, one each with its "
-                  "id in the name")
+                  "File to write; with several UAVs, formats that hold one UAV write one file "
+                  "per UAV, with its id in the name")
         ->required();
-    addNamed(command, "--what", options.what, kExportWhatNames,
+    addNamed(command, "--what", options.what, kExportScopeNames,
              "What to export (a run: track, a scenario: order)");
     command.add_option("--uav", options.uav, "Id of one UAV (all of them)");
     command.add_option("--altitude", options.altitude_m, "Flight altitude, m (the scenario's)")

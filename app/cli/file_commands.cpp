@@ -2,6 +2,7 @@
 #include "core/io/files/problem_json.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
+#include "core/io/files/tsplib.h"
 #include "core/io/results/result_json.h"
 #include "core/io/study/study_json.h"
 #include "core/io/text/atomic_file.h"
@@ -20,6 +21,8 @@ std::vector<Issue> findings(const std::string& file)
 {
     try {
         const std::string text = readFile(file);
+        if (isTsplib(text, file))
+            return problemFromTsplib(text, file).hints;
         const std::string format = formatOf(text, file);
         if (format == "bergwatch-problem")
             return problemFromJson(text, file).hints;
@@ -66,8 +69,8 @@ int validateFiles(const std::vector<std::string>& files, bool json, const std::s
 
 void addFileCommands(CLI::App& app, Action& action)
 {
-    CLI::App* command = app.add_subcommand(
-        "validate", "Check files and name the faults in them (the first 100 of each)");
+    CLI::App* command =
+        app.add_subcommand("validate", "Check files and list their faults (the first 100 of each)");
     const auto files = std::make_shared<std::vector<std::string>>();
     const auto json = std::make_shared<bool>(false);
     command->add_option("FILE", *files, "Scenarios, problems, runs and studies")->required();

@@ -11,7 +11,7 @@
 
 namespace berg::cli {
 
-/** A folder to write into, made when it is not there, and gone again when nothing was written. */
+/** A folder to write into. It is created if missing, and removed again if nothing was written. */
 class OutputFolder
 {
 public:
@@ -22,13 +22,13 @@ public:
 
 private:
     std::filesystem::path m_path;
-    std::filesystem::path m_made; ///< the outermost one that was not there; empty: none
+    std::filesystem::path m_made; ///< outermost folder that was created; empty if all existed
 };
 
 /**
- * The files of a flight. Its tables are written while it is flown, so that memory does not grow
- * with its length; they take their places with the others, at the end. Those are written in
- * pieces as well.
+ * The files of a flight. Its tables are written during the flight, so that memory does not grow
+ * with its length, and get their final names with the other files at the end. The other files are
+ * written in pieces as well.
  */
 class FlightFiles
 {
@@ -36,12 +36,12 @@ public:
     static constexpr std::array<std::string_view, 5> kNames{
         "trajectory.csv", "sigma.csv", "zeta.csv", "events.csv", "run.bergrun"};
 
-    /** `changes` are those that will be made in flight. */
+    /** `changes` are the interventions during the flight. */
     FlightFiles(const std::string& folder, const Scenario& scenario,
                 std::span<const Intervention> changes);
 
     [[nodiscard]] SampleSink sink();
-    /** What is told at the end. */
+    /** Adds the files that need the whole mission. */
     void add(const Mission& mission);
     [[nodiscard]] FileSet& set() { return m_set; }
 

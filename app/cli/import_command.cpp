@@ -5,9 +5,9 @@
 #include "core/io/files/scenario_json.h"
 #include "core/io/import/import_airspace.h"
 #include "core/io/import/import_formats.h"
+#include "core/io/import/import_identity.h"
 #include "core/io/import/import_scenario.h"
 #include "core/io/text/atomic_file.h"
-#include "core/io/text/json_writer.h"
 #include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
@@ -26,9 +26,10 @@ struct ImportArguments
     std::string file;
     std::string format = "auto";
     std::string outputFile;
-    std::string intoFile; ///< empty: a new scenario
+    std::string intoFile; ///< empty for a new scenario
     std::vector<std::string> mappings;
     std::optional<DateOrder> dates;
+    std::optional<std::size_t> headerLine;
     std::string at;
     std::string since;
     std::string until;
@@ -38,6 +39,9 @@ struct ImportArguments
     std::optional<double> velocityTime_s;
     std::optional<double> q_m2ps;
     bool withTracks = false;
+    bool oneIceberg = false;
+    bool eachRow = false;
+    bool acceptDoubtful = false;
     bool force = false;
     bool json = false;
 };
@@ -60,9 +64,9 @@ std::optional<UtcTime> timeOf(const std::string& option, const std::string& text
         return std::nullopt;
     const std::optional<UtcTime> time = parseTypedTime(text);
     if (!time)
-        throw UsageError(
-            QT_TRANSLATE_NOOP("CommandLine", "%1: %2 is no UTC time such as 2026-05-01T12:00:00Z"),
-            {option, text});
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine",
+                                           "%1: %2 is not a UTC time such as 2026-05-01T12:00:00Z"),
+                         {option, text});
     return time;
 }
 
@@ -117,19 +121,30 @@ void addMapping(ColumnMapping& mapping, FieldColumn added)
     mapping.push_back(std::move(added));
 }
 
-/** Metres, or how the positions were got. */
+std::string sourceNames()
+{
+    std::string names;
+    for (const SightingSource source : kSightingSources)
+        names += (names.empty() ? "" : ", ") + std::string(errorOf(source).name);
+    return names;
+}
+
+/** Metres, or how the positions were found. */
 std::optional<double> positionErrorOf(const std::string& text)
 {
     if (text.empty())
         return std::nullopt;
-    if (const std::optional<double> known_m = valueOf(kPositionErrorNames, text))
-        return known_m;
+    if (const auto named = sourceNamed(text))
+        return errorOf(*named).sd_m;
+    if (const auto said = sourceInWords(text)) // "gps" is short for "gps-beacon"
+        return errorOf(*said).sd_m;
     double error_m = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), error_m);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(error_m))
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine",
-                                           "--position-error: %1 is neither metres nor one of %2"),
-                         {text, allowedNames(kPositionErrorNames)});
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine",
+                              "--position-error: %1 is neither a number of metres nor one of %2"),
+            {text, sourceNames()});
     return error_m;
 }
 
@@ -146,9 +161,9 @@ ImportOptions optionsOf(const ImportArguments& arguments)
     drift.velocityTime_s = arguments.velocityTime_s.value_or(drift.velocityTime_s);
     options.q_m2ps = arguments.q_m2ps.value_or(options.q_m2ps);
     if (options.withTracks && !options.at)
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine",
-                                           "--with-tracks needs --at: the tracks are what was "
-                                           "sighted after it"));
+        throw UsageError(QT_TRANSLATE_NOOP(
+            "CommandLine",
+            "--with-tracks needs --at: tracks consist of the sightings after that time"));
     return options;
 }
 
@@ -174,6 +189,10 @@ std::string summary(const SightingTable& table, const ImportResult& result)
     add("read", table.sightings.size(), "sightings");
     if (result.rejected.count > 0)
         add("rejected", result.rejected.count, "rows");
+    if (result.tooFar > 0)
+        add("", result.tooFar, "of them sightings too far from the origin");
+    if (result.noted.count > 0)
+        add("noted", result.noted.count, "rows taken in part or changed");
     if (result.outsideArea > 0)
         add("not taken", result.outsideArea, "sightings outside the area");
     if (result.outsideTime > 0)
@@ -187,6 +206,15 @@ std::string summary(const SightingTable& table, const ImportResult& result)
         text += "not used   " + unusedColumns(table) + '\n';
     for (const SceneFinding& finding : result.scene)
         text += "scene      " + sceneFindingText(finding) + '\n';
+    for (const auto& [from, name] : kVelocitySourceNames)
+        if (const auto count = std::ranges::count_if(result.icebergs,
+                                                     [from = from](const ImportedIceberg& iceberg) {
+                                                         return iceberg.outcome !=
+                                                                    ImportOutcome::LeftOut &&
+                                                                iceberg.velocityFrom == from;
+                                                     });
+            count > 0)
+            add("velocity", static_cast<std::size_t>(count), ("from " + std::string(name)).c_str());
     if (result.observerSet)
         text += "observer   kalman: velocities are not known exactly\n";
     if (result.at)
@@ -206,42 +234,68 @@ std::string saidPlace(const Rejections& rejected, std::size_t number)
 
 constexpr std::size_t kMostRows = 100; ///< of a list on stderr
 
-void printRejected(const std::string& file, const Rejections& rejected)
+void printRows(const std::string& file, const Rejections& rows)
 {
-    std::size_t told = 0;
-    for (const RejectedRow& row : rejected.first)
-        if (told++ < kMostRows)
+    std::size_t printed = 0;
+    for (const RejectedRow& row : rows.first)
+        if (printed++ < kMostRows)
             tell(word(file) + ": " +
-                 said(Issue{Severity::Error, saidPlace(rejected, row.line), reasonOf(row)}));
-    if (rejected.count > kMostRows)
+                 said(Issue{Severity::Error, saidPlace(rows, row.line), reasonOf(row)}));
+    if (rows.count > kMostRows)
         tell(word(file) + ": " +
              said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
-                  {countOf(rejected.count - kMostRows)}));
+                  {countOf(rows.count - kMostRows)}));
 }
 
-/** What was not taken, and why, on stderr; the start of a long list. */
+/** Writes the rows that were rejected, changed or outside, with their reasons, to stderr; of a long
+ * list only its start. */
 void printDetails(const std::string& file, const ImportResult& result)
 {
-    printRejected(file, result.rejected);
+    printRows(file, result.rejected);
+    printRows(file, result.noted);
+    printRows(file, result.outside);
     std::size_t notes = 0;
     for (const ImportedIceberg& iceberg : result.icebergs)
         for (const ImportNote note : iceberg.notes)
             if ((iceberg.outcome == ImportOutcome::LeftOut || note == ImportNote::VelocityClamped ||
                  note == ImportNote::GrowthClamped || note == ImportNote::Jumped ||
-                 note == ImportNote::Repeated || note == ImportNote::TimeUnknown) &&
+                 note == ImportNote::Contradicted || note == ImportNote::TooFast ||
+                 note == ImportNote::OnLand || note == ImportNote::Repeated ||
+                 note == ImportNote::TimeUnknown) &&
                 notes++ < kMostRows)
                 tell(word(file) + ": " + word(iceberg.id) + ": " + said(importNoteText(note), {}));
     if (notes > kMostRows)
         tell(word(file) + ": " +
-             said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more notes on icebergs"),
+             said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more notes about icebergs"),
                   {countOf(notes - kMostRows)}));
+}
+
+/** How to get at sightings that are off the plane. */
+void printFar(const std::string& file, const ImportResult& result, bool isInto)
+{
+    if (result.tooFar == 0)
+        return;
+    const LatLon& origin = result.scenario.origin;
+    const std::string place =
+        numberText(origin.latitude_deg) + ' ' + numberText(origin.longitude_deg);
+    tell(word(file) + ": " +
+         said(isInto ? QT_TRANSLATE_NOOP(
+                           "CommandLine",
+                           "%1 sightings are too far from the origin of the scenario, %2; import "
+                           "them without --into, or choose others with --area")
+                     : QT_TRANSLATE_NOOP("CommandLine",
+                                         "%1 sightings are too far from the origin, %2, which lies "
+                                         "in their densest group; choose others with --area"),
+              {countOf(result.tooFar), place}));
 }
 
 SightingTable sightingsOf(const std::string& file, const ReadOptions& formats)
 {
     const std::string text = readFile(file);
     try {
-        return readSightings(text, file, formats);
+        SightingTable table = readSightings(text, file, formats);
+        requireIdentity(table, text, file, formats);
+        return table;
     } catch (const Error& error) {
         constexpr std::size_t kHead = 100;
         const bool isOurs =
@@ -250,7 +304,7 @@ SightingTable sightingsOf(const std::string& file, const ReadOptions& formats)
         if (isUnknown && isOpenAir(text))
             throw UsageError(
                 QT_TRANSLATE_NOOP("CommandLine",
-                                  "%1 is airspace: use --format airspace with --into SCENARIO"),
+                                  "%1 is airspace; use --format airspace with --into SCENARIO"),
                 {file});
         if (!isOurs || !isUnknown)
             throw;
@@ -279,10 +333,23 @@ imported(const ImportArguments& arguments, const ReadOptions& formats, const Imp
     }
 }
 
-/** What of the file was not taken, on stderr, and how much was. */
+/** Throws `Error{InvalidInput}` with the icebergs that somebody must agree to. */
+void requireConsent(const std::string& file, const ImportResult& result)
+{
+    if (!needsConsent(result))
+        return;
+    std::vector<Issue> issues;
+    for (const ImportedIceberg& iceberg : result.icebergs)
+        if (isDoubtful(iceberg) && issues.size() < kMostRows)
+            issues.push_back({Severity::Error, word(iceberg.id), {IssueId::ImportDoubtful}});
+    throw Error(ErrorCode::InvalidInput, file, std::move(issues));
+}
+
+/** Prints on stderr which parts of the file were not imported, and how much was. */
 std::string airspaceSummary(const std::string& file, const AirspaceResult& result)
 {
-    printRejected(file, result.rejected);
+    printRows(file, result.rejected);
+    printRows(file, result.noted);
     std::string text = "added      " + std::to_string(result.added) + " areas\n";
     if (result.known > 0)
         text += "known      " + std::to_string(result.known) + " areas\n";
@@ -293,6 +360,8 @@ std::string airspaceSummary(const std::string& file, const AirspaceResult& resul
                 std::to_string(kMostAirspaceAreas) + '\n';
     if (result.rejected.count > 0)
         text += "rejected   " + std::to_string(result.rejected.count) + " areas\n";
+    if (result.noted.count > 0)
+        text += "noted      " + std::to_string(result.noted.count) + " lines or areas\n";
     return text;
 }
 
@@ -300,7 +369,8 @@ std::string airspaceSummary(const std::string& file, const AirspaceResult& resul
 bool isAboutSightings(const ImportArguments& given)
 {
     const auto isGiven = [](const std::string& text) { return !text.empty(); };
-    return !given.mappings.empty() || given.dates || given.spread_mps || given.velocityTime_s ||
+    return !given.mappings.empty() || given.oneIceberg || given.eachRow || given.acceptDoubtful ||
+           given.dates || given.headerLine || given.spread_mps || given.velocityTime_s ||
            given.q_m2ps || given.withTracks || isGiven(given.at) || isGiven(given.since) ||
            isGiven(given.until) || isGiven(given.area) || isGiven(given.positionError);
 }
@@ -309,11 +379,10 @@ int importAirspaceFile(const ImportArguments& arguments)
 {
     if (arguments.intoFile.empty())
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--format airspace needs --into, the scenario that it is added to"));
+            "CommandLine", "--format airspace needs --into, the scenario to add it to"));
     if (isAboutSightings(arguments))
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine",
-            "--format airspace goes with --into, --output, --force and --json alone"));
+            "CommandLine", "--format airspace accepts only --into, --output, --force and --json"));
     checkFiles({.inputs = {arguments.file},
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.force,
@@ -323,15 +392,22 @@ int importAirspaceFile(const ImportArguments& arguments)
                               arguments.file);
     });
     const NewFile file{.path = arguments.outputFile, .content = scenarioToJson(result.scenario)};
-    JsonObject json;
-    json.add("added", result.added);
-    json.add("known", result.known);
-    json.add("far", result.far);
-    json.add("too_many", result.tooMany);
-    json.add("rejected", result.rejected.count);
     deliver({&file, 1},
-            arguments.json ? json.inLines(0) + '\n' : airspaceSummary(arguments.file, result));
+            arguments.json ? airspaceJson(result) : airspaceSummary(arguments.file, result));
     return kDone;
+}
+
+ReadOptions readOptionsOf(const ImportArguments& given)
+{
+    ReadOptions options{.format = given.format,
+                        .mapping = {},
+                        .dates = given.dates,
+                        .headerLine = given.headerLine};
+    if (given.oneIceberg || given.eachRow)
+        options.rows = given.oneIceberg ? RowIdentity::OneIceberg : RowIdentity::EachRow;
+    for (const std::string& mapping : given.mappings)
+        addMapping(options.mapping, mappingOf(mapping));
+    return options;
 }
 
 int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/)
@@ -344,9 +420,7 @@ int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/
     if (arguments.format != "auto" && findImportFormat(arguments.format) == nullptr)
         throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--format: %1 is none of %2"),
                          {arguments.format, formatList()});
-    ReadOptions formats{.format = arguments.format, .mapping = {}, .dates = arguments.dates};
-    for (const std::string& mapping : arguments.mappings)
-        addMapping(formats.mapping, mappingOf(mapping));
+    const ReadOptions formats = readOptionsOf(arguments);
     const ImportOptions options = optionsOf(arguments);
     // Not an input that must stay: an import adds to the scenario, which --force may overwrite.
     checkFiles({.inputs = {arguments.file},
@@ -360,9 +434,12 @@ int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/
                                         {IssueId::MonthFirst, {table.guessedDate}}}});
     if (!arguments.json)
         printDetails(arguments.file, result);
+    printFar(arguments.file, result, !arguments.intoFile.empty());
     if (result.added + result.updated + result.unchanged == 0)
         throw Error(ErrorCode::InvalidInput, arguments.file,
                     {IssueId::NothingTaken, {countOf(table.sightings.size())}});
+    if (!arguments.acceptDoubtful)
+        requireConsent(arguments.file, result);
     const NewFile file{.path = arguments.outputFile, .content = scenarioToJson(result.scenario)};
     deliver({&file, 1}, arguments.json ? importJson(table, result) : summary(table, result));
     return kDone;
@@ -373,7 +450,7 @@ int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/
 void addImportCommand(CLI::App& app, Action& action)
 {
     CLI::App* command =
-        app.add_subcommand("import", "Make a scenario of sightings of real icebergs");
+        app.add_subcommand("import", "Make a scenario from sightings of real icebergs");
     ImportArguments& a = argumentsOf(*command, action, importFile);
     command->add_option("FILE", a.file, "File of sightings")->required();
     command->add_option("-f,--format", a.format, formatList())->capture_default_str();
@@ -384,21 +461,32 @@ void addImportCommand(CLI::App& app, Action& action)
                         "FIELD=COLUMN (columns by their names): " +
                             allowedNames(kSightingFieldNames));
     addNamed(*command, "--dates", a.dates, kDateOrderNames,
-             "Dates such as 05/02/2021 (as the file's other dates tell)");
-    command->add_option("--at", a.at, "Start, UTC (the last sighting)");
-    command->add_option("--since", a.since, "Leave out what was sighted before, UTC");
-    command->add_option("--until", a.until, "Leave out what was sighted after, UTC");
+             "Dates such as 05/02/2021 (decided by the file's other dates)");
+    command->add_option("--at", a.at,
+                        "Start, UTC (the later of the scenario's start and the last sighting)");
+    command
+        ->add_option("--header-line", a.headerLine,
+                     "Line of a table that names its columns (the first that names a latitude and "
+                     "a longitude)")
+        ->check(CLI::Range(1, 1'000'000));
+    CLI::Option* one =
+        command->add_flag("--one-iceberg", a.oneIceberg, "All rows are sightings of one iceberg");
+    command->add_flag("--each-row", a.eachRow, "Each row is an iceberg of its own")->excludes(one);
+    command->add_flag("--accept-doubtful", a.acceptDoubtful,
+                      "Also import icebergs faster than 1.5 m/s or on land");
+    command->add_option("--since", a.since, "Leave out earlier sightings, UTC");
+    command->add_option("--until", a.until, "Leave out later sightings, UTC");
     command->add_option("--area", a.area, "SOUTH,WEST,NORTH,EAST in degrees (everywhere)");
     command->add_option("--position-error", a.positionError,
                         "Standard deviation of positions where the file has none: metres, " +
-                            allowedNames(kPositionErrorNames) + " (by the format)");
+                            sourceNames() + " (by the format, or each row's own source)");
     command
         ->add_option("--drift-variation", a.spread_mps,
-                     "Standard deviation of velocities that are not known, m/s (0.15)")
+                     "Standard deviation of unknown velocities, m/s (0.15)")
         ->check(numberFrom(0, kLargestVelocity_mps));
     command
         ->add_option("--drift-time", a.velocityTime_s,
-                     "Time in which velocities change, s; 0: never (36000)")
+                     "Time constant of velocity changes, s; 0: constant velocity (36000)")
         ->check(numberFrom(0, kLargestTime_s));
     command
         ->add_option("--variance-growth", a.q_m2ps, "q where it cannot be estimated, m^2/s (0.025)")

@@ -9,26 +9,28 @@
 
 namespace berg::cli {
 
-// What is told on stderr and in reports (HTML), in the language of LC_ALL, LC_MESSAGES or LANG:
-// Danish, French, Norwegian, else English. Help, results and JSON are English, for scripts read
-// them. Words are marked with QT_TRANSLATE_NOOP: the command line's own in context CommandLine,
+// Messages on stderr and reports (HTML) are in the language of LC_ALL, LC_MESSAGES or LANG: Danish,
+// French or Norwegian, else English. Help, results and JSON are English, because scripts read them.
+// Messages are marked with QT_TRANSLATE_NOOP, those of the command line in context CommandLine,
 // findings in IssueText.
 
-/** The words in the user's language; the same where they have no translation. Takes no memory. */
+/** Returns the text in the user's language, or the English where it has no translation. Does not
+ * allocate. */
 [[nodiscard]] std::string_view said(std::string_view english);
-/** The same with the arguments for %1, %2, ... */
+/** Returns the text in the user's language with the arguments in place of %1, %2, ... */
 [[nodiscard]] std::string said(std::string_view pattern,
                                const std::vector<IssueArgument>& arguments);
 [[nodiscard]] std::string said(const IssueReason& reason);
-/** With its field in front. */
+/** Returns the finding in the user's language, with its field in front. */
 [[nodiscard]] std::string said(const Issue& issue);
-/** As `what()`: "subject: field: reason", one line per issue. */
+/** Returns "subject: field: reason" in the user's language, one line per issue, like
+ * `Error::what()`. */
 [[nodiscard]] std::string said(const Error& error);
 
-/** Pages for people. */
+/** Returns the words of reports in the user's language. */
 [[nodiscard]] ReportWords reportLanguage();
 
-/** What is told to the user, and to scripts. */
+/** A message in English, for scripts, and in the user's language. */
 struct Sentence
 {
     std::string english;

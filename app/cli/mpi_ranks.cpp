@@ -63,7 +63,7 @@ std::exception_ptr failureOf(const MpiWorld::Message& message)
         Error(static_cast<ErrorCode>(message.bytes.front()), subject, text));
 }
 
-/** What every rank but the first does. */
+/** Runs every rank except the first. */
 void follow(const MpiWorld& world, Study study, const StudyOptions& options)
 {
     ShardFlight flight(std::move(study), options);
@@ -87,7 +87,7 @@ void follow(const MpiWorld& world, Study study, const StudyOptions& options)
     }
 }
 
-/** A rank that is not able to tell the first one what is wrong ends them all. */
+/** Ends all ranks, if this rank cannot report its failure to the first one. */
 void followOrAbort(const MpiWorld& world, const StudyOptions& options)
 {
     try {
@@ -100,7 +100,7 @@ void followOrAbort(const MpiWorld& world, const StudyOptions& options)
     }
 }
 
-/** What the first rank does while the missions are flown. */
+/** Runs the first rank while the missions are flown. */
 class Leader
 {
 public:
@@ -192,13 +192,13 @@ private:
     std::exception_ptr m_failure;
 };
 
-/** The first rank: `prepare` in it alone, so that files are read and errors told once. */
+/** Calls `prepare` in the first rank alone, so that files are read and errors reported once. */
 Study prepareForAll(const MpiWorld& world, const SweepLead& lead, bool sameOptions)
 {
     try {
         if (!sameOptions)
-            throw UsageError(QT_TRANSLATE_NOOP(
-                "CommandLine", "the processes of MPI were given different options"));
+            throw UsageError(
+                QT_TRANSLATE_NOOP("CommandLine", "the MPI processes have different options"));
         Study study = lead.prepare();
         static_cast<void>(world.shared(studyToJson(study)));
         return study;

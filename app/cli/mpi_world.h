@@ -7,24 +7,24 @@
 
 namespace berg::cli {
 
-/** What a message between the ranks is about. */
+/** Subject of a message between ranks. */
 enum class Tag : std::uint8_t
 {
-    Outcomes, ///< to the first rank: what has been flown since the last such message
-    Failure,  ///< to the first rank: why one failed; the rest of its outcomes came before
-    Final,    ///< to the first rank: nothing more will come
+    Outcomes, ///< to the first rank: outcomes since the last such message
+    Failure,  ///< to the first rank: reason of a failure; the sender's last outcomes came before
+    Final,    ///< to the first rank: no more messages follow
     Stop,     ///< from the first rank: end early
     End       ///< from the first rank: all is done
 };
 
 /**
- * The processes of an MPI program, from the first to the last call of MPI; the rest of the program
- * knows nothing of it. Used by the main thread alone, once in a process.
+ * The processes of an MPI program, from the first to the last call of MPI. No other part of the
+ * program uses MPI. Main thread only, once in a process.
  */
 class MpiWorld
 {
 public:
-    /** Throws `Error{Unsupported}` when this MPI allows no threads beside it. */
+    /** Throws `Error{Unsupported}` if this MPI does not allow other threads. */
     MpiWorld();
     MpiWorld(const MpiWorld&) = delete;
     MpiWorld& operator=(const MpiWorld&) = delete;
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] int size() const { return m_size; }
 
     void send(int to, Tag tag, const std::vector<char>& bytes = {}) const;
-    /** To every rank but this one, the first. */
+    /** Sends `tag` from the first rank to all others. */
     void tellOthers(Tag tag) const;
 
     struct Message
@@ -43,14 +43,16 @@ public:
         Tag tag = Tag::End;
         std::vector<char> bytes;
     };
-    /** The next message that has arrived, if any; those of one sender come in order. */
+    /** Returns the next message, or nullopt if none has arrived. Messages of one sender keep their
+     * order. */
     [[nodiscard]] std::optional<Message> receive() const;
 
-    /** The text of the first rank, in all. */
+    /** Returns the text of the first rank, in every rank. */
     [[nodiscard]] std::string shared(std::string text) const;
-    /** Whether all ranks gave the same number. */
+    /** Returns true if all ranks passed the same number. */
     [[nodiscard]] bool isSameInAll(std::uint64_t number) const;
-    /** Cores that the ranks of this computer may use together, divided by their number. */
+    /** Returns the cores available to the ranks of this computer, divided by the number of these
+     * ranks. */
     [[nodiscard]] int coresEach() const;
     /** Ends all ranks at once. */
     [[noreturn]] void abort(int exitCode) const;

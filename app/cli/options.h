@@ -5,7 +5,7 @@
 #include "app/cli/usage.h"
 #include "core/base/number_text.h"
 #include "core/plan/solve/names.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -17,7 +17,8 @@
 
 namespace berg::cli {
 
-/** Option whose value is one of a table of names; anything else is wrong usage that lists them. */
+/** Adds an option whose value is a name from `table`. Any other value is a usage error that lists
+ * the names. */
 template <class Enum, std::size_t Size>
 CLI::Option* addNamed(CLI::App& command, const std::string& option, std::optional<Enum>& value,
                       const std::array<Named<Enum>, Size>& table, const std::string& help)
@@ -34,8 +35,8 @@ CLI::Option* addNamed(CLI::App& command, const std::string& option, std::optiona
 }
 
 /**
- * A whole number in decimal, however many zeros it begins with; CLI11 itself takes 010 for eight
- * and has no word against 0x10.
+ * Accepts a whole decimal number from `low` to `high`, also with leading zeros. CLI11 itself reads
+ * 010 as eight and accepts 0x10.
  */
 inline CLI::Validator wholeFrom(std::int64_t low, std::int64_t high)
 {
@@ -54,7 +55,7 @@ inline CLI::Validator wholeFrom(std::int64_t low, std::int64_t high)
             "(" + range + ")"};
 }
 
-/** A finite number in decimal; `CLI::Range` lets NaN pass. */
+/** Accepts a finite decimal number from `low` to `high`; `CLI::Range` would accept NaN. */
 inline CLI::Validator numberFrom(double low, double high)
 {
     return {[low, high](std::string& text) {
@@ -71,7 +72,8 @@ inline CLI::Validator numberFrom(double low, double high)
             "(" + numberText(low) + " to " + numberText(high) + ")"};
 }
 
-/** What the options of a command are read into; `run` does its work when it is given. */
+/** Returns the arguments that the options of `command` fill. If the command is chosen, `action`
+ * calls `run` with them. */
 template <class Arguments>
 Arguments& argumentsOf(CLI::App& command, Action& action,
                        int (*run)(const Arguments&, const std::stop_token&))

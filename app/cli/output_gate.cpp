@@ -65,16 +65,16 @@ void checkApart(const CommandFiles& files)
                 throw UsageError(
                     input == output.path
                         ? QT_TRANSLATE_NOOP("CommandLine",
-                                            "%1 is an input of this command: name another file")
+                                            "%1 is an input of this command; name another file")
                         : QT_TRANSLATE_NOOP(
                               "CommandLine",
-                              "%1 is an input of this command (%2): name another file"),
+                              "%1 is an input of this command (%2); name another file"),
                     {named(output), input});
         for (const auto& [other, earlier] : known)
             if (other == *identity)
                 throw UsageError(
                     QT_TRANSLATE_NOOP("CommandLine",
-                                      "%1 is the file of %2 already: name another file"),
+                                      "%1 is already the file of %2; name another file"),
                     {named(output), earlier->option});
         known.emplace_back(*identity, &output);
     }
@@ -108,7 +108,7 @@ void checkOne(const Output& output, const CommandFiles& files)
     checkFolder(output);
     std::error_code failure;
     if (!output.mayExist && !files.force && fs::is_regular_file(output.path, failure))
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1: exists; --force overwrites it"),
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 exists; use --force to overwrite it"),
                          {named(output)});
     try {
         checkWritable(output.path);
@@ -155,7 +155,7 @@ std::vector<Output> outputsIn(const std::string& option, const std::string& fold
     const Output asked{.option = option, .path = folder};
     if (fs::exists(status) && !fs::is_directory(status))
         fail(asked, {IssueId::ItselfNoFolder});
-    if (!fs::exists(status)) { // nothing is in the way in it, but it has to be made
+    if (!fs::exists(status)) { // the folder is still to be created, so no file exists in it
         while (!fs::exists(there, failure) && there.has_relative_path())
             there = there.parent_path();
         if (!fs::is_directory(there, failure))

@@ -17,45 +17,46 @@ namespace berg::cli {
 /** A file that a command is about to write. */
 struct Output
 {
-    std::string option;    ///< that names it, e.g. "--output"
-    std::string path;      ///< empty: not asked for
-    bool mayExist = false; ///< it is carried on, not overwritten
+    std::string option;    ///< name of its option, for example "--output"
+    std::string path;      ///< empty if the option was not given
+    bool mayExist = false; ///< the command continues an existing file
 };
 
-/** What a command reads and writes. */
+/** The files that a command reads and writes. */
 struct CommandFiles
 {
     std::vector<std::string> inputs;
     std::vector<Output> outputs;
-    bool force = false; ///< files that exist are overwritten
-    bool json = false;  ///< standard output is taken by a JSON document
+    bool force = false; ///< overwrite existing files
+    bool json = false;  ///< a JSON document goes to standard output
 };
 
 /**
- * To be called before any work. Throws `UsageError` for an output that is an input or another
- * output (also by a link), or that exists and is not to be overwritten; `Error{FileUnwritable}`
- * when its folder is missing or it cannot be written. Each names the option and the file. Devices,
- * pipes and standard output always exist.
+ * Checks all files of a command; call it before any work. Throws `UsageError` if an output is also
+ * an input or another output (directly or through a link), or if it exists and must not be
+ * overwritten. Throws `Error{FileUnwritable}` if its folder is missing or it cannot be written.
+ * Each error names the option and the file. Devices, pipes and standard output may always exist.
  */
 void checkFiles(const CommandFiles& files);
 
-/** The same for the files `names` in a folder, which need not be there yet. */
+/** Returns the outputs `names` in a folder, which may be missing. */
 [[nodiscard]] std::vector<Output> outputsIn(const std::string& option, const std::string& folder,
                                             std::span<const std::string_view> names);
 
-/** An option that names a file to write; `-` is standard output. */
+/** Adds an option that names a file to write; `-` is standard output. */
 CLI::Option* addOutputFile(CLI::App& command, const std::string& option, std::string& path,
                            const std::string& help);
-/** `--force` */
+/** Adds the option `--force`. */
 void addForce(CLI::App& command, bool& force);
 
 /**
- * Calls `before`, writes the files, all or none, and prints `text`: on stderr where a file goes to
- * standard output. What was computed is printed even when the rest fails; then throws.
+ * Calls `before`, writes all files or none, and prints `text`, on stderr if a file goes to standard
+ * output. It prints the text even if writing fails, and then throws.
  */
 void deliver(std::span<const NewFile> files, const std::string& text,
              const std::function<void()>& before = {});
-/** The same with `write`, which writes no file to standard output. */
+/** Calls `write`, which writes no file to standard output, and prints `text`, also if writing
+ * fails. */
 void deliver(const std::string& text, const std::function<void()>& write);
 
 } // namespace berg::cli

@@ -5,6 +5,7 @@
 #include "core/io/files/problem_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/results/plan_result.h"
+#include "core/plan/solve/latency_problem.h"
 #include "core/plan/solve/tuning.h"
 #include "core/scenario/validate.h"
 #include "core/sim/mission.h"
@@ -18,13 +19,15 @@ namespace berg::cli {
 
 namespace {
 
-/** What `solve` and `plan` share. */
+/** Options of both `solve` and `plan`. */
 struct SolveArguments
 {
     std::string file;
     std::optional<double> tau;
-    std::optional<double> mu;         ///< `solve` alone
-    std::optional<PolicyKind> policy; ///< `plan` alone: a problem file has none
+    std::optional<double> mu;           ///< `solve` alone
+    std::optional<Criterion> criterion; ///< the same
+    bool countsReturn = false;          ///< the same
+    std::optional<PolicyKind> policy;   ///< `plan` alone: a problem file has none
     std::optional<Backend> backend;
     std::optional<Formulation> formulation;
     std::optional<Route> route;
@@ -43,21 +46,34 @@ struct FileWords
     std::string name;
     std::string solver;
     std::string formulation;
-    bool takesMu = false; ///< the distance weight itself in place of tau
+    bool isProblem = false; ///< it may be judged by latency, and takes mu in place of tau
 };
 
 void addArguments(CLI::App& command, SolveArguments& a, const FileWords& words)
 {
     const std::string unlimited =
-        "(none; auto and heuristic stop after about a second's work, exact goes on to the proof)";
-    command.add_option(words.name, a.file, "The file to plan from")->required();
+        "(none; auto and heuristic stop after about one second of computing, exact at the proof)";
+    command
+        .add_option(words.name, a.file,
+                    words.isProblem
+                        ? "The file to plan from: a problem, or a TSPLIB instance (.tsp, .atsp), "
+                          "whose node 1 is the start"
+                        : "The file to plan from")
+        ->required();
     command
         .add_option("-t,--tau", a.tau,
                     "Trade-off: 0 most uncertain first, large shortest path (the file's)")
         ->check(numberFrom(0.0, 100.0));
-    if (words.takesMu)
-        command.add_option("--mu", a.mu, "Distance weight, in place of tau (the file's)")
+    if (words.isProblem) {
+        command.add_option("--mu", a.mu, "Distance weight, instead of tau (the file's)")
             ->check(numberFrom(0.0, kLargestProblemNumber));
+        addNamed(command, "--criterion", a.criterion, kCriterionNames,
+                 "Objective of the order (visitation); latency is the sum of sigma times the "
+                 "distance flown until there, each place counted once where all sigmas are 0");
+        command.add_flag("--return", a.countsReturn,
+                         "With latency: count the return to the start as arrival at one more "
+                         "place of sigma 1");
+    }
     addNamed(command, "--backend", a.backend, kBackendNames, "Solver (" + words.solver + ')');
     addNamed(command, "--formulation", a.formulation, kFormulationNames,
              "MILP of cbc (" + words.formulation +
@@ -68,12 +84,12 @@ void addArguments(CLI::App& command, SolveArguments& a, const FileWords& words)
         ->check(numberFrom(0.0, 1e9));
     command
         .add_option("--work-limit", a.workLimit,
-                    "Steps of the solver's own kind, the same every time " + unlimited)
+                    "Solver steps, the same result every time " + unlimited)
         ->transform(wholeFrom(0, std::int64_t{1} << 60));
     command.add_option("--gap", a.gap, "Stop within this relative gap, such as 0.01 (0)")
         ->check(numberFrom(0.0, 1.0));
     addOutputFile(command, "--certificate", a.certificateFile,
-                  "File for a proof of the bound that others can check");
+                  "File for a proof of the bound, for independent checking");
     addForce(command, a.force);
     command.add_flag("--json", a.json, "Print one JSON document");
 }
@@ -187,6 +203,12 @@ std::string orderLines(const std::vector<UavReport>& uavs)
     return text;
 }
 
+constexpr std::array<Named<LengthKind>, 3> kPathNames{{
+    {LengthKind::Order, "whole order, straight"},
+    {LengthKind::Round, "whole round, straight"},
+    {LengthKind::Flight, "as flown, with turns"},
+}};
+
 std::string reportText(const PlanReport& report, bool json)
 {
     if (json)
@@ -205,7 +227,7 @@ std::string reportText(const PlanReport& report, bool json)
     text += "objective  " + (objective ? fixed(*objective, 3) : std::string("none")) + "  (" +
             solverWords(report.problem, outcome) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
             " ms, " + nameOf(kSourceNames, outcome.source) + ")\ndistance   " +
-            grouped(report.distance_m) + " m" +
+            grouped(report.distance_m) + " m  (" + nameOf(kPathNames, report.path) + ")" +
             (report.mu() ? "   mu " + fixed(*report.mu(), 6) : std::string()) + '\n';
     if (report.secondOpinion)
         text += verificationLine(report);
@@ -272,38 +294,116 @@ int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOpt
         return kLimitWithoutPlan;
     if (!report.secondOpinion || report.secondOpinion->verdict != Verdict::Disagrees)
         return kDone;
-    tell(said(QT_TRANSLATE_NOOP("CommandLine",
-                                "%1: %2 and %3 contradict each other: one of the two is wrong. Do "
-                                "not trust this order."),
-              {arguments.file, nameOf(kSourceNames, report.outcome.source),
-               nameOfSecond(*report.secondOpinion)}));
+    tell(said(
+        QT_TRANSLATE_NOOP(
+            "CommandLine",
+            "%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order."),
+        {arguments.file, nameOf(kSourceNames, report.outcome.source),
+         nameOfSecond(*report.secondOpinion)}));
     return kFailure;
 }
 
-int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
+/** Options of `solve` that contradict each other. */
+void checkProblemOptions(const SolveArguments& arguments)
 {
+    const auto exclude = [](const std::string& one, const std::string& other) {
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"), {one, other});
+    };
     if (arguments.tau && arguments.mu)
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"), {"--tau", "--mu"});
-    checkSolveFiles(arguments);
-    const ProblemFile file = reading([&] { return loadProblem(arguments.file); });
-    printWarnings(arguments.file, file.hints);
-    TvpProblem problem = file.problem;
+        exclude("--tau", "--mu");
+    const std::string latency = "--criterion latency";
+    if (arguments.criterion != Criterion::Latency) {
+        if (arguments.countsReturn)
+            exclude("--return", "--criterion visitation");
+        return;
+    }
+    if (arguments.tau)
+        exclude(latency, "--tau");
+    if (arguments.route)
+        exclude(latency, "--route");
+    if (arguments.backend == Backend::Cbc)
+        throw wrongOptions("--criterion, --backend", {IssueId::CbcLatency});
+    if (arguments.verify && arguments.formulation)
+        throw wrongOptions("--criterion, --formulation", {IssueId::CbcLatency});
+}
+
+/** The problem of the file as the options have it. */
+TvpProblem problemAsked(const TvpProblem& given, const SolveArguments& arguments)
+{
+    TvpProblem problem = given;
     problem.route = arguments.route.value_or(problem.route);
+    if (arguments.criterion == Criterion::Latency)
+        problem = latencyProblem(std::move(problem));
     if (arguments.tau)
         problem.mu = tuningWeight(problem, *arguments.tau).mu;
     if (arguments.mu)
         problem.mu = *arguments.mu;
+    return problem;
+}
+
+/** Refuses icebergs that may be visited after the return, as nothing is lost by it. */
+void checkReturn(const TvpProblem& problem, const std::string& file)
+{
+    std::vector<Issue> issues;
+    for (std::size_t i = 1; i < problem.sigma_m2.size(); ++i)
+        if (std::optional<IssueReason> fault = outOfLimits(
+                problem.sigma_m2[i], {.low = 0, .high = kLargestProblemNumber, .above = true}))
+            issues.push_back({Severity::Error, entryPath("sigma", i), std::move(*fault)});
+    if (!issues.empty())
+        throw Error(ErrorCode::InvalidInput, file, std::move(issues));
+}
+
+/** The answer to a problem; `order` is without the return. */
+struct SolvedProblem
+{
+    FleetProblem problem;
+    SolveOutcome outcome;
+    VisitOrder order;
+    double distance_m = 0;
+};
+
+SolvedProblem solved(TvpProblem problem, const TvpSolver& solver, const SolveOptions& options,
+                     bool countsReturn)
+{
+    const TvpProblem asked = countsReturn ? withReturn(problem) : problem;
+    SolvedProblem result{
+        .problem = problemOf(asked), .outcome = solver.solve(asked, options), .order = {}};
+    if (countsReturn) {
+        putReturnLast(asked, result.outcome);
+        problem.route = Route::Closed;
+    }
+    result.order = result.outcome.order();
+    if (countsReturn && !result.order.empty())
+        result.order.pop_back();
+    result.distance_m = flownDistance(problem, result.order);
+    return result;
+}
+
+int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
+{
+    checkProblemOptions(arguments);
+    checkSolveFiles(arguments);
+    const ProblemFile file = reading([&] { return loadProblem(arguments.file); });
+    printWarnings(arguments.file, file.hints);
+    const TvpProblem problem = problemAsked(file.problem, arguments);
+    if (arguments.countsReturn)
+        checkReturn(problem, arguments.file);
     const SolveOptions options = optionsOf(arguments, stop);
     const auto solver = makeSolver(arguments.backend.value_or(Backend::Auto),
                                    arguments.formulation.value_or(Formulation::Position));
-    PlanReport report{
-        .problem = problemOf(problem), .outcome = solver->solve(problem, options), .uavs = {}};
-    report.uavs.push_back({.id = {}, .order = report.outcome.order(), .ids = {}});
-    report.distance_m = flownDistance(problem, report.outcome.order());
+    SolvedProblem answer = solved(problem, *solver, options, arguments.countsReturn);
+    if (file.isTsplib) // whose first iceberg is node 2
+        for (int& node : answer.order)
+            ++node;
+    PlanReport report{.problem = std::move(answer.problem),
+                      .outcome = std::move(answer.outcome),
+                      .distance_m = answer.distance_m,
+                      .uavs = {}};
+    report.uavs.push_back({.id = {}, .order = std::move(answer.order), .ids = {}});
     return conclude(report, arguments, options);
 }
 
-/** What is wrong by the file alone is a fault of the file. */
+/** Reports a problem that does not depend on options as an error of the file. */
 void checkChoices(const SolveArguments& arguments, const PlannerSettings& planner)
 {
     if ((arguments.policy || arguments.backend) && planner.policy == PolicyKind::Latency &&
@@ -339,8 +439,9 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
 void addPlanCommands(CLI::App& app, Action& action)
 {
     CLI::App* solve = app.add_subcommand("solve", "Solve one path-planning problem");
-    addArguments(*solve, argumentsOf(*solve, action, solveProblem),
-                 {.name = "PROBLEM", .solver = "auto", .formulation = "position", .takesMu = true});
+    addArguments(
+        *solve, argumentsOf(*solve, action, solveProblem),
+        {.name = "PROBLEM", .solver = "auto", .formulation = "position", .isProblem = true});
     CLI::App* plan = app.add_subcommand("plan", "Plan the visiting order from a scenario's start");
     SolveArguments& scenario = argumentsOf(*plan, action, planScenario);
     addArguments(*plan, scenario,

@@ -26,8 +26,7 @@ namespace berg::cli {
 
 namespace {
 
-constexpr const char* kNoMemory =
-    QT_TRANSLATE_NOOP("CommandLine", "there is not enough memory for this");
+constexpr const char* kNoMemory = QT_TRANSLATE_NOOP("CommandLine", "there is not enough memory");
 constexpr const char* kInternal = "internal error: %1"; // for who looks into it
 
 int exitCodeOf(const Error& error)
@@ -50,9 +49,9 @@ int exitCodeOf(const Error& error)
     return kFailure;
 }
 
-/** Which command reads the kind of file that was given in place of another; empty when none does.
- */
-std::string hintOf(const Error& error)
+/** Which command reads the kind of file that was given in place of another; empty when none does,
+ * or when it is the command that was given. */
+std::string hintOf(const Error& error, const std::string& command)
 {
     static constexpr std::pair<std::string_view, std::string_view> kHints[] = {
         {"bergwatch-problem",
@@ -71,11 +70,12 @@ std::string hintOf(const Error& error)
                 "Name the columns of a table: --map latitude=COLUMN --map longitude=COLUMN."),
             {});
     constexpr std::int64_t kLiteral = 5; // a word may begin as "false" does
-    if (reason.id == IssueId::JsonSyntax && std::get<std::int64_t>(reason.arguments[0]) == 1 &&
+    if (reason.id == IssueId::JsonSyntax && command != "import" &&
+        std::get<std::int64_t>(reason.arguments[0]) == 1 &&
         std::get<std::int64_t>(reason.arguments[1]) <= kLiteral)
         return said(
             QT_TRANSLATE_NOOP("CommandLine",
-                              "Is this a file of Bergwatch? Sightings are read by 'import'."),
+                              "This is not a Bergwatch file. To read sightings, use 'import'."),
             {});
     if (reason.id == IssueId::OtherFormat)
         for (const auto& [given, hint] : kHints)
@@ -84,15 +84,14 @@ std::string hintOf(const Error& error)
     return {};
 }
 
-/** What the user typed, and who is told. */
+/** The command line, and the output for messages. */
 struct Line
 {
     const Program& program;
     const std::vector<std::string>& words;
 };
 
-/** What went wrong, told as a sentence and, where the command was asked for JSON, on stdout as
- * such. */
+/** Reports a failure as a sentence on stderr and, with --json, as an object on stdout. */
 int failed(const Line& line, int exitCode, const std::string& text, const std::string& json)
 {
     if (line.program.isSilent) {
@@ -124,9 +123,10 @@ void addCompletion(CLI::App& app, Action& action)
             [](const std::string& name) {
                 return name == "bash"
                            ? std::string()
-                           : inOne(sentence(
-                                 QT_TRANSLATE_NOOP("CommandLine", "there is no script for %1"),
-                                 {word(name)}));
+                           : inOne(
+                                 sentence(QT_TRANSLATE_NOOP("CommandLine",
+                                                            "there is no completion script for %1"),
+                                          {word(name)}));
             },
             ""));
     command->callback([shell, &app, &action] {
@@ -157,7 +157,7 @@ bool isReadLimitsValid()
     return wholeFrom(1, 1000)(text).empty();
 }
 
-/** What -v adds. */
+/** The additional output of -v. */
 void reportEffort()
 {
     rusage used = {};
@@ -186,7 +186,7 @@ int run(const Line& line, const std::stop_token& stop)
     bool isVerbose = false;
     for (CLI::App* command : app.get_subcommands({})) {
         command->add_flag_callback("-q,--quiet", beQuiet, "No progress, warnings and hints");
-        command->add_flag("-v,--verbose", isVerbose, "Tell the time and memory taken");
+        command->add_flag("-v,--verbose", isVerbose, "Report time and memory used");
     }
     if (const std::optional<Sentence> fault = unknownCommand(app, words))
         return wrongUsage(app, line, *fault);
@@ -230,7 +230,7 @@ int runProgram(const Program& program, int argc, char** argv, const std::stop_to
     } catch (const Interrupted&) {
         return failed(line, kInterrupted, "interrupted", sentence(kNothingWritten));
     } catch (const Error& error) {
-        const std::string hint = hintOf(error);
+        const std::string hint = hintOf(error, words.empty() ? std::string() : words.front());
         return failed(line, exitCodeOf(error), said(error) + (hint.empty() ? "" : "\n") + hint,
                       failureJson(error));
     } catch (const std::bad_alloc&) {

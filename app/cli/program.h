@@ -13,16 +13,17 @@ struct Program
     std::string about;
     std::string version;
     std::function<void(CLI::App&, Action&)> addCommands;
-    bool isSilent = false; ///< says nothing of what goes wrong
+    bool isSilent = false; ///< prints no error messages
 };
 
-/** Does what the command line asks for; the exit code. What goes wrong is told on stderr. */
+/** Runs the command of the command line and returns the exit code. Reports failures on stderr. */
 [[nodiscard]] int runProgram(const Program& program, int argc, char** argv,
                              const std::stop_token& stop);
 
 /**
- * Becomes the program `bergwatch` with the same arguments: the one in the same folder, else that of
- * the same build, else the first on the PATH. Returns only when there is none.
+ * Replaces this process by the program `bergwatch` with the same arguments: the one in the same
+ * folder, else the one of the same build, else the first on the PATH. Returns only if there is
+ * none.
  */
 void becomeBergwatch(char** argv);
 

@@ -13,7 +13,7 @@
 
 namespace berg::cli {
 
-/** One outcome on its way to another process; plain bytes, both run the same program. */
+/** One outcome for another process of the same program, as plain bytes. */
 struct SentOutcome
 {
     std::uint64_t place = 0; ///< among `Study::outcomes`
@@ -21,19 +21,19 @@ struct SentOutcome
 };
 static_assert(std::is_trivially_copyable_v<SentOutcome>);
 
-/** A shard being flown by a thread of its own, its outcomes handed over bit by bit. */
+/** Flies a shard in its own thread and returns its outcomes in portions. */
 class ShardFlight
 {
 public:
-    /** Starts. It also ends when `options.stop` is requested; `options.onProgress` is not read. */
+    /** Starts flying. A stop request of `options.stop` ends it; `options.onProgress` is ignored. */
     ShardFlight(Study study, StudyOptions options);
 
     void stop() { m_stop.request_stop(); }
-    /** Then `take` gives the rest. */
+    /** Returns true after the flight has ended; `take` then returns the rest. */
     [[nodiscard]] bool hasEnded() const { return m_ended; }
-    /** Why it ended, null without a failure; to be asked when it has ended. */
+    /** Returns the exception that ended the flight, or null. Valid after `hasEnded()`. */
     [[nodiscard]] std::exception_ptr failure() const { return m_failure; }
-    /** What has been flown since the last call. */
+    /** Returns the outcomes since the last call. */
     [[nodiscard]] std::vector<SentOutcome> take();
 
 private:
@@ -47,7 +47,7 @@ private:
     std::stop_callback<std::function<void()>> m_interrupted;
     Stopwatch m_watch;
     double m_last_s = 0;
-    std::mutex m_mutex; ///< of what has been collected and taken
+    std::mutex m_mutex; ///< protects the collected outcomes
     std::vector<SentOutcome> m_collected;
     std::exception_ptr m_failure;
     std::atomic<bool> m_ended{false};

@@ -53,7 +53,7 @@ Scenario changed(Scenario scenario, const SimulateArguments& arguments)
 /** A flight and the files that are being written of it. */
 struct Flown
 {
-    std::unique_ptr<FlightFiles> files; ///< null: none asked for
+    std::unique_ptr<FlightFiles> files; ///< null if no files were requested
     Mission mission;
 };
 
@@ -82,7 +82,7 @@ Flown flyScenario(const SimulateArguments& arguments, const std::string& text,
                 .mission = naming(arguments.file, [&] { return Mission(scenario, options); })};
     flown.files = filesOf(arguments, scenario, {});
     if (flown.files)
-        flown.mission.handSamplesOn(flown.files->sink());
+        flown.mission.streamSamplesTo(flown.files->sink());
     ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "flying"), {}), !arguments.json);
     const auto status = flown.mission.advance(scenario.duration_s, stop, [&](double time_s) {
         bar.update(time_s / scenario.duration_s);
@@ -101,8 +101,8 @@ Flown replayRun(const SimulateArguments& arguments, const std::string& text,
 {
     if (arguments.changesScenario())
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "a run file is replayed as it was flown; --tau, --policy, "
-                           "--duration, --dt, --seed and --no-noise are for scenarios"));
+            "CommandLine", "a run file is replayed exactly as flown; --tau, --policy, --duration, "
+                           "--dt, --seed and --no-noise apply to scenarios only"));
     const RunFile run = reading([&] { return runFromJson(text, arguments.file); });
     std::unique_ptr<FlightFiles> files = filesOf(arguments, run.scenario, run.interventions);
     ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "replaying"), {}), !arguments.json);
@@ -118,7 +118,7 @@ Flown replayRun(const SimulateArguments& arguments, const std::string& text,
     return {.files = std::move(files), .mission = std::move(mission)};
 }
 
-/** What zeta of no flight is below at the time until which the mission has flown; none when it was
+/** Returns a lower bound on the zeta of any flight at the time reached; nullopt if it was
  * interrupted. */
 std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
                                      const std::stop_token& stop)
@@ -130,14 +130,13 @@ std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
     };
     if (isAny(&Intervention::seen))
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--bound is for what the UAV sees by itself; in this run an "
-                           "iceberg was reported seen"));
+            "CommandLine", "--bound does not apply to runs with reported sightings"));
     if (isAny(&Intervention::wind_mps))
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--bound is for the scenario's wind; in this run it changed"));
+            "CommandLine", "--bound does not apply to runs in which the wind changed"));
     if (isAny(&Intervention::removed))
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--bound is for all icebergs; in this run one was removed"));
+            "CommandLine", "--bound does not apply to runs from which an iceberg was removed"));
     ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "bounding"), {}), !quiet);
     const ZetaBound bound = zetaLowerBound(
         mission.scenario(), {.stop = stop, .onProgress = [&](const BoundProgress& progress) {
@@ -148,7 +147,7 @@ std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
     return bound.by_m2s(mission.simulation().time_s());
 }
 
-/** What each of several UAVs did, and how near two of them came. */
+/** Visits and distance of each UAV, and the least distance between two of them. */
 std::string fleetLines(const Mission& mission)
 {
     std::string text;
@@ -216,9 +215,10 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
     });
     if (!arguments.bound || bound_m2s)
         return kDone;
-    tell(said(QT_TRANSLATE_NOOP("CommandLine",
-                                "interrupted: the flight is complete, its lower bound is missing"),
-              {}));
+    tell(said(
+        QT_TRANSLATE_NOOP("CommandLine",
+                          "interrupted: the flight is complete, but its lower bound is missing"),
+        {}));
     return kInterrupted;
 }
 
@@ -240,7 +240,7 @@ void addSimulateCommand(CLI::App& app, Action& action)
         ->check(numberFrom(0.01, 1.0));
     command->add_option("--seed", a.seed, "Seed of the noise (the scenario's)")
         ->transform(wholeFrom(0, std::int64_t{1} << 53));
-    command->add_flag("--no-noise", a.noNoise, "Icebergs move with their known velocity alone");
+    command->add_flag("--no-noise", a.noNoise, "Icebergs move only with their known velocity");
     command->add_flag("--bound", a.bound,
                       "Also find a lower bound on zeta of any flight of the scenario");
     command->add_option("-o,--output", a.outputFolder,

@@ -55,7 +55,7 @@ int showStudy(const StudyArguments& arguments, const std::stop_token& /*stop*/)
 void addStudyCommand(CLI::App& app, Action& action)
 {
     CLI::App* command =
-        app.add_subcommand("study", "Merge the files of sweeps and show what came of them");
+        app.add_subcommand("study", "Merge the files of sweeps and show the results");
     StudyArguments& a = argumentsOf(*command, action, showStudy);
     command->add_option("FILE", a.files, "Files written by 'sweep --study', or their reports")
         ->required();

@@ -8,7 +8,7 @@
 
 namespace berg::cli {
 
-/** Which content of a file was last seen, so that a change by another program is noticed. */
+/** Identifies the last known content of a file, to detect changes by other programs. */
 struct FileStamp
 {
     std::int64_t node = 0;
@@ -17,23 +17,24 @@ struct FileStamp
     bool operator==(const FileStamp&) const = default;
 };
 
-/** The file of `--study`, in which a sweep keeps what it has flown. */
+/** The file of `--study`, in which a sweep stores its outcomes. */
 class StudyFile
 {
 public:
-    /** An empty path keeps nothing. `mayReplace`: a file of another study. */
+    /** With an empty path nothing is stored. `mayReplace` allows to replace the file of another
+     * study. */
     StudyFile(std::string path, bool mayReplace);
 
     /**
-     * The study of `spec` with what the file has of it. Throws `Error` when the file is no study,
-     * or of another one and that is not to be replaced.
+     * Returns the study of `spec` with the outcomes in the file. Throws `Error` if the file is no
+     * study, or belongs to another study and must not be replaced.
      */
     [[nodiscard]] Study open(StudySpec spec);
 
-    /** Saves; throws `Error` when another program has written the file in the meantime. */
+    /** Saves the study. Throws `Error` if another program has written the file in the meantime. */
     void save(const Study& study);
-    /** The same when the last time is so long ago that saving costs next to nothing; what cannot
-     * be written is tried again later. */
+    /** Saves the study if the last save is so long ago that the cost is negligible. A failure to
+     * write is ignored and tried again later. */
     void saveSometimes(const Study& study);
 
     [[nodiscard]] const std::string& path() const { return m_path; }
@@ -45,7 +46,7 @@ private:
 
     std::string m_path;
     bool m_mayReplace;
-    std::optional<FileStamp> m_stamp; ///< none: there was no file
+    std::optional<FileStamp> m_stamp; ///< nullopt if there was no file
     Stopwatch m_running;
     double m_next_s = 0;
 };

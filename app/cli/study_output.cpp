@@ -4,7 +4,7 @@
 #include "core/base/version.h"
 #include "core/io/results/result_json.h"
 #include "core/io/study/study_report.h"
-#include "core/io/text/machine_text.h"
+#include "core/io/text/system_info.h"
 #include "core/io/text/utc_time.h"
 #include "core/plan/policy/policy.h"
 
@@ -113,7 +113,7 @@ ReportOrigin originNow(const std::optional<double>& elapsed_s)
 {
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     return {.program = programName(),
-            .machine = machineText(),
+            .machine = systemInfo(),
             .madeUtc = utcText(now, 0),
             .elapsed_s = elapsed_s,
             .words = reportLanguage()};
@@ -123,9 +123,8 @@ void sayWhenIncomplete(const Study& study)
 {
     const std::size_t flown = flownCount(study);
     if (const std::size_t count = missionCount(study.spec); flown < count)
-        tell(said(QT_TRANSLATE_NOOP("CommandLine",
-                                    "not complete: %1 of %2 missions are flown; counted are the "
-                                    "cases with all their settings"),
+        tell(said(QT_TRANSLATE_NOOP("CommandLine", "incomplete: %1 of %2 missions are flown; the "
+                                                   "results use only cases with all settings"),
                   {grouped(static_cast<double>(flown)), grouped(static_cast<double>(count))}));
 }
 
@@ -134,7 +133,7 @@ void sayWhenIncomplete(const Study& study)
 CommandFiles filesOf(const StudyOutput& output, std::vector<std::string> inputs)
 {
     if (output.replaceStudy && output.studyFile.empty())
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--replace-study: is for --study FILE"));
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--replace-study needs --study FILE"));
     if (output.studyFile == "-")
         throw UsageError(kNoStream, {"--study"});
     return {.inputs = std::move(inputs),
@@ -151,7 +150,7 @@ void addStudyOutput(CLI::App& command, StudyOutput& output, const std::string& s
     command.add_flag("--replace-study", output.replaceStudy,
                      "Replace a --study file of another study");
     command.add_option("--reference", output.reference,
-                       "POLICY[:TAU] that differences are measured from (tau = 1)");
+                       "POLICY[:TAU], reference for differences (tau = 1)");
     addOutputFile(command, "-o,--output", output.tableFile, "CSV file for the table");
     addOutputFile(command, "--report", output.reportFile,
                   "Web page with charts, tables and the whole study");
@@ -177,8 +176,9 @@ std::size_t referenceOf(const StudySpec& spec, const StudyOutput& output)
         if (settings[i].policy == *policy && settings[i].tau.has_value() == hasTau &&
             std::abs(settings[i].tau.value_or(tau) - tau) < kSameTau)
             return i;
-    throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--reference: %1 is not flown in this study"),
-                     {output.reference});
+    throw UsageError(
+        QT_TRANSLATE_NOOP("CommandLine", "--reference: this study does not contain %1"),
+        {output.reference});
 }
 
 void writeResults(const Study& study, const StudyOutput& output, const std::function<void()>& save,

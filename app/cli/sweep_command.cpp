@@ -33,7 +33,7 @@ std::vector<double> tausOf(const std::string& text)
                              {part});
         if (static_cast<double>(taus.size()) + (last - first) / step >= static_cast<double>(kMost))
             throw UsageError(
-                QT_TRANSLATE_NOOP("CommandLine", "--tau: %1 makes it more than %2 values"),
+                QT_TRANSLATE_NOOP("CommandLine", "--tau: with %1 there are more than %2 values"),
                 {part, countOf(kMost)});
         const auto count = static_cast<int>(std::floor((last - first) / step + 1e-9));
         for (int k = 0; k <= count; ++k)
@@ -78,14 +78,13 @@ StudySpec specOf(const SweepArguments& arguments)
                    .runs = arguments.runs};
     if (arguments.regime && arguments.random == 0)
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine",
-            "--regime is for --random N; scenarios say themselves how icebergs drift"));
+            "CommandLine", "--regime needs --random N; scenario files define their own drift"));
     if (arguments.firstSeed && arguments.random == 0)
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--first-seed is for --random N; scenarios hold their own seeds"));
+            "CommandLine", "--first-seed needs --random N; scenario files have their own seeds"));
     spec.field.regime = arguments.regime.value_or(FieldRegime::Published);
     if (arguments.files.empty() && arguments.random == 0)
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "name scenarios, or give --random N"));
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "name scenarios, or use --random N"));
     for (const std::string& file : arguments.files)
         spec.scenarios.push_back(loadScenario(file));
     return spec;
@@ -110,10 +109,10 @@ void checkTogether(const SweepArguments& arguments)
     const bool isPart = shardOf(arguments.shard).count > 1;
     if (isPart && arguments.output.studyFile.empty())
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--shard: the part needs a file to be kept in: --study FILE"));
+            "CommandLine", "--shard needs --study FILE, in which the part is stored"));
     if (isPart && arguments.output.writesFiles())
         throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--shard: the files of all shards are written by 'study'"));
+            "CommandLine", "--shard: to write tables and reports of all shards, use 'study'"));
 }
 
 /** One `sweep` of the command line. */
@@ -168,7 +167,7 @@ private:
             if (flownCount(study) > 0)
                 m_file.save(study);
         } catch (const Error&) {
-            m_notKept = std::current_exception(); // told after the results
+            m_notKept = std::current_exception(); // reported after the results
         }
     }
 
@@ -183,11 +182,12 @@ private:
         reportWhatWasNotStored();
         if (!m_file.isStored())
             throw Interrupted{};
-        tell(said(QT_TRANSLATE_NOOP("CommandLine",
-                                    "interrupted: %1 of %2 missions are kept in %3; the same "
-                                    "command carries on"),
-                  {grouped(static_cast<double>(flownCount(study))),
-                   grouped(static_cast<double>(missionCount(study.spec))), m_file.path()}));
+        tell(said(
+            QT_TRANSLATE_NOOP(
+                "CommandLine",
+                "interrupted: %1 of %2 missions are stored in %3; repeat the command to continue"),
+            {grouped(static_cast<double>(flownCount(study))),
+             grouped(static_cast<double>(missionCount(study.spec))), m_file.path()}));
         return kInterrupted;
     }
 
@@ -215,7 +215,7 @@ void addSweepCommand(CLI::App& app, Action& action)
     command->add_option("--random", a.random, "Also fly N random scenarios (none)")
         ->transform(wholeFrom(1, 1000000));
     addNamed(*command, "--regime", a.regime, kFieldRegimeNames,
-             "What is known of drift in random scenarios (published)");
+             "Knowledge of drift in random scenarios (published)");
     command->add_option("--first-seed", a.firstSeed, "Seed of the first random scenario (1)")
         ->transform(wholeFrom(0, (std::int64_t{1} << 53) - 1000000));
     command->add_option("-t,--tau", a.taus, "A:B:STEP, or values with commas")->required();
@@ -229,7 +229,7 @@ void addSweepCommand(CLI::App& app, Action& action)
         ->transform(wholeFrom(0, 1024));
     command->add_option("--shard", a.shard,
                         "I/N: fly part I of N only, for 'study' to merge (all)");
-    addStudyOutput(*command, a.output, "Keep what is flown in this file, and carry on from it");
+    addStudyOutput(*command, a.output, "Save flights in this file, and continue from it");
     command->callback([arguments, command, &action] {
         action = [arguments, options = command->config_to_str(true)](const std::stop_token& stop) {
             return SweepRun(*arguments).run(stop, options);

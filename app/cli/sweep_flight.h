@@ -7,29 +7,31 @@
 
 namespace berg::cli {
 
-/** What surrounds the flying of a study; with several processes the first one does it for all. */
+/** Steps before, during and after the flights of a study; with several processes only the first
+ * runs them. */
 struct SweepLead
 {
     std::function<Study()> prepare;
-    /** Missions flown, of how many; called about as often as something is done. */
+    /** Reports missions done out of `count`, about once per mission. */
     std::function<void(const Study&, std::size_t done, std::size_t count)> progress;
-    /** What has been flown when the flying ends in whatever way. */
+    /** Stores the outcomes when flying ends, also after a failure or a stop. */
     std::function<void(const Study&)> keep;
-    /** Exit code of a sweep that ended without a failure. */
+    /** Returns the exit code of a sweep that ended without a failure. */
     std::function<int(const Study&, bool complete)> finish;
 };
 
-/** Flies in this process; `options.onProgress` is not read. */
+/** Flies in this process; `options.onProgress` is ignored. */
 [[nodiscard]] int flyAlone(const SweepLead& lead, StudyOptions options);
 
-/** Number of this process among those of an MPI program, none when it was started by itself. */
+/** Returns the rank of this process in an MPI program, or nullopt if it was started alone. */
 [[nodiscard]] std::optional<int> mpiRank();
 
 /**
- * Flies in all processes of the MPI program this one belongs to: each a part of the shard, with
- * the same result as `flyAlone`. Only the first one calls `lead`; a failure of any ends all and is
- * thrown there. `commandLine` must be the same in all. `options.threads` 0: the cores of each
- * computer divided by its processes. Throws `Error{Unsupported}` in builds without MPI.
+ * Flies in all processes of this MPI program, each a part of the shard, with the same result as
+ * `flyAlone`. Only the first process calls `lead`. A failure in any process ends all and is thrown
+ * in the first. `commandLine` must be equal in all. If `options.threads` is 0, each process uses
+ * the cores of its computer divided by the number of its processes. Throws `Error{Unsupported}` in
+ * builds without MPI.
  */
 [[nodiscard]] int flyOnRanks(const SweepLead& lead, const StudyOptions& options,
                              const std::string& commandLine);

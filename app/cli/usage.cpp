@@ -42,7 +42,7 @@ std::size_t editDistance(const std::string& from, const std::string& to)
     return row.back();
 }
 
-/** What of the known is near; empty: nothing. */
+/** Returns the known word nearest to `word`; empty if none is near. */
 std::string nearestOf(const std::string& word, const std::vector<std::string>& known)
 {
     const auto nearest = std::ranges::min_element(
@@ -263,7 +263,8 @@ std::size_t terminalWidth()
 void addExamples(CLI::App& app)
 {
     static constexpr std::pair<std::string_view, std::string_view> kExamples[] = {
-        {"solve", "solve problem.json --gap 0.01"},
+        {"solve", "solve problem.json --gap 0.01\n"
+                  "solve berlin52.tsp --backend exact --criterion latency --return"},
         {"plan", "plan field.berg --tau 1 --json\nplan field.berg --policy latency --certificate "
                  "proof.json"},
         {"curve", "curve field.berg --tau-max 5 --output curve.csv"},
@@ -279,12 +280,12 @@ void addExamples(CLI::App& app)
         {"completion", "completion bash > bergwatch-cli.bash"}};
     app.footer(
         "Files:\n  -" + std::string(kHelpColumn - 3, ' ') +
-        "In place of a file: standard input or output. Not of --study, nor of a folder\n\n"
+        "Instead of a file: standard input or output. Not for --study or a folder\n\n"
         "Environment:\n  " +
         std::string(kReadLimitsVariable) + "=N" + std::string(kHelpColumn - 25, ' ') +
-        "Every limit of reading (64 MiB, ten times a file and 50 MB of memory, ten million "
-        "values, a million rows) times N, from 1 to 1000. Fixed are what a scenario or problem "
-        "may hold, and the million missions of a study");
+        "Multiplies every limit of reading (64 MiB, ten times a file and 50 MB of memory, ten "
+        "million values, a million rows) by N, from 1 to 1000. The limits of the contents of a "
+        "scenario or problem and the million missions of a study are fixed");
     for (CLI::App* command : app.get_subcommands({}))
         for (const auto& [name, lines] : kExamples)
             if (command->get_name() == name)

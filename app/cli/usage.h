@@ -13,44 +13,45 @@ class ParseError;
 
 namespace berg::cli {
 
-/** The words of a command line after the program's name: `help COMMAND` as `COMMAND --help`. */
+/** Returns the words after the program's name, with `help COMMAND` as `COMMAND --help`. */
 [[nodiscard]] std::vector<std::string> wordsOf(int argc, const char* const* argv);
 
 /**
- * The first command or option of `words` that does not exist, as a sentence with the nearest one
- * that does; none when all exist.
+ * Returns a message about the first unknown command or option in `words`, with the nearest known
+ * one. Returns nullopt if all are known.
  */
 [[nodiscard]] std::optional<Sentence> unknownWord(const CLI::App& app,
                                                   const std::vector<std::string>& words);
 
-/** The same of the command alone, which CLI11 overlooks beside --help. */
+/** Returns the message about an unknown command alone, which CLI11 ignores next to --help. */
 [[nodiscard]] std::optional<Sentence> unknownCommand(const CLI::App& app,
                                                      const std::vector<std::string>& words);
 
-/** A file to read, an argument or that of --into, that is `-` becomes /dev/stdin. */
+/** Replaces `-` by /dev/stdin for files to read: arguments and --into. */
 void readDashFromStandardInput(CLI::App& app);
 
-/** The first option or argument of the command that was given as an empty text; none: "". */
+/** Returns the first option or argument with an empty value, or "" if there is none. */
 [[nodiscard]] std::string emptyOption(const CLI::App& app);
 
-/** What a check of CLI11's is to say, in one text: it knows no two languages. */
+/** Returns both languages of a message in one text, because a check of CLI11 has only one. */
 [[nodiscard]] std::string inOne(const Sentence& fault);
-/** What CLI11 found wrong, in words of a user. */
+/** Returns an error of CLI11 in plain words. */
 [[nodiscard]] Sentence plainWords(const CLI::ParseError& error);
 
-/** "bergwatch-cli plan": the program and the command that `words` name. */
+/** Returns the program and the command in `words`, such as "bergwatch-cli plan". */
 [[nodiscard]] std::string commandOf(const CLI::App& app, const std::vector<std::string>& words);
 
-/** Lines of a help text longer than `width` are broken between words, under their second column. */
+/** Breaks lines of a help text that are longer than `width` between words, and indents the rest to
+ * the second column. */
 [[nodiscard]] std::string wrapped(const std::string& help, std::size_t width);
 
-/** Columns of the terminal on standard output; where there is none, COLUMNS or 80. */
+/** Returns the columns of the terminal on standard output; without one, COLUMNS or 80. */
 [[nodiscard]] std::size_t terminalWidth();
 
-/** A few lines to copy, at the end of the help of each command that is known here. */
+/** Adds examples to the end of each command's help. */
 void addExamples(CLI::App& app);
 
-/** A bash script that completes the commands, options and files of the program. */
+/** Returns a bash script that completes commands, options and files. */
 [[nodiscard]] std::string bashCompletion(const CLI::App& app);
 
 } // namespace berg::cli

@@ -64,7 +64,7 @@ ExportDialog::ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWid
     column->addWidget(makeButtons());
     closeOnEscape(*this);
     connect(&m_runner, &MissionRunner::exportPreviewReady, this, &ExportDialog::take);
-    // What it shows is of a scenario that is not there any more.
+    // The preview belongs to a scenario that has been replaced.
     connect(&m_runner, &MissionRunner::begun, this, &QDialog::reject);
     connect(m_formats, &QListWidget::currentRowChanged, this, &ExportDialog::showFormat);
     connect(m_options, &ExportOptionsView::edited, this, &ExportDialog::request);
@@ -246,7 +246,7 @@ void ExportDialog::request()
 void ExportDialog::take(const ExportPreviewPointer& preview)
 {
     if (preview->request != choice())
-        return; // a newer one is on its way
+        return; // a newer preview follows
     m_preview = preview;
     if (!preview->error)
         m_view->showPreview(preview);
@@ -263,15 +263,15 @@ void ExportDialog::showNotes(const ExportPreview& preview)
     if (preview.error)
         lines << noteLine(tr("Not possible"), exportRefusalText(*preview.error));
     for (const ExportEffect effect :
-         {ExportEffect::Changed, ExportEffect::LeftOut, ExportEffect::Told})
+         {ExportEffect::Changed, ExportEffect::LeftOut, ExportEffect::Note})
         for (const ExportNote& note : preview.notes)
             if (effectOf(note.kind) == effect)
                 lines << noteLine(exportEffectText(effect), exportNoteText(note, locale()));
-    m_notes->setText(lines.isEmpty() ? tr("Everything that was asked for is in the file.")
+    m_notes->setText(lines.isEmpty() ? tr("Nothing was changed or left out.")
                                      : lines.join(u"<br>"_s));
 }
 
-/** Why nothing can be written there; empty: it can. */
+/** Returns the reason that the file cannot be written; empty if it can. */
 QString ExportDialog::fileFault() const
 {
     const QFileInfo file(m_path->text());
@@ -282,7 +282,7 @@ QString ExportDialog::fileFault() const
     return {};
 }
 
-/** Where it goes, and what is there already. */
+/** Shows the path, and whether a file exists there. */
 QString ExportDialog::filesText() const
 {
     QStringList names;
@@ -296,11 +296,11 @@ QString ExportDialog::filesText() const
     const QString size = locale().formattedDataSize(static_cast<qint64>(m_preview->bytes));
     QString text = tr("%1, %2, to %3").arg(names.join(u", "_s), size, folder);
     if (anyThere)
-        text += u". "_s + tr("There already: you will be asked before anything is lost.");
+        text += u". "_s + tr("The file exists. Bergwatch asks before it overwrites it.");
     return text;
 }
 
-/** What can be done now. */
+/** Enables the buttons that are possible now. */
 void ExportDialog::showState()
 {
     const QString fault = fileFault();

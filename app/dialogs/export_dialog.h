@@ -18,8 +18,8 @@ class ExportOptionsView;
 class MissionRunner;
 
 /**
- * Chooses the tool an export is for, what of the mission it is given and where the file goes, and
- * shows what comes of it. All work is the runner's, which is borrowed. Writes nothing itself.
+ * Dialog that chooses format, content and file of an export and shows a preview. The runner, which
+ * must outlive the dialog, does all work. The dialog writes no file.
  */
 class ExportDialog : public QDialog
 {
@@ -27,10 +27,10 @@ class ExportDialog : public QDialog
 
 public:
     ExportDialog(MissionRunner& runner, const ExportOffer& offer, QWidget* parent = nullptr);
-    /** Ends the work on what it would have shown. */
+    /** Stops the preview in progress. */
     ~ExportDialog() override;
 
-    /** As it stands in the dialog. */
+    /** Returns the request as entered in the dialog. */
     [[nodiscard]] ExportRequest choice() const;
 
 private:
@@ -55,18 +55,18 @@ private:
 
     MissionRunner& m_runner;
     ExportOffer m_offer;
-    ExportPreviewPointer m_preview; ///< newest; null: none yet
+    ExportPreviewPointer m_preview; ///< newest; null before the first
     QListWidget* m_formats = nullptr;
     ExportOptionsView* m_options = nullptr;
     QLabel* m_about = nullptr;
     ExportPreviewView* m_view = nullptr;
     QLabel* m_notes = nullptr;
     QLineEdit* m_path = nullptr;
-    QTimer* m_pathPause = nullptr; ///< until then the name of the file may still be typed
+    QTimer* m_pathPause = nullptr; ///< delays the check of a file name while it is typed
     QLabel* m_fileNote = nullptr;
     QPushButton* m_export = nullptr;
-    QString m_suggested;       ///< path; another one was named by the user
-    bool m_isAccepted = false; ///< and waits for the preview
+    QString m_suggested;       ///< path that the dialog proposed, to detect one typed by the user
+    bool m_isAccepted = false; ///< Export was pressed and waits for the preview
 };
 
 } // namespace berg

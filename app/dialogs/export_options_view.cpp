@@ -69,14 +69,14 @@ void ExportOptionsView::addWhat(bool flown)
 {
     m_what = new QComboBox;
     m_what->setObjectName(u"exportWhat"_s);
-    const auto add = [this](const QString& text, ExportWhat what) {
+    const auto add = [this](const QString& text, ExportScope what) {
         m_what->addItem(text, static_cast<int>(what));
     };
     if (flown)
-        add(tr("What was flown"), ExportWhat::Track);
-    add(tr("The whole order"), ExportWhat::Order);
-    add(tr("The first leg"), ExportWhat::FirstLeg);
-    add(tr("The path with turns"), ExportWhat::Path);
+        add(tr("What was flown"), ExportScope::Track);
+    add(tr("The whole order"), ExportScope::Order);
+    add(tr("The first leg"), ExportScope::FirstLeg);
+    add(tr("The path with turns"), ExportScope::Path);
     m_form->addRow(tr("&What"), m_what);
 }
 
@@ -89,7 +89,7 @@ void ExportOptionsView::addUavs(const Scenario& scenario)
         m_uav->addItem(QString::fromStdString(uav.name.empty() ? uav.id : uav.name),
                        QString::fromStdString(uav.id));
     m_form->addRow(tr("&UAV"), m_uav);
-    m_form->setRowVisible(m_uav, areToldApart(scenario.uavs));
+    m_form->setRowVisible(m_uav, areDistinguished(scenario.uavs));
 }
 
 NumberField* ExportOptionsView::addNumber(const QString& label, const QString& name,
@@ -134,7 +134,7 @@ void ExportOptionsView::addReturn()
 void ExportOptionsView::fill(const ExportOptions& options)
 {
     // In flight the order may be what a plan was given by itself.
-    m_isWhatChosen = options.what && !(m_isFlown && *options.what == ExportWhat::Order);
+    m_isWhatChosen = options.what && !(m_isFlown && *options.what == ExportScope::Order);
     if (m_isWhatChosen)
         choose(*m_what, static_cast<int>(*options.what));
     choose(*m_uav, QString::fromStdString(options.uav));
@@ -150,9 +150,9 @@ void ExportOptionsView::showFormat(const ExportFormat& format)
 {
     if (m_isFlown && !m_isWhatChosen) {
         const QSignalBlocker blocker(m_what);
-        // What has acceptance radii is to be flown.
+        // Only content that is flown has acceptance radii.
         choose(*m_what,
-               static_cast<int>(format.holds.radii ? ExportWhat::Order : ExportWhat::Track));
+               static_cast<int>(format.holds.radii ? ExportScope::Order : ExportScope::Track));
     }
     const bool hasPath = !format.holds.flownOnly;
     for (QWidget* box :
@@ -170,7 +170,7 @@ ExportOptions ExportOptionsView::options() const
                           .acceptance_m = valueOf(*m_acceptance),
                           .loiterTurns = m_loiter->value()};
     if (m_what->currentIndex() > 0) // the first is what it is without a choice
-        options.what = static_cast<ExportWhat>(m_what->currentData().toInt());
+        options.what = static_cast<ExportScope>(m_what->currentData().toInt());
     if (const QVariant home = m_return->currentData(); home.isValid())
         options.returnHome = home.toBool();
     if (options.altitude_m)

@@ -12,20 +12,21 @@ namespace berg {
 
 class NumberField;
 
-/** What of a mission is exported and with which numbers. */
+/** Fields for the part of a mission to export and its parameters. */
 class ExportOptionsView : public QWidget
 {
     Q_OBJECT
 
 public:
-    /** `flown`: there is a flight. Starts with `options` as far as they fit the scenario. */
+    /** Starts with `options` as far as they fit the scenario. `flown` enables exports of a flight.
+     */
     ExportOptionsView(const Scenario& scenario, bool flown, const ExportOptions& options,
                       QWidget* parent = nullptr);
 
-    /** Only what files of this format can hold can be chosen. */
+    /** Offers only choices that this format supports. */
     void showFormat(const ExportFormat& format);
 
-    /** Those that the format shown can hold. */
+    /** Returns the options that the current format supports. */
     [[nodiscard]] ExportOptions options() const;
 
 signals:
@@ -41,7 +42,7 @@ private:
                                          const QString& unit, double most);
 
     bool m_isFlown = false;
-    bool m_isWhatChosen = false; ///< by the user: it stays whatever the format
+    bool m_isWhatChosen = false; ///< the user chose the part, so another format keeps it
     QFormLayout* m_form = nullptr;
     QComboBox* m_what = nullptr;
     QComboBox* m_uav = nullptr;

@@ -17,11 +17,12 @@ using namespace Qt::StringLiterals;
 namespace berg {
 
 /** A page as wide as there is room, to be scrolled, or the whole of it when it is much wider than
- * high. */
+ * high; at night on red paper, as white would spoil eyes that are used to the dark. */
 class PageView : public QWidget
 {
 public:
-    PageView()
+    explicit PageView(const Theme& theme)
+        : m_paper(theme.isNight ? theme.mutedText : QColor(Qt::white))
     {
         QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
         policy.setHeightForWidth(true);
@@ -52,6 +53,8 @@ protected:
         QPainter painter(this);
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(page, m_page);
+        painter.setCompositionMode(QPainter::CompositionMode_Multiply);
+        painter.fillRect(page, m_paper);
     }
 
 private:
@@ -60,6 +63,7 @@ private:
     [[nodiscard]] double aspect() const { return double(m_page.width()) / m_page.height(); }
     [[nodiscard]] bool isWide() const { return m_page.isNull() || aspect() > 1.4; }
 
+    QColor m_paper;
     QImage m_page;
 };
 
@@ -124,15 +128,15 @@ CellSheet waypointSheet(const ExportPreviewPointer& preview, const QLocale& loca
                             return cellText(preview->content,
                                             (*rows)[static_cast<std::size_t>(row)], cell, locale);
                         },
-                    .sortKey = [preview, rows, locale](int row, int cell) -> QVariant {
+                    .key = [preview, rows, locale](int row, int cell) -> CellKey {
                         const WaypointRow& waypoint = (*rows)[static_cast<std::size_t>(row)];
                         if (cell == Number)
-                            return waypoint.number;
+                            return {.number = static_cast<double>(waypoint.number)};
                         if (cell == Time)
-                            return waypoint.visit->time_s;
-                        return cellText(preview->content, waypoint, cell, locale);
+                            return {.number = waypoint.visit->time_s};
+                        return {.text = cellText(preview->content, waypoint, cell, locale)};
                     }};
-    if (areToldApart(content.uavs))
+    if (areDistinguished(content.uavs))
         sheet.titles << ExportPreviewView::tr("UAV");
     return sheet;
 }
@@ -142,7 +146,7 @@ CellSheet waypointSheet(const ExportPreviewPointer& preview, const QLocale& loca
 ExportPreviewView::ExportPreviewView(const Theme& theme, QWidget* parent)
     : QTabWidget(parent)
     , m_scroll(new QScrollArea)
-    , m_page(new PageView)
+    , m_page(new PageView(theme))
     , m_map(new MapView(m_document, m_selection))
     , m_waypoints(newCellTable(m_cells, u"exportWaypoints"_s, tr("Waypoints of the file")))
     , m_text(new QPlainTextEdit)
@@ -161,7 +165,7 @@ ExportPreviewView::ExportPreviewView(const Theme& theme, QWidget* parent)
     m_scroll->setBackgroundRole(QPalette::Mid);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_page->setObjectName(u"exportPage"_s);
-    m_page->setAccessibleName(tr("The page as it is written"));
+    m_page->setAccessibleName(tr("Preview of the page"));
     addTab(m_scroll, tr("Page"));
     addTab(m_map, tr("Map"));
     addTab(m_waypoints, tr("Waypoints"));
@@ -171,7 +175,7 @@ ExportPreviewView::ExportPreviewView(const Theme& theme, QWidget* parent)
 
 ExportPreviewView::~ExportPreviewView()
 {
-    // What shows members goes before them.
+    // Widgets that use members are deleted before these.
     delete m_map;
     delete m_waypoints;
 }

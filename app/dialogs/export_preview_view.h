@@ -19,7 +19,8 @@ using ExportPreviewPointer = std::shared_ptr<const ExportPreview>;
 
 class PageView;
 
-/** What an export comes to: the page, or the ways on a map, the waypoints, how the file begins. */
+/** Preview of an export: the page, or the paths on a map, the waypoints and the beginning of the
+ * file. */
 class ExportPreviewView : public QTabWidget
 {
     Q_OBJECT
@@ -28,11 +29,11 @@ public:
     explicit ExportPreviewView(const Theme& theme, QWidget* parent = nullptr);
     ~ExportPreviewView() override;
 
-    /** One without an error. */
+    /** Shows a preview without an error. */
     void showPreview(const ExportPreviewPointer& preview);
 
 private:
-    ScenarioDocument m_document; ///< empty: the map shows pictures
+    ScenarioDocument m_document; ///< stays empty; the map shows pictures
     Selection m_selection;
     CellModel m_cells;
     QScrollArea* m_scroll = nullptr;

@@ -5,11 +5,14 @@
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/flight_sightings.h"
 #include "widgets/panels/dialogs/import_columns_view.h"
+#include "widgets/panels/dialogs/import_identity_view.h"
 #include "widgets/panels/dialogs/import_options_view.h"
+#include "widgets/panels/dialogs/import_rows_view.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/words/import_text.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
@@ -40,7 +43,7 @@ QString fileSizeText(const QString& path, const QLocale& locale)
     return locale.formattedDataSize(QFileInfo(path).size());
 }
 
-/** What is new has a plus before its name, what is updated an asterisk. */
+/** Marks new icebergs with a plus, updated ones with an asterisk. */
 MapPicture pictureOf(const ImportPreview& preview)
 {
     std::unordered_map<std::string, ImportOutcome> outcomes;
@@ -59,16 +62,32 @@ MapPicture pictureOf(const ImportPreview& preview)
             iceberg.id = u"* "_s + iceberg.id;
     }
     picture.emptyTitle = ImportDialog::tr("No icebergs");
-    picture.emptyHint = ImportDialog::tr("None of the sightings is taken.");
+    picture.emptyHint = ImportDialog::tr("No sighting can be imported.");
     return picture;
+}
+
+/** The first of the icebergs that need consent. */
+QString doubtfulIds(const ImportPreview& preview)
+{
+    constexpr qsizetype kMostNamed = 5;
+    QStringList ids;
+    for (const ImportRow& row : preview.rows)
+        if (isDoubtful(row.report)) {
+            if (ids.size() == kMostNamed)
+                return ids.join(u", "_s) + u", …"_s;
+            ids << QString::fromStdString(row.report.id);
+        }
+    return ids.join(u", "_s);
 }
 
 } // namespace
 
-ImportDialog::ImportDialog(ImportRunner& runner, const ImportOffer& offer, QWidget* parent)
+ImportDialog::ImportDialog(ImportRunner& runner, const ImportOffer& offer, QWidget* parent,
+                           QSettings* settings)
     : QDialog(parent)
     , m_runner(runner)
     , m_offer(offer)
+    , m_settings(settings)
     , m_new(std::make_shared<const Scenario>(scenarioFor(offer.path)))
 {
     setWindowTitle(tr("Import sightings from %1").arg(QFileInfo(offer.path).fileName()));
@@ -91,7 +110,7 @@ ImportDialog::ImportDialog(ImportRunner& runner, const ImportOffer& offer, QWidg
 ImportDialog::~ImportDialog()
 {
     m_runner.clear();
-    // What shows members of the dialog goes before them.
+    // Widgets that use members are deleted before these.
     delete m_map;
     delete m_tabs;
 }
@@ -143,6 +162,9 @@ QWidget* ImportDialog::makeResults()
     m_outcome->addWidget(m_map);
     m_outcome->addWidget(m_error);
     column->addWidget(m_outcome, 1);
+    m_identity = new ImportIdentityView;
+    connect(m_identity, &ImportIdentityView::edited, this, [this] { request(false); });
+    column->addWidget(m_identity);
     m_summary = new QLabel;
     m_summary->setObjectName(u"importSummary"_s);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -165,12 +187,22 @@ QWidget* ImportDialog::makeResults()
     column->addWidget(m_scene);
     m_icebergTable = newCellTable(m_icebergs, u"importIcebergs"_s, tr("Icebergs of the file"));
     m_columns = new ImportColumnsView;
-    connect(m_columns, &ImportColumnsView::edited, this, [this] { request(false); });
+    connect(m_columns, &ImportColumnsView::edited, this, [this] {
+        m_isRecalled = false;
+        showMemory();
+        request(false);
+    });
+    connect(m_columns, &ImportColumnsView::forgetRequested, this, &ImportDialog::forget);
+    connect(this, &QDialog::accepted, this, &ImportDialog::keepColumns);
     m_tabs = new QTabWidget;
     m_tabs->setObjectName(u"importTabs"_s);
     m_tabs->addTab(m_icebergTable, tr("Icebergs"));
-    m_rejectedTable = newCellTable(m_rejected, u"importRejected"_s, tr("Rejected rows"));
-    m_tabs->addTab(m_rejectedTable, tr("Rejected rows"));
+    for (const auto list : {ImportRowsView::List::Rejected, ImportRowsView::List::Noted,
+                            ImportRowsView::List::Outside}) {
+        auto* rows = new ImportRowsView(list);
+        m_tabs->addTab(rows, rows->title());
+        m_rowLists[static_cast<std::size_t>(list)] = rows;
+    }
     m_tabs->addTab(m_columns, tr("Columns"));
     m_tabs->setFixedHeight(kTabs_px);
     column->addWidget(m_tabs);
@@ -196,8 +228,14 @@ QLayout* ImportDialog::makeFoot()
     cancel->setObjectName(u"importCancel"_s);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    m_consent =
+        new QCheckBox(m_offer.inFlight ? tr("Report all t&he same") : tr("Import all t&he same"));
+    m_consent->setObjectName(u"importConsent"_s);
+    m_consent->setVisible(false);
+    connect(m_consent, &QCheckBox::toggled, this, [this] { showState(); });
     row->addWidget(m_progress);
     row->addStretch(1);
+    row->addWidget(m_consent);
     row->addWidget(buttons);
     return row;
 }
@@ -213,6 +251,7 @@ void ImportDialog::fillFormats()
 void ImportDialog::changeFormat()
 {
     m_columns->clear(); // another format has other columns
+    m_identity->clear();
     request(false);
 }
 
@@ -223,8 +262,9 @@ void ImportDialog::request(bool atOnce)
         {.path = m_offer.path,
          .reading = {.format = m_format->currentData().toString().toStdString(),
                      .mapping = m_columns->mapping(),
-                     .dates = m_options->dates()},
-         .oneIceberg = m_options->oneIceberg(),
+                     .dates = m_options->dates(),
+                     .headerLine = m_columns->headerLine()},
+         .identity = m_identity->chosen(),
          .base = m_options->intoNew() ? m_new : m_offer.present,
          .options = m_offer.inFlight ? optionsInFlight(options, *m_offer.present) : options},
         atOnce);
@@ -234,20 +274,70 @@ void ImportDialog::request(bool atOnce)
 void ImportDialog::take(const PreviewPointer& preview)
 {
     const PreviewPointer before = std::exchange(m_preview, preview);
+    m_consent->setChecked(false); // it was given to another result
+    m_identity->showChoices(preview->file ? preview->file->choices : std::vector<IdentityChoice>());
     if (preview->file) {
         m_options->showFile(*preview->file);
         m_format->setItemText(0, tr("Automatic: %1").arg(importFormatName(preview->file->format)));
     }
     showOutcome();
     showTables();
-    if (preview->error && !preview->file && !preview->head.columns.isEmpty())
+    recallColumns();
+    const bool isUnclear = preview->file && preview->file->isUnclear;
+    const bool wasUnclear = before && before->file && before->file->isUnclear;
+    if (isUnclear || (preview->error && !preview->file && !preview->head.columns.isEmpty()))
         m_tabs->setCurrentWidget(m_columns); // naming them may help
     else if (!preview->error && preview->rows.empty() && m_tabs->currentWidget() == m_icebergTable)
-        m_tabs->setCurrentWidget(m_rejectedTable); // which tells why
-    else if (!preview->rows.empty() && before != nullptr && before->rows.empty() &&
-             m_tabs->currentWidget() == m_rejectedTable)
+        m_tabs->setCurrentWidget(m_rowLists.front()); // it shows the reason
+    else if (!preview->rows.empty() &&
+             (wasUnclear || (before != nullptr && before->rows.empty() &&
+                             m_tabs->currentWidget() == m_rowLists.front())))
         m_tabs->setCurrentWidget(m_icebergTable);
     showState();
+}
+
+void ImportDialog::recallColumns()
+{
+    const QStringList& header = m_preview->head.columns;
+    const QString fingerprint = headerFingerprint(header);
+    if (m_settings == nullptr || header.isEmpty() || m_recalledFor == fingerprint)
+        return;
+    m_recalledFor = fingerprint;
+    if (m_columns->mapping().empty() && m_columns->choose(columnsFor(*m_settings, header))) {
+        m_isRecalled = true;
+        request(true);
+    }
+    showMemory();
+}
+
+/** Remembers the columns that the user chose, for the next file with this header. */
+void ImportDialog::keepColumns()
+{
+    const QStringList header = m_preview ? m_preview->head.columns : QStringList();
+    if (m_settings == nullptr || header.isEmpty())
+        return;
+    if (const ColumnMapping mapping = m_columns->mapping(); !mapping.empty())
+        rememberColumns(*m_settings, header, mapping);
+    else if (!columnsFor(*m_settings, header).empty())
+        forgetColumns(*m_settings, headerFingerprint(header));
+}
+
+void ImportDialog::forget(const QString& fingerprint)
+{
+    for (const RememberedColumns& known : rememberedColumns(*m_settings))
+        if (fingerprint.isEmpty() || known.fingerprint == fingerprint)
+            forgetColumns(*m_settings, known.fingerprint);
+    if (std::exchange(m_isRecalled, false)) {
+        m_columns->clear();
+        request(true);
+    }
+    showMemory();
+}
+
+void ImportDialog::showMemory()
+{
+    if (m_settings != nullptr)
+        m_columns->showMemory(rememberedColumns(*m_settings), m_isRecalled);
 }
 
 /** The map, or why there is none. */
@@ -255,6 +345,11 @@ void ImportDialog::showOutcome()
 {
     if (m_preview->error) {
         m_error->setText(importErrorReport(*m_preview->error));
+        m_outcome->setCurrentWidget(m_error);
+        return;
+    }
+    if (m_preview->file && m_preview->file->isUnclear) {
+        m_error->setText(tr("Choose below which rows belong to the same iceberg."));
         m_outcome->setCurrentWidget(m_error);
         return;
     }
@@ -270,50 +365,41 @@ void ImportDialog::showOutcome()
 void ImportDialog::showTables()
 {
     m_icebergs.setSheet(icebergSheet(m_preview, locale()));
-    m_rejected.setSheet(rejectedSheet(m_preview, locale()));
     m_columns->showPreview(m_preview);
     m_icebergTable->resizeColumnsToContents();
     m_icebergTable->horizontalHeader()->setStretchLastSection(true);
-    m_rejectedTable->resizeColumnsToContents();
-    m_rejectedTable->horizontalHeader()->setStretchLastSection(true);
     const std::size_t listed = m_preview->rows.size();
-    const Rejections& rejected = m_preview->result.rejected;
     m_tabs->setTabText(
         0, m_preview->moreRows == 0
                ? tr("Icebergs (%1)").arg(listed)
                : tr("Icebergs (first %1 of %2)").arg(listed).arg(listed + m_preview->moreRows));
-    m_tabs->setTabText(
-        1,
-        rejected.count == rejected.first.size()
-            ? tr("Rejected rows (%1)").arg(rejected.count)
-            : tr("Rejected rows (first %1 of %2)").arg(rejected.first.size()).arg(rejected.count));
+    for (ImportRowsView* rows : m_rowLists) {
+        rows->showPreview(m_preview);
+        m_tabs->setTabText(m_tabs->indexOf(rows), rows->title());
+        m_tabs->setTabVisible(m_tabs->indexOf(rows),
+                              rows == m_rowLists.front() || !rows->isEmpty());
+    }
 }
 
-/** What can be done now: a preview of an earlier request is not to be imported, and looks so. */
+/** Enables the buttons that are possible now. A preview of an earlier request is greyed and not
+ * importable. */
 void ImportDialog::showState()
 {
     const bool busy = m_runner.isBusy();
     const bool usable = !busy && m_preview && m_preview->isUsable();
+    const bool isUnclear = m_preview && m_preview->file && m_preview->file->isUnclear;
     m_progress->setVisible(busy);
     m_icebergTable->setEnabled(!busy);
-    m_rejectedTable->setEnabled(!busy);
-    m_import->setEnabled(usable);
+    for (ImportRowsView* rows : m_rowLists)
+        rows->setEnabled(!busy);
+    m_import->setEnabled(usable && isAgreed());
+    m_consent->setVisible(usable && m_preview->needsConsent);
     m_legend->setVisible(usable);
     // Sightings that do not fit to the scenario that is shown do to one of their own.
-    const bool isOffered = !busy && !usable && m_preview && m_preview->file &&
+    const bool isOffered = !busy && !usable && m_preview && m_preview->file && !isUnclear &&
                            !m_options->intoNew() && !m_offer.inFlight;
     m_intoNew->setVisible(isOffered);
-    QStringList lines;
-    if (usable && !m_preview->file->guessedDate.empty())
-        lines << guessedDateText(m_preview->file->guessedDate, m_preview->file->guessedLine);
-    if (usable && !m_preview->result.scene.empty())
-        lines << sceneSummary(m_preview->result.scene);
-    if (usable && m_preview->result.observerSet)
-        lines << tr("Velocities are not known exactly, so the observer becomes the Kalman filter.");
-    const QString scene = lines.join(u'\n');
-    m_scene->setText(scene);
-    m_scene->setToolTip(scene); // all of it, where it is wider than the dialog
-    m_scene->setVisible(!scene.isEmpty());
+    showRemarks(usable);
     if (busy && !m_preview)
         m_summary->setText(
             tr("Reading %1, %2 ...")
@@ -321,7 +407,37 @@ void ImportDialog::showState()
     else if (busy)
         m_summary->setText(tr("Working ..."));
     else
-        m_summary->setText(m_preview->error ? QString() : importSummary(m_preview->result));
+        m_summary->setText(m_preview->error || isUnclear ? QString()
+                                                         : importSummary(m_preview->result));
+}
+
+bool ImportDialog::isAgreed() const
+{
+    return !m_preview->needsConsent || m_consent->isChecked();
+}
+
+/** Shows the lines above the tables, which concern the whole import. */
+void ImportDialog::showRemarks(bool usable)
+{
+    QStringList lines;
+    if (usable && m_preview->needsConsent)
+        lines << tr("Faster than 1.5 m/s or on land: %1. Check columns, units and ids.")
+                     .arg(doubtfulIds(*m_preview));
+    if (usable && !m_preview->file->guessedDate.empty())
+        lines << guessedDateText(m_preview->file->guessedDate, m_preview->file->guessedLine);
+    if (const QString far = !m_runner.isBusy() && m_preview && !m_preview->error
+                                ? farSightingsText(m_preview->result, !m_options->intoNew())
+                                : QString();
+        !far.isEmpty())
+        lines << far;
+    if (usable && !m_preview->result.scene.empty())
+        lines << sceneSummary(m_preview->result.scene);
+    if (usable && m_preview->result.observerSet)
+        lines << tr("Velocities are uncertain, so the scenario will use the Kalman filter.");
+    const QString scene = lines.join(u'\n');
+    m_scene->setText(scene);
+    m_scene->setToolTip(scene); // all of it, where it is wider than the dialog
+    m_scene->setVisible(!scene.isEmpty());
 }
 
 /** The iceberg of a row is marked on the map. */
@@ -349,7 +465,7 @@ void ImportDialog::selectRow()
 
 std::optional<ImportChoice> ImportDialog::choice() const
 {
-    if (m_runner.isBusy() || !m_preview || !m_preview->isUsable())
+    if (m_runner.isBusy() || !m_preview || !m_preview->isUsable() || !isAgreed())
         return std::nullopt;
     const ImportResult& result = m_preview->result;
     return ImportChoice{.scenario = result.scenario,

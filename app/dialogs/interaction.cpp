@@ -4,6 +4,7 @@
 #include "app/dialogs/import_dialog.h"
 #include "app/dialogs/origin_dialog.h"
 #include "app/dialogs/recovery_dialog.h"
+#include "app/dialogs/screen_fit.h"
 #include "app/dialogs/wind_dialog.h"
 #include "widgets/theme/declination.h"
 
@@ -54,10 +55,10 @@ QString consequence(Interaction::FlightEnd why)
 {
     switch (why) {
     case Interaction::FlightEnd::Answer:
-        return Dialogs::tr("The scenario can only be changed when no flight is under way. The "
+        return Dialogs::tr("The scenario can only be changed when no flight is in progress. The "
                            "flight stays in the list of runs.");
     case Interaction::FlightEnd::Other:
-        return Dialogs::tr("As far as it went, it stays in the list of runs.");
+        return Dialogs::tr("What has been flown so far stays in the list of runs.");
     }
     return {};
 }
@@ -84,9 +85,9 @@ Interaction::Unsaved DialogInteraction::askUnsaved(QWidget* parent, const Unsave
                     Dialogs::tr("Save the changes to \"%1\"?").arg(work.name),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
     box.setInformativeText(work.endsFlight
-                               ? Dialogs::tr("They are lost if you do not save them. The flight "
-                                             "under way ends unless you cancel.")
-                               : Dialogs::tr("They are lost if you do not save them."));
+                               ? Dialogs::tr("Your changes will be lost if you don't save them. "
+                                             "The flight in progress ends unless you cancel.")
+                               : Dialogs::tr("Your changes will be lost if you don't save them."));
     return unsavedAnswer(box);
 }
 
@@ -97,7 +98,7 @@ Interaction::Unsaved DialogInteraction::askUnsavedRun(QWidget* parent, bool isUn
                     isUnderWay ? Dialogs::tr("Save the run before the flight ends?")
                                : Dialogs::tr("Save the run?"),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
-    box.setInformativeText(Dialogs::tr("What was flown is lost if you do not save it."));
+    box.setInformativeText(Dialogs::tr("The flight will be lost if you don't save it."));
     box.button(QMessageBox::Save)->setText(Dialogs::tr("&Save run..."));
     return unsavedAnswer(box);
 }
@@ -106,8 +107,8 @@ bool DialogInteraction::askEndFlight(QWidget* parent, FlightEnd why)
 {
     QMessageBox box(QMessageBox::Question, Dialogs::tr("Flight under way"),
                     why == FlightEnd::Answer
-                        ? Dialogs::tr("A flight has begun in the meantime. End it?")
-                        : Dialogs::tr("A flight is under way. End it?"),
+                        ? Dialogs::tr("A flight has started in the meantime. End it?")
+                        : Dialogs::tr("A flight is in progress. End it?"),
                     QMessageBox::NoButton, parent);
     box.setInformativeText(consequence(why));
     const QPushButton* end = box.addButton(Dialogs::tr("End the flight"), QMessageBox::AcceptRole);
@@ -159,6 +160,7 @@ std::optional<OriginChoice> DialogInteraction::askOrigin(QWidget* parent, const 
                                                          const Theme& theme)
 {
     OriginDialog dialog(scenario, suggested, theme, parent);
+    boundToScreen(dialog);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     return dialog.choice();
@@ -187,6 +189,7 @@ std::optional<ExportRequest> DialogInteraction::chooseExport(QWidget* parent, Mi
                                                              const ExportOffer& offer)
 {
     ExportDialog dialog(runner, offer, parent);
+    boundToScreen(dialog);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     return dialog.choice();
@@ -195,7 +198,8 @@ std::optional<ExportRequest> DialogInteraction::chooseExport(QWidget* parent, Mi
 std::optional<ImportChoice> DialogInteraction::chooseImport(QWidget* parent, ImportRunner& runner,
                                                             const ImportOffer& offer)
 {
-    ImportDialog dialog(runner, offer, parent);
+    ImportDialog dialog(runner, offer, parent, m_settings);
+    boundToScreen(dialog);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     return dialog.choice();
@@ -208,8 +212,8 @@ Interaction::InUse DialogInteraction::askInUse(QWidget* parent, const QString& f
                     Dialogs::tr("\"%1\" is open in another window.").arg(fileName),
                     QMessageBox::Cancel, parent);
     box.setInformativeText(
-        Dialogs::tr("%1 has it open. A copy can be changed freely and saved under another name; "
-                    "if both windows save to the file, the last one wins.")
+        Dialogs::tr("%1 has it open. You can open a copy and save it under another name. If both "
+                    "windows save to this file, the last one wins.")
             .arg(holder));
     QPushButton* copy = box.addButton(Dialogs::tr("Open a copy"), QMessageBox::AcceptRole);
     const QPushButton* anyway =
@@ -243,21 +247,34 @@ bool DialogInteraction::askRemove(QWidget* parent, const QStringList& names)
         QMessageBox::Question, Dialogs::tr("Remove icebergs"),
         Dialogs::tr("Remove %n icebergs from this run?", nullptr, static_cast<int>(names.size())),
         QMessageBox::NoButton, parent);
-    box.setInformativeText(Dialogs::tr("%1: the UAV visits them no more. In flight, Undo does not "
-                                       "bring them back.")
-                               .arg(names.join(u", "_s)));
+    box.setInformativeText(
+        Dialogs::tr("%1: the UAV will not visit them any more.").arg(names.join(u", "_s)));
     QPushButton* remove = box.addButton(Dialogs::tr("&Remove"), QMessageBox::DestructiveRole);
     box.setDefaultButton(box.addButton(QMessageBox::Cancel));
     box.exec();
     return box.clickedButton() == remove;
 }
 
+bool DialogInteraction::askUndo(QWidget* parent, const QString& change, const QString& since)
+{
+    QMessageBox box(QMessageBox::Question, Dialogs::tr("Undo in flight"),
+                    Dialogs::tr("Undo \"%1\" of %2?").arg(change, since), QMessageBox::NoButton,
+                    parent);
+    box.setInformativeText(
+        Dialogs::tr("The flight goes back to that time and continues without the change. The "
+                    "flight since then is discarded; \"Restore\" brings it back."));
+    const QPushButton* undo = box.addButton(Dialogs::tr("&Undo"), QMessageBox::AcceptRole);
+    box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+    box.exec();
+    return box.clickedButton() == undo;
+}
+
 bool DialogInteraction::askReload(QWidget* parent, const QString& fileName)
 {
     QMessageBox box(QMessageBox::Question, Dialogs::tr("File changed"),
-                    Dialogs::tr("\"%1\" was changed by another program.").arg(fileName),
+                    Dialogs::tr("Another program has changed \"%1\".").arg(fileName),
                     QMessageBox::NoButton, parent);
-    box.setInformativeText(Dialogs::tr("You have no unsaved changes of your own."));
+    box.setInformativeText(Dialogs::tr("You have no unsaved changes."));
     QPushButton* reload = box.addButton(Dialogs::tr("Open it again"), QMessageBox::AcceptRole);
     box.addButton(Dialogs::tr("Keep what I see"), QMessageBox::RejectRole);
     box.setDefaultButton(reload);
@@ -269,6 +286,7 @@ RecoveryAnswer DialogInteraction::askRecovery(QWidget* parent,
                                               const std::vector<RecoveryOffer>& offers)
 {
     RecoveryDialog dialog(offers, parent);
+    boundToScreen(dialog);
     dialog.exec();
     return dialog.answer();
 }
@@ -313,7 +331,7 @@ void DialogInteraction::showInformation(QWidget* parent, const QString& title, c
     auto* scroll = new QScrollArea;
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidget(text);
-    // As large as the text where the screen has room; else it scrolls.
+    // The dialog is as large as its text if the screen has room; otherwise it scrolls.
     const int bar_px = scroll->verticalScrollBar()->sizeHint().width();
     scroll->setMinimumSize(
         (text->sizeHint() + QSize(bar_px, 0)).boundedTo(dialog.screen()->availableSize() * 4 / 5));

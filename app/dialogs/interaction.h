@@ -21,50 +21,50 @@ namespace berg {
 class ImportRunner;
 class MissionRunner;
 
-/** What can be exported, and what to suggest. */
+/** Content for an export, and the suggested request. */
 struct ExportOffer
 {
-    ExportRequest suggested; ///< an unknown format: the first of the table
-    bool flown = false;      ///< there is a flight to export, not only the plan from the start
+    ExportRequest suggested;                  ///< an unknown format selects the first of the table
+    bool flown = false;                       ///< a flight can be exported, besides the plan
     std::shared_ptr<const Scenario> scenario; ///< on screen
     Theme theme;
 };
 
-/** A file of sightings, and what they can be added to. */
+/** A file of sightings, and the scenario that they can be added to. */
 struct ImportOffer
 {
     QString path;
     std::shared_ptr<const Scenario> present; ///< on screen
-    bool intoNew = false;                    ///< chosen at first: a new scenario
-    bool inFlight = false;                   ///< they are reports to it; `present` is `scenarioNow`
+    bool intoNew = false;                    ///< preselects a new scenario
+    bool inFlight = false; ///< sightings become reports to the flight; `present` is `scenarioNow`
     Theme theme;
 };
 
-/** What the user wants imported. */
+/** The import that the user chose. */
 struct ImportChoice
 {
-    Scenario scenario;                 ///< that comes out
-    bool intoNew = false;              ///< in place of the present one, not a change of it
+    Scenario scenario;                 ///< result of the import
+    bool intoNew = false;              ///< replaces the present scenario instead of changing it
     int icebergs = 0;                  ///< new or updated
-    std::vector<Intervention> reports; ///< in flight, instead of all that
+    std::vector<Intervention> reports; ///< in flight, these replace the members above
 };
 
-/** What is in no file, and about to be lost. */
+/** Unsaved work that is about to be lost. */
 struct UnsavedWork
 {
     QString name;
-    bool endsFlight = false; ///< a flight under way is ended as well
+    bool endsFlight = false; ///< a flight in progress ends as well
 };
 
 /** Unsaved work of a program that ended unexpectedly, as the user sees it. */
 struct RecoveryOffer
 {
     QString name;
-    QString path;   ///< of its file; empty: none yet
-    QString edited; ///< when, in words
+    QString path;   ///< of its file; empty if it has none
+    QString edited; ///< time of the last edit, as text
 };
 
-/** What is to be done with which of the offers. */
+/** The user's choice among the recovery offers. */
 struct RecoveryAnswer
 {
     enum class Action
@@ -77,7 +77,7 @@ struct RecoveryAnswer
     std::size_t offer = 0;
 };
 
-/** Where a scenario is to be moved. */
+/** New place of a scenario. */
 struct OriginChoice
 {
     LatLon origin;
@@ -85,7 +85,7 @@ struct OriginChoice
     bool operator==(const OriginChoice&) const = default;
 };
 
-/** Everything modal the window asks of a person, behind one interface so that tests can answer. */
+/** All modal dialogs of the window, behind one interface so that tests can answer them. */
 class Interaction
 {
 public:
@@ -108,10 +108,10 @@ public:
         Cancel
     };
 
-    /** Why a flight is about to be ended. */
+    /** Reason to end a flight. */
     enum class FlightEnd
     {
-        Answer, ///< it has begun while another question was open, whose answer would end it
+        Answer, ///< the flight began while a question was open, and its answer would end it
         Other   ///< another scenario or flight takes its place
     };
 
@@ -121,64 +121,70 @@ public:
     virtual ~Interaction() = default;
 
     [[nodiscard]] virtual Unsaved askUnsaved(QWidget* parent, const UnsavedWork& work) = 0;
-    /** The window is closed over a run that is in no file. */
+    /** Asks whether to save a run before the window closes. */
     [[nodiscard]] virtual Unsaved askUnsavedRun(QWidget* parent, bool isUnderWay) = 0;
     [[nodiscard]] virtual bool askEndFlight(QWidget* parent, FlightEnd why) = 0;
-    /** In flight: icebergs leave the run, `names` for the user. Whether they are to. */
+    /** Asks, in flight, whether to remove icebergs from the run. `names` are shown to the user. */
     [[nodiscard]] virtual bool askRemove(QWidget* parent, const QStringList& names) = 0;
-    /** Empty: cancelled. `filter` as in `QFileDialog`. */
+    /** Asks whether to discard the flight since a change, in order to undo it. `since` is the time
+     * of the change, as text. */
+    [[nodiscard]] virtual bool askUndo(QWidget* parent, const QString& change,
+                                       const QString& since) = 0;
+    /** Returns the chosen path; empty if cancelled. `filter` is that of `QFileDialog`. */
     [[nodiscard]] virtual QString openPath(QWidget* parent, const QString& filter) = 0;
     [[nodiscard]] virtual QString savePath(QWidget* parent, const QString& suggested,
                                            const QString& filter) = 0;
-    /** None: cancelled. */
+    /** Returns nullopt if cancelled. */
     [[nodiscard]] virtual std::optional<ExportRequest>
     chooseExport(QWidget* parent, MissionRunner& runner, const ExportOffer& offer) = 0;
-    /** None: cancelled. */
+    /** Returns nullopt if cancelled. */
     [[nodiscard]] virtual std::optional<ImportChoice>
     chooseImport(QWidget* parent, ImportRunner& runner, const ImportOffer& offer) = 0;
-    /** None: cancelled. What is chosen can be done with this scenario. */
+    /** Returns a choice that is possible for this scenario; nullopt if cancelled. */
     [[nodiscard]] virtual std::optional<OriginChoice> askOrigin(QWidget* parent,
                                                                 const Scenario& scenario,
                                                                 const LatLon& suggested,
                                                                 const Theme& theme) = 0;
-    /** None: cancelled. What is chosen is slower than `airspeed_mps`. */
+    /** Returns a wind below `airspeed_mps`; nullopt if cancelled. */
     [[nodiscard]] virtual std::optional<Point> askWind(QWidget* parent, const Point& wind_mps,
                                                        double airspeed_mps) = 0;
     /** Magnetic declination in degrees, positive east; nullopt if cancelled. */
     [[nodiscard]] virtual std::optional<double> askDeclination(QWidget* parent,
                                                                double present_deg) = 0;
-    /** Another window has the file open; `holder` says which. */
+    /** Asks what to do about a file that another window (`holder`) has open. */
     [[nodiscard]] virtual InUse askInUse(QWidget* parent, const QString& fileName,
                                          const QString& holder) = 0;
-    /** The file must not be overwritten silently; `reason` says why. */
+    /** Asks whether to overwrite the file; `reason` explains the question. */
     [[nodiscard]] virtual Overwrite askOverwrite(QWidget* parent, const QString& fileName,
                                                  const QString& reason) = 0;
-    /** The file was changed by somebody else, and here nothing is unsaved. */
+    /** Asks whether to reload a file that another program has changed. Nothing is unsaved here. */
     [[nodiscard]] virtual bool askReload(QWidget* parent, const QString& fileName) = 0;
     /** `offers` is not empty. */
     [[nodiscard]] virtual RecoveryAnswer askRecovery(QWidget* parent,
                                                      const std::vector<RecoveryOffer>& offers) = 0;
-    /** Until it is so, or the user wants to wait no longer; the window takes nothing else. */
+    /** Blocks the window until `isDone` returns true or the user stops waiting. */
     virtual void waitUntil(QWidget* parent, const QString& text,
                            const std::function<bool()>& isDone, bool mayCancel) = 0;
     virtual void showError(QWidget* parent, const QString& text) = 0;
     virtual void showInformation(QWidget* parent, const QString& title, const QString& html) = 0;
     virtual void soundAlarm() = 0;
 
-    bool isAwaited = false; ///< by a part of the window, which must live until then
+    bool isAwaited = false; ///< a part of the window waits for the answer and must not be deleted
 };
 
-/** The real one: Qt's dialogs. */
+/** Interaction by Qt's dialogs. */
 class DialogInteraction : public Interaction
 {
 public:
-    /** `settings` keep the folder that files were last chosen in; null: nothing does. */
+    /** `settings` store the folder of the last file chosen; null stores nothing. */
     explicit DialogInteraction(QSettings* settings = nullptr) : m_settings(settings) {}
 
     [[nodiscard]] Unsaved askUnsaved(QWidget* parent, const UnsavedWork& work) override;
     [[nodiscard]] Unsaved askUnsavedRun(QWidget* parent, bool isUnderWay) override;
     [[nodiscard]] bool askEndFlight(QWidget* parent, FlightEnd why) override;
     [[nodiscard]] bool askRemove(QWidget* parent, const QStringList& names) override;
+    [[nodiscard]] bool askUndo(QWidget* parent, const QString& change,
+                               const QString& since) override;
     [[nodiscard]] QString openPath(QWidget* parent, const QString& filter) override;
     [[nodiscard]] QString savePath(QWidget* parent, const QString& suggested,
                                    const QString& filter) override;
@@ -204,7 +210,7 @@ public:
     void waitUntil(QWidget* parent, const QString& text, const std::function<bool()>& isDone,
                    bool mayCancel) override;
     void showInformation(QWidget* parent, const QString& title, const QString& html) override;
-    /** The bell of the desktop. */
+    /** Sounds the bell of the desktop. */
     void soundAlarm() override;
 
 private:

@@ -38,7 +38,7 @@ OriginDialog::OriginDialog(const Scenario& scenario, const LatLon& suggested, co
     m_chart->setFixedSize(kChart_px, kChart_px);
     m_keepLayout = new QRadioButton(tr("Move &everything along with the origin"));
     m_keepLayout->setObjectName(u"keepLayout"_s);
-    m_keepPlaces = new QRadioButton(tr("&Leave everything where it is on the Earth"));
+    m_keepPlaces = new QRadioButton(tr("&Leave everything at its place on the Earth"));
     m_keepPlaces->setObjectName(u"keepPlaces"_s);
     m_keepLayout->setChecked(true);
     m_note = new QLabel;
@@ -88,7 +88,7 @@ void OriginDialog::judge()
             m_choice = OriginChoice{.origin = place->at, .mode = mode};
             m_note->setText(summary(place->at));
         } catch (const Error&) {
-            m_note->setText(tr("Not everything could stay where it is: a scenario reaches %1 from "
+            m_note->setText(tr("Not everything can stay at its place: a scenario reaches %1 from "
                                "its origin. Move everything along, or choose a nearer place.")
                                 .arg(distanceText(kLargestCoordinate_m, locale())));
         }
@@ -102,12 +102,12 @@ QString OriginDialog::summary(const LatLon& place) const
 {
     const QString away = distanceText(path_m(place), locale());
     const QString where = placeText(place, kOriginDecimals, locale());
-    return m_keepPlaces->isChecked()
-               ? tr("The origin comes to %1, %2 away. Places, courses and drift on the Earth stay "
-                    "the same.")
-                     .arg(where, away)
-               : tr("Everything comes to %1, %2 away, and keeps its place about the origin.")
-                     .arg(where, away);
+    return m_keepPlaces->isChecked() ? tr("The origin moves to %1, %2 away. Positions, courses and "
+                                          "drift on the Earth stay the same.")
+                                           .arg(where, away)
+                                     : tr("Everything moves to %1, %2 away, and keeps its position "
+                                          "relative to the origin.")
+                                           .arg(where, away);
 }
 
 double OriginDialog::path_m(const LatLon& place) const

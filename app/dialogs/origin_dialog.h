@@ -13,7 +13,8 @@ namespace berg {
 class OverviewInset;
 class PlaceField;
 
-/** Asks where a scenario is to be moved, on a chart or as text, and says why it cannot. */
+/** Asks for the new place of a scenario, on a chart or as text, and explains why a place is
+ * impossible. */
 class OriginDialog : public QDialog
 {
     Q_OBJECT
@@ -23,7 +24,7 @@ public:
     OriginDialog(const Scenario& scenario, const LatLon& suggested, const Theme& theme,
                  QWidget* parent = nullptr);
 
-    /** As it stands in the dialog; none: it cannot be moved there. */
+    /** Returns the choice as entered; nullopt if the scenario cannot be moved there. */
     [[nodiscard]] const std::optional<OriginChoice>& choice() const { return m_choice; }
 
 private:

@@ -22,8 +22,8 @@ RecoveryDialog::RecoveryDialog(const std::vector<RecoveryOffer>& offers, QWidget
 {
     setWindowTitle(tr("Recovered work"));
     auto* column = new QVBoxLayout(this);
-    auto* words = new QLabel(
-        tr("Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, then save."));
+    auto* words = new QLabel(tr("Bergwatch ended unexpectedly. Unsaved changes were kept. Restore "
+                                "them, and then save them."));
     words->setWordWrap(true);
     column->addWidget(words);
     column->addWidget(m_list, 1);

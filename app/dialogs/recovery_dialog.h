@@ -17,7 +17,7 @@ public:
     /** `offers` is not empty. */
     explicit RecoveryDialog(const std::vector<RecoveryOffer>& offers, QWidget* parent = nullptr);
 
-    /** After `exec`; `Later` when the dialog was closed in any other way. */
+    /** Returns the answer after `exec`; `Later` if the dialog was closed without a choice. */
     [[nodiscard]] RecoveryAnswer answer() const { return m_answer; }
 
 private:

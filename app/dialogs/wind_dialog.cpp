@@ -78,8 +78,8 @@ void WindDialog::judge()
     const bool isStrong = m_wind_mps.norm() >= kStrongWindShare * m_airspeed_mps;
     QString airspeed = speedText(m_airspeed_mps, locale());
     airspeed.replace(u'/', u"/\u2060"_s); // no line ends within the unit
-    m_note->setText(isStrong ? tr("The UAV will make little way against this wind.")
-                             : tr("Always slower than the UAV flies: %1.").arg(airspeed));
+    m_note->setText(isStrong ? tr("The UAV will make little headway in this wind.")
+                             : tr("Must be below the UAV's airspeed (%1).").arg(airspeed));
 }
 
 } // namespace berg

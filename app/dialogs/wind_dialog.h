@@ -10,16 +10,16 @@ namespace berg {
 
 class NumberField;
 
-/** Asks for a wind as forecasts write it: how fast, and where from. */
+/** Asks for a wind as forecasts give it: speed, and the direction it comes from. */
 class WindDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /** Begins with `wind_mps`; it stays slower than `airspeed_mps`, which is above 0. */
+    /** Starts with `wind_mps` and accepts winds below `airspeed_mps`, which is above 0. */
     WindDialog(const Point& wind_mps, double airspeed_mps, QWidget* parent = nullptr);
 
-    /** As it stands in the dialog; to the last bit what it began with until it is edited. */
+    /** Returns the wind as entered, or exactly the initial wind if it was not edited. */
     [[nodiscard]] const Point& wind_mps() const { return m_wind_mps; }
 
 private:

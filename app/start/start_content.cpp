@@ -21,7 +21,7 @@ namespace {
 /** Device-independent pixels for each unit of the layout: the small picture of a larger map. */
 constexpr double kReduction = 0.5;
 
-/** Where symbols would cover each other. */
+/** Distance below which symbols would overlap. */
 void paintDots(QPainter& painter, const MapFrame& frame)
 {
     constexpr double kRadius_px = 5;
@@ -93,7 +93,7 @@ RecentFile readRecentFile(const QString& path, const Theme& theme, double pixelR
     RecentFile recent{.path = path, .exists = file.exists(), .changed = file.lastModified()};
     if (!recent.exists)
         return recent;
-    static_cast<void>(failureOf([&] { // opening it tells why not
+    static_cast<void>(failureOf([&] { // opening the file reports the error
         const std::optional<Scenario> scenario = scenarioIn(file);
         if (!scenario)
             return;
@@ -187,7 +187,7 @@ void StartContent::paintExamples(const Theme& theme, double pixelRatio, const QS
     for (int place = 0; place < paths.size(); ++place)
         m_painter.start(
             [this, place, path = paths[place], theme, pixelRatio, stop = m_stop.get_token()] {
-                // A picture less at worst; opening the example tells what is wrong with it.
+                // Only the picture is missing then; opening the example reports the error.
                 static_cast<void>(failureOf([&] {
                     const Example example = paintedExample(path, theme, pixelRatio, stop);
                     if (!stop.stop_requested())

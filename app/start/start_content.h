@@ -14,14 +14,14 @@
 
 namespace berg {
 
-/** A file opened before, as it is now. */
+/** A recent file in its present state. */
 struct RecentFile
 {
     QString path;
     bool exists = false;
     QDateTime changed;
-    std::optional<int> icebergs; ///< none: cannot be read
-    QImage picture;              ///< of `kRecentPicture_px`; null: of no scenario or run
+    std::optional<int> icebergs; ///< nullopt if the file cannot be read
+    QImage picture; ///< of size `kRecentPicture_px`; null if the file is no scenario or run
 };
 
 /** A scenario that comes with the program. */
@@ -31,21 +31,21 @@ struct Example
     QString title;
     QString notes; ///< may be empty
     int icebergs = 0;
-    QImage picture; ///< of `kExamplePicture_px` at the pixel ratio asked for
+    QImage picture; ///< of size `kExamplePicture_px` at the requested pixel ratio
 };
 
 inline constexpr QSize kExamplePicture_px(252, 148);
 inline constexpr QSize kRecentPicture_px(76, 54);
 
-/** Paths of the examples, few icebergs first. */
+/** Returns the paths of the examples, those with few icebergs first. */
 [[nodiscard]] QStringList examplePaths();
 
-/** Scenario of an example. Throws `Error`. Thread: any. */
+/** Returns the scenario of an example. Throws `Error`. Any thread. */
 [[nodiscard]] Scenario loadExample(const QString& path);
 
 /**
- * Reads what the start page lists and paints the examples, planned, on a thread each: files may lie
- * on slow disks, and planning takes its time. GUI thread.
+ * Reads recent files and plans and paints the examples, on one thread each, because disks can be
+ * slow and planning takes time. Call it from the GUI thread.
  */
 class StartContent : public QObject
 {
@@ -53,19 +53,19 @@ class StartContent : public QObject
 
 public:
     explicit StartContent(QObject* parent = nullptr);
-    /** Stops the plan under way and waits for the file being read: a fraction of a second. */
+    /** Stops the current plan and waits for the current file, a fraction of a second. */
     ~StartContent() override;
 
-    /** Nothing more is wanted: deletes itself once nothing is under way, without waiting. */
+    /** Deletes the object without blocking, after its work has ended. */
     void finish();
-    /** With their pictures. */
+    /** Starts to read recent files and their pictures. */
     void readRecent(const QStringList& paths, const Theme& theme, double pixelRatio);
-    /** In place of what is being painted. */
+    /** Starts to paint the examples and drops earlier requests. */
     void paintExamples(const Theme& theme, double pixelRatio,
                        const QStringList& paths = examplePaths());
 
 signals:
-    // From the thread that reads: connect with a context object.
+    // These are emitted by the reading thread: connect with a context object.
     void recentRead(const QList<berg::RecentFile>& files);
     /** `place` among the paths; `sea`: of the theme that it is painted in. */
     void examplePainted(int place, const berg::Example& example, const QColor& sea);
@@ -73,7 +73,7 @@ signals:
 private:
     QThreadPool m_reader;
     QThreadPool m_painter;
-    std::stop_source m_stop; ///< of what is being painted
+    std::stop_source m_stop; ///< stops painting
 };
 
 } // namespace berg

@@ -21,7 +21,7 @@ QString countText(int icebergs)
     return ExampleCard::tr("%n icebergs", nullptr, icebergs);
 }
 
-/** Of a file, with "~" for the home folder. */
+/** Returns the folder of a file, with "~" for the home folder. */
 QString folderText(const QFileInfo& file)
 {
     const QString folder = file.absolutePath();
@@ -125,7 +125,7 @@ RecentRow::RecentRow(const RecentFile& file, const Theme& theme, QWidget* parent
         m_remove = new QToolButton(this);
         m_remove->setObjectName(u"removeRecentButton"_s);
         m_remove->setText(tr("Remove"));
-        m_remove->setToolTip(tr("Take it out of this list."));
+        m_remove->setToolTip(tr("Remove it from this list."));
         connect(m_remove, &QToolButton::clicked, this, &RecentRow::removeRequested);
         setFocusPolicy(Qt::NoFocus); // there is nothing to open
     }

@@ -50,7 +50,7 @@ protected:
 
 private:
     Theme m_theme;
-    QImage m_picture; ///< null: none
+    QImage m_picture; ///< null if there is no picture
     QString m_folder;
     QString m_caption;
     QToolButton* m_remove = nullptr; ///< only when the file is gone

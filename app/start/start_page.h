@@ -17,7 +17,7 @@ namespace berg {
 class ExampleCard;
 
 /**
- * What the program opens with when no file is named: files opened before, examples, a new scenario.
+ * The first page of the program if no file is named: recent files, examples, a new scenario.
  * Covers its parent below `setTop`, whose own keys rest meanwhile. Emits intents.
  */
 class StartPage : public QWidget

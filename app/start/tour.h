@@ -12,7 +12,7 @@ class QPushButton;
 
 namespace berg {
 
-/** What one step of the tour points at, and its words. */
+/** Target and text of one step of the tour. */
 struct TourStep
 {
     QPointer<QWidget> target;

@@ -1,7 +1,7 @@
 #include "app/window/backdrop_file.h"
 
 #include "app/dialogs/interaction.h"
-#include "app/window/map_links.h"
+#include "app/window/map_controller.h"
 #include "app/window/panels.h"
 #include "core/io/text/atomic_file.h"
 #include "widgets/panels/dialogs/layers_panel.h"
@@ -27,7 +27,7 @@ void readBackdrop(const QString& path, const std::stop_token& stop, const auto& 
 
 } // namespace
 
-BackdropFile::BackdropFile(WindowContext& context, MapLinks& map)
+BackdropFile::BackdropFile(WindowContext& context, MapController& map)
     : WindowPart(context)
     , m_map(map)
     , m_task(u"backdrop"_s, {.work = [](const QString& path, const std::stop_token& stop,
@@ -74,17 +74,18 @@ void BackdropFile::show(const BackdropPointer& backdrop)
     panels().layers->showBackdrop(m_path);
     m_map.setBackdrop(backdrop);
     if (backdrop->empty())
-        showMessage(tr("%1 holds no places, lines or polygons").arg(QFileInfo(m_path).fileName()),
-                    kLongMessage_ms);
+        showMessage(
+            tr("%1 contains no points, lines or polygons").arg(QFileInfo(m_path).fileName()),
+            kLongMessage_ms);
 }
 
-/** What was shown before stays. */
+/** Keeps the previous map on failure. */
 void BackdropFile::tell(const WorkFailure& failure)
 {
     const QString name = QFileInfo(m_path).fileName();
     if (!m_isAsked) {
         panels().layers->showBackdrop(m_path); // so that it can be removed
-        showMessage(tr("The background %1 cannot be read").arg(name), kLongMessage_ms);
+        showMessage(tr("The background map %1 cannot be read").arg(name), kLongMessage_ms);
     } else if (failure.error.code() == ErrorCode::WrongFormat)
         interaction().showError(&window(),
                                 tr("%1 is neither GeoJSON nor KML. Convert it with a map program, "

@@ -6,7 +6,7 @@
 
 namespace berg {
 
-class MapLinks;
+class MapController;
 
 /** The file that is drawn below the map: chosen, read on a thread, remembered. */
 class BackdropFile : public WindowPart
@@ -14,7 +14,7 @@ class BackdropFile : public WindowPart
     Q_OBJECT
 
 public:
-    BackdropFile(WindowContext& context, MapLinks& map);
+    BackdropFile(WindowContext& context, MapController& map);
 
     void choose();
 
@@ -24,9 +24,9 @@ private:
     void show(const BackdropPointer& backdrop);
     void tell(const WorkFailure& failure);
 
-    MapLinks& m_map;
+    MapController& m_map;
     QString m_path;                              ///< that is being read, or shown
-    bool m_isAsked = false;                      ///< by the user, who is told why it cannot be read
+    bool m_isAsked = false;                      ///< the user chose the file, so a failure is shown
     LatestTask<QString, BackdropPointer> m_task; ///< last: it ends before the rest
 };
 

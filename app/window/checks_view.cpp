@@ -24,7 +24,7 @@ ChecksView::ChecksView(WindowContext& context, const Docks& docks, StatusLine& s
     connect(panels().alarms, &AlarmStrip::checksRequested, this, &ChecksView::openChecks);
     connect(panels().tradeoff, &TradeoffPanel::checksRequested, this, &ChecksView::openChecks);
     ScenarioDocument& document = workspace().document();
-    connect(&document, &ScenarioDocument::impossible, this, [this](const Issue& why) {
+    connect(&document, &ScenarioDocument::editRejected, this, [this](const Issue& why) {
         showMessage(tr("Not changed: %1").arg(issueText(why)), kLongMessage_ms);
     });
     connect(&document, &ScenarioDocument::scenarioChanged, this, &ChecksView::showChecks);

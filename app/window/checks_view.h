@@ -8,7 +8,7 @@ class Docks;
 class StatusLine;
 struct Issue;
 
-/** What is found about the scenario, and where it is found. */
+/** Shows the findings about the scenario and leads to their fields. */
 class ChecksView : public WindowPart
 {
     Q_OBJECT

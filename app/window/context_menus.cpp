@@ -68,11 +68,11 @@ void ContextMenus::showOnPlan(const QPoint& globalPos, const std::string& id)
     menu->popup(globalPos);
 }
 
-/** Of several UAVs: which of them is to visit what is selected. */
+/** Adds a menu that assigns the selected icebergs to one of several UAVs. */
 void ContextMenus::addHandOverActions(QMenu& menu, const std::string& id)
 {
     const std::vector<Uav>& uavs = workspace().document().scenario().uavs;
-    if (!areToldApart(uavs))
+    if (!areDistinguished(uavs))
         return;
     const std::string keeper = workspace().assignedUavOf(id);
     const auto add = [&](const QString& text, const std::string& uav) {
@@ -146,7 +146,7 @@ QString ContextMenus::nameOf(const std::string& id) const
                                      : tr("No-fly area");
 }
 
-/** What lies below: a menu each, whose object is the selected one while it is open. */
+/** Adds a menu for each object below the pointer; an open menu selects its object. */
 void ContextMenus::addOthers(QMenu& menu, std::span<const std::string> ids)
 {
     constexpr std::size_t kMost = 8;
@@ -170,7 +170,7 @@ void ContextMenus::addOthers(QMenu& menu, std::span<const std::string> ids)
     menu.addSeparator();
 }
 
-/** Of the place itself, in flight as well. */
+/** Adds the actions for the place itself, which also work in flight. */
 void ContextMenus::addPlaceActions(QMenu& menu, const Point& position_m)
 {
     const LatLon place =

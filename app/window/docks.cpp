@@ -5,6 +5,7 @@
 #include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/model/workspace.h"
 #include "widgets/panels/dialogs/layers_panel.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
@@ -39,7 +40,7 @@ constexpr const char* kLayoutKey = "window/layout";
 constexpr const char* kFoldedKey = "inspector/folded";
 constexpr const char* kWasBehind = "wasBehind"; ///< property of a dock: as it was toggled
 
-/** Where the settings keep how it was left. */
+/** Returns the settings key of the saved layout. */
 QString keyOf(Layout layout)
 {
     return QStringLiteral("window/layout-%1").arg(static_cast<int>(layout));
@@ -109,11 +110,13 @@ QDockWidget* Docks::add(const char* name, const QString& title, QWidget* content
     connect(widget->toggleViewAction(), &QAction::toggled, widget, [widget](bool isShown) {
         widget->setProperty(kWasBehind, !isShown && isBehindATab(*widget));
     });
-    connect(widget->toggleViewAction(), &QAction::triggered, widget, [widget](bool isShown) {
+    connect(widget->toggleViewAction(), &QAction::triggered, widget, [this, widget](bool isShown) {
         if (!isShown && !widget->property(kWasBehind).toBool())
             return;
         widget->show();
         widget->raise(); // among its tabs
+        if (widget->widget()->focusProxy() != nullptr && !workspace().inFlight())
+            widget->widget()->setFocus(); // its first field: one goes on by typing
     });
     m_docks.push_back(widget);
     return widget;
@@ -125,7 +128,7 @@ void Docks::addRight()
     add("tradeoffDock", tr("Trade-off"), panels().tradeoff, kArea)
         ->toggleViewAction()
         ->setStatusTip(tr("Trade-off τ, policy, solver and route"));
-    // Where others are below it; beside others it is as high as they are.
+    // The height counts only above other docks; beside them all have the same height.
     const auto limitHeight = [this, tradeoff = panels().tradeoff, dock = dock(Dock::Tradeoff)] {
         const Qt::DockWidgetArea area = window().dockWidgetArea(dock);
         const bool isBeside =
@@ -263,7 +266,7 @@ void Docks::arrange(Layout layout) const
     dock(Dock::Plan)->raise();
 }
 
-/** Where the panels on the right are higher together than the screen, they share one place. */
+/** Puts the right-hand panels into tabs if they are together higher than the screen. */
 void Docks::fitScreen() const
 {
     if (window().minimumSizeHint().height() <= window().screen()->availableSize().height())

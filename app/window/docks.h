@@ -59,12 +59,12 @@ public:
     void openFloating(Dock which, const QSize& best_px) const;
     void openInspector() const;
 
-    /** As the window is now: what `reset` goes back to, and the layout `Analyse` by itself. */
+    /** Stores the present layout for `reset` and for the layout `Analyse`. */
     void noteDefault();
     void reset();
     /** In this one, as it is by itself. */
     void begin(Layout layout);
-    /** As it was left; the one that is shown now is kept as the user has arranged it. */
+    /** Restores a layout as the user left it, and first stores the current one. */
     void showLayout(Layout layout);
     [[nodiscard]] Layout layout() const { return m_layout; }
     void save() const;

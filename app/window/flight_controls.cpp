@@ -28,18 +28,20 @@ FlightControls::FlightControls(WindowContext& context) : WindowPart(context)
     connect(panels().playback, &PlaybackBar::timeEdited, &workspace(), &Workspace::seek);
     connect(panels().events, &EventPanel::timeChosen, &workspace(), &Workspace::seek);
 
-    connect(panels().alarms, &AlarmStrip::flyOnRequested, this, [this] {
+    connect(panels().alarms, &AlarmStrip::continueRequested, this, [this] {
         showMessage({}, 0); // that one is looking back
-        workspace().flyOnFromHere();
+        workspace().continueFromHere();
     });
-    connect(panels().alarms, &AlarmStrip::bringBackRequested, &workspace(),
-            &Workspace::bringBackFlight);
-    connect(&workspace(), &Workspace::givenUpChanged, this, &FlightControls::showGivenUp);
-    m_givenUpTimer.setSingleShot(true);
-    m_givenUpTimer.setInterval(kGivenUp_ms);
-    connect(&m_givenUpTimer, &QTimer::timeout, this, [this] { panels().alarms->showGivenUp({}); });
+    connect(panels().alarms, &AlarmStrip::restoreRequested, &workspace(),
+            &Workspace::restoreFlight);
+    connect(&workspace(), &Workspace::discardedFlightChanged, this,
+            &FlightControls::showDiscardedFlight);
+    m_discardedTimer.setSingleShot(true);
+    m_discardedTimer.setInterval(kGivenUp_ms);
+    connect(&m_discardedTimer, &QTimer::timeout, this,
+            [this] { panels().alarms->showDiscardedFlight({}); });
     connect(panels().alarms, &AlarmStrip::newestRequested, &workspace(), &Workspace::seekLatest);
-    connect(&workspace(), &Workspace::takeOffAhead, this, [this] {
+    connect(&workspace(), &Workspace::aboutToTakeOff, this, [this] {
         panels().map->cancelGesture();
         panels().finishTyping();
     });
@@ -62,16 +64,16 @@ void FlightControls::togglePlay()
     workspace().fly(panels().playback->rate());
 }
 
-/** A flight that was given up can be had again; the strip says so for a while. */
-void FlightControls::showGivenUp()
+/** A discarded flight can be restored; the strip says so for a while. */
+void FlightControls::showDiscardedFlight()
 {
-    const std::optional<double> flown_s = workspace().givenUp_s();
-    panels().alarms->showGivenUp(
-        flown_s
-            ? tr("Flight to %1 given up").arg(clockOf(workspace().record().scenario).text(*flown_s))
-            : QString());
+    const std::optional<double> flown_s = workspace().discardedFlight_s();
+    panels().alarms->showDiscardedFlight(
+        flown_s ? tr("Flight to %1 discarded")
+                      .arg(clockOf(workspace().record().scenario).text(*flown_s))
+                : QString());
     if (flown_s)
-        m_givenUpTimer.start();
+        m_discardedTimer.start();
 }
 
 } // namespace berg

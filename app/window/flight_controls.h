@@ -16,10 +16,10 @@ public:
     explicit FlightControls(WindowContext& context);
 
     void togglePlay();
-    void showGivenUp();
+    void showDiscardedFlight();
 
 private:
-    QTimer m_givenUpTimer; ///< until the strip says no more of a flight that was given up
+    QTimer m_discardedTimer; ///< hides the strip's line about a discarded flight
 };
 
 } // namespace berg

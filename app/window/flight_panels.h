@@ -13,7 +13,7 @@ namespace berg {
 class ChartPanel;
 class Docks;
 
-/** Why nothing can be planned, in one sentence; empty: nothing stands in the way. */
+/** Returns the reason that no plan is possible, as a sentence; empty if planning is possible. */
 [[nodiscard]] QString planFault(Workspace& workspace);
 
 /** Charts, events and tables of the flight, none more often than the eye can follow. */

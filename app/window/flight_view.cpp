@@ -32,7 +32,7 @@ QString phaseText(RunPhase phase, const QString& fault)
     case RunPhase::Planning:
         return FlightView::tr("Planning");
     case RunPhase::Ready:
-        return FlightView::tr("Ready: Space flies it");
+        return FlightView::tr("Ready. Press Space to fly");
     case RunPhase::Flying:
         return FlightView::tr("Flying");
     case RunPhase::Paused:
@@ -71,8 +71,8 @@ void FlightView::showFlight()
         addComparison(picture, *other,
                       record.inFlight() ? record.shown().time_s : record.scenario.duration_s,
                       locale());
-    picture.emptyHint = tr("Press I and click on the map to place one, drag on to let it drift, "
-                           "or import sightings.");
+    picture.emptyHint = tr("Press I and click on the map to place an iceberg, drag to set its "
+                           "drift, or import sightings.");
     panels().plan->setSigmaFull(picture.sigmaFull_m2);
     panels().icebergs->setSigmaFull(picture.sigmaFull_m2);
     panels().map->setPicture(std::move(picture));
@@ -89,7 +89,7 @@ void FlightView::showFlight()
                                                   : record.now.phase,
                                  record.shown().time_s, record.scenario.duration_s,
                                  record.now.time_s);
-    // Of the picture shown, which may be of an instant beside the one asked for.
+    // The picture shown may belong to an instant next to the requested one.
     const std::optional<double> lookBack_s =
         record.instant ? std::optional(record.shown().time_s) : workspace().lookedAt_s();
     panels().alarms->showState(record.inFlight(), lookBack_s, fault);

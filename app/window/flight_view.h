@@ -28,7 +28,7 @@ private:
     FlightPanels& m_flightPanels;
     StatusLine& m_status;
     SweptPaths m_swept;
-    QString m_phase; ///< as it was told last
+    QString m_phase; ///< as announced last
     bool m_truthShown;
 };
 

@@ -31,7 +31,7 @@ namespace berg {
 
 namespace {
 
-/** As the menu key, which many keyboards lack; Qt takes it for that on Windows alone. */
+/** Returns true for Shift+F10, which replaces the menu key; Qt itself does so only on Windows. */
 bool opensMenu(const QKeyEvent& key)
 {
     return key.key() == Qt::Key_F10 && key.modifiers() == Qt::ShiftModifier;
@@ -101,7 +101,7 @@ WindowParts::WindowParts(WindowContext& context)
     , results(context)
     , start(context, files, docks)
     , sightings(context, files, start)
-    , dialogs(context, files, start)
+    , dialogs(context, files, docks, start)
     , study(context, docks)
     , solveTimes(context, docks)
     , studyFlights(context, files, docks)
@@ -120,6 +120,7 @@ WindowParts::WindowParts(WindowContext& context)
     , appearance(context)
     , preferences(context, appearance)
     , manual(context)
+    , history(context)
     , menus(context, *this)
     , contextMenus(context, docks, menus.shared())
 {
@@ -156,7 +157,7 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     m_parts->appearance.setAppearance(
         static_cast<Appearance>(settings.value("view/appearance", 0).toInt()));
     m_parts->flightView.setInFlight(workspace.inFlight());
-    m_parts->flight.showGivenUp();
+    m_parts->flight.showDiscardedFlight();
     showTitle();
     m_parts->comparison.show();
     m_parts->planner.show();

@@ -30,10 +30,11 @@ public:
     /** Over everything but the menus; opening anything closes it. */
     void showStartPage();
     [[nodiscard]] bool startPageIsShown() const;
-    /** Unsaved work of programs that ended unexpectedly; false, and no question: there is none. */
+    /** Offers the unsaved work of programs that ended unexpectedly; returns false if there is none.
+     */
     bool offerRecoveries();
     /** The user logs out; false: not now. Without a question what is unsaved is left to recovery.
-     * What was agreed holds until the window is closed by the end of the program, which follows,
+     * The answer holds until the window is closed by the end of the program, which follows,
      * or used again. */
     [[nodiscard]] bool mayEndSession(bool mayAsk);
     /** Carries on in place of another window of the same workspace: what that one shows and awaits,

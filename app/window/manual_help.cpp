@@ -37,7 +37,7 @@ void ManualHelp::open()
     m_manual->activateWindow();
 }
 
-/** What the action of the menu does not get: keys in dialogs and in panels that are windows. */
+/** Handles F1 in dialogs and floating panels, which the menu's action does not receive. */
 bool ManualHelp::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress && watched->isWidgetType()) {

@@ -10,7 +10,7 @@ namespace berg {
 
 class ManualWindow;
 
-/** F1: the manual, at the place that tells of what has the focus; in dialogs too. */
+/** F1 opens the manual at the section about the focused widget, in dialogs as well. */
 class ManualHelp : public WindowPart
 {
     Q_OBJECT

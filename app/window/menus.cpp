@@ -17,7 +17,6 @@
 #include <QSettings>
 #include <QToolBar>
 #include <QToolButton>
-#include <QUndoStack>
 
 using namespace Qt::StringLiterals;
 
@@ -48,8 +47,6 @@ Menus::Menus(WindowContext& context, WindowParts& parts) : WindowPart(context), 
     buildHelpMenu();
     connect(&workspace(), &Workspace::inFlightChanged, this, &Menus::updateActions);
     connect(&workspace().selection(), &Selection::changed, this, &Menus::updateActions);
-    connect(panels().map, &MapView::statusText, this,
-            &Menus::updateActions); // drawing has begun or ended
     updateActions();
 }
 
@@ -80,10 +77,10 @@ void Menus::buildFileMenu()
         [this] { m_parts.files.saveScenarioAs(); });
     addSwitch(menu, {"keepOldAction", tr("Keep a &backup copy")}, m_parts.files.keepsOld(),
               [this](bool on) { m_parts.files.setKeepsOld(on); })
-        ->setStatusTip(tr("Before a file is first overwritten, a copy is kept as NAME.berg~"));
+        ->setStatusTip(tr("Before the first overwrite of a file, a copy is kept as NAME.berg~"));
     add(menu, {"recoverAction", tr("Reco&ver unsaved work...")}, [this] {
         if (!m_parts.safety.offerRecoveries())
-            showMessage(tr("No unsaved work is left to recover"), kMessage_ms);
+            showMessage(tr("There is no unsaved work to recover"), kMessage_ms);
     });
     add(menu, {"saveRunAction", tr("Save r&un..."), QKeySequence(Qt::CTRL | Qt::Key_R)},
         [this] { m_parts.results.saveRun(); });
@@ -103,7 +100,11 @@ void Menus::buildFileMenu()
 void Menus::buildEditMenu()
 {
     QMenu& menu = addMenu(tr("&Edit"));
-    buildHistoryActions(menu);
+    m_shared.undo = m_parts.history.undo();
+    m_shared.redo = m_parts.history.redo();
+    m_maker.addIcon(m_shared.undo, IconName::Undo);
+    m_maker.addIcon(m_shared.redo, IconName::Redo);
+    menu.addActions({m_shared.undo, m_shared.redo});
     MapView* map = panels().map;
     menu.addSeparator();
     m_shared.cut = add(menu, {"cutAction", tr("Cu&t"), QKeySequence::Cut},
@@ -133,40 +134,8 @@ void Menus::buildEditMenu()
     QAction* move = add(menu, {"moveScenarioAction", tr("&Move the scenario…")}, [this] {
         m_parts.dialogs.moveScenario(workspace().document().scenario().origin);
     });
-    m_editActions = {m_shared.undo,   m_shared.redo, m_shared.cut,      m_shared.duplicate,
-                     m_shared.remove, addUav,        m_shared.generate, move};
-}
-
-void Menus::buildHistoryActions(QMenu& menu)
-{
-    QUndoStack* history = workspace().document().undoStack();
-    QAction* undo = m_shared.undo = history->createUndoAction(&window(), tr("&Undo"));
-    QAction* redo = m_shared.redo = history->createRedoAction(&window(), tr("&Redo"));
-    undo->setIconText(tr("Undo")); // what would be undone is in the menu; the tool bar stands still
-    redo->setIconText(tr("Redo"));
-    undo->setObjectName(u"undoAction"_s);
-    redo->setObjectName(u"redoAction"_s);
-    undo->setShortcut(QKeySequence::Undo);
-    redo->setShortcuts(
-        {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-    m_maker.addIcon(undo, IconName::Undo);
-    m_maker.addIcon(redo, IconName::Redo);
-    menu.addActions({undo, redo});
-    // While something is drawn on the map, what is undone is its last point.
-    disconnect(undo, &QAction::triggered, history, nullptr);
-    connect(undo, &QAction::triggered, this, [this] {
-        panels().finishTyping(); // what is undone is that
-        if (panels().map->isDrawing())
-            panels().map->takeLastBack();
-        else
-            workspace().document().undo();
-    });
-    disconnect(redo, &QAction::triggered, history, nullptr);
-    connect(redo, &QAction::triggered, this, [this] {
-        panels().finishTyping();
-        workspace().document().redo();
-    });
-    connect(history, &QUndoStack::indexChanged, this, &Menus::updateActions, Qt::QueuedConnection);
+    m_editActions = {m_shared.cut, m_shared.duplicate, m_shared.remove,
+                     addUav,       m_shared.generate,  move};
 }
 
 void Menus::buildViewMenu()
@@ -215,19 +184,19 @@ void Menus::buildMapActions(QMenu& menu)
     m_parts.preferences.buildSigmaEnd(*m_shared.sigmaEnd);
     add(menu, {"backdropAction", tr("&Background map…")}, [this] { m_parts.backdrop.choose(); });
     FlightView& flight = m_parts.flightView;
-    MapLinks& links = m_parts.mapLinks;
+    MapController& links = m_parts.mapLinks;
     const auto addLayer = [&](const char* name, const QString& text, MapLayer layer) {
         QAction* action = addSwitch(menu, {name, text}, links.layerIsShown(layer),
                                     [&links, layer](bool on) { links.setLayerShown(layer, on); });
-        connect(&links, &MapLinks::layersChanged, action,
+        connect(&links, &MapController::layersChanged, action,
                 [&links, action, layer] { action->setChecked(links.layerIsShown(layer)); });
     };
     addLayer("sweptAction", tr("Swept ar&ea"), MapLayer::Swept);
     addLayer("placesAction", tr("Place names"), MapLayer::Places);
     addSwitch(menu, {"truthAction", tr("S&how true positions")}, flight.truthIsShown(),
               [&flight](bool on) { flight.setTruthShown(on); })
-        ->setStatusTip(tr("Where the icebergs are in truth, beside where the observer "
-                          "believes them to be; off: only what an operator would see"));
+        ->setStatusTip(tr("Shows the true positions of the icebergs beside the estimates. When "
+                          "off, the map shows only what an operator would see."));
 }
 
 void Menus::addLayouts(QMenu& menu)
@@ -270,9 +239,9 @@ void Menus::buildFlightMenu()
     add(menu, {"resetAction", tr("Stop and &edit"), QKeySequence(Qt::CTRL | Qt::Key_Home)},
         [this] { workspace().reset(); });
     QAction* bringBack = add(menu,
-                             {"bringBackAction", tr("Bring the flight b&ack"),
+                             {"bringBackAction", tr("Restore disc&arded flight"),
                               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Home)},
-                             [this] { workspace().bringBackFlight(); });
+                             [this] { workspace().restoreFlight(); });
     menu.addSeparator();
     add(menu,
         {"shorterPlanAction", tr("Prefer s&horter route"), QKeySequence(Qt::ALT | Qt::Key_Right)},
@@ -311,11 +280,11 @@ void Menus::buildFlightMenu()
     };
     connect(&workspace(), &Workspace::flightChanged, this, showPlaying);
     showPlaying();
-    const auto showGivenUp = [this, bringBack] {
-        bringBack->setEnabled(workspace().givenUp_s().has_value());
+    const auto showDiscardedFlight = [this, bringBack] {
+        bringBack->setEnabled(workspace().discardedFlight_s().has_value());
     };
-    connect(&workspace(), &Workspace::givenUpChanged, this, showGivenUp);
-    showGivenUp();
+    connect(&workspace(), &Workspace::discardedFlightChanged, this, showDiscardedFlight);
+    showDiscardedFlight();
 }
 
 void Menus::buildLookBackActions(QMenu& menu)
@@ -405,18 +374,15 @@ void Menus::buildToolBar()
 void Menus::updateActions()
 {
     const bool locked = workspace().inFlight();
-    const QUndoStack* history = workspace().document().undoStack();
     for (QAction* action : m_editActions)
         action->setEnabled(!locked);
     m_shared.log->setEnabled(locked);
-    m_shared.undo->setEnabled(panels().map->isDrawing() || (!locked && history->canUndo()));
-    m_shared.redo->setEnabled(!locked && history->canRedo());
     const std::vector<std::string>& ids = workspace().selection().ids();
-    m_shared.remove->setEnabled(locked ? !workspace().flownAmong(ids).empty() : !ids.empty());
+    m_shared.remove->setEnabled(locked ? !workspace().icebergsInFlight(ids).empty() : !ids.empty());
     const Scenario& scenario = workspace().document().scenario();
     const bool hasIcebergs = !icebergsOf(scenario, ids).empty();
     m_shared.copy->setEnabled(hasIcebergs);
-    m_shared.seen->setEnabled(locked && !workspace().flownAmong(ids).empty());
+    m_shared.seen->setEnabled(locked && !workspace().icebergsInFlight(ids).empty());
     for (const auto& [order, action] : m_shared.orders)
         action->setEnabled(locked && !orderedUavs().empty());
     m_shared.cut->setEnabled(!locked && hasIcebergs);
@@ -450,9 +416,9 @@ void Menus::showShortcuts()
     add(tr("Zoom at the cursor"), tr("wheel"));
     add(tr("Pan"), tr("middle button, or arrow keys"));
     add(tr("Nudge what is selected"), tr("arrow keys"));
-    add(tr("Close what is drawn, take its last point back"), tr("Enter, Backspace"));
+    add(tr("Finish drawing, undo last point"), tr("Enter, Backspace"));
     add(tr("Steps of 15° while an arrow is drawn"), tr("Shift"));
-    add(tr("Leave what is drawn, the tool, the selection"), tr("Esc"));
+    add(tr("Cancel drawing, leave tool, clear selection"), tr("Esc"));
     const qsizetype half = (cells.size() + 1) / 2; // two beside each other
     QString rows;
     for (qsizetype row = 0; row < half; ++row)
@@ -464,9 +430,9 @@ void Menus::showAbout()
 {
     interaction().showInformation(
         &window(), tr("About Bergwatch"),
-        tr("<h3>Bergwatch %1</h3><p>Plans, flies and measures UAV missions that keep watch over "
-           "drifting icebergs.</p><p>Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: "
-           "EPL. Land made with Natural Earth.</p>")
+        tr("<h3>Bergwatch %1</h3><p>Plans and simulates UAV missions that monitor drifting "
+           "icebergs.</p><p>Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made "
+           "with Natural Earth.</p>")
             .arg(QApplication::applicationVersion()));
 }
 

@@ -61,7 +61,6 @@ private:
     QMenu& addMenu(const QString& title);
     void buildFileMenu();
     void buildEditMenu();
-    void buildHistoryActions(QMenu& menu);
     void buildViewMenu();
     void buildMapActions(QMenu& menu);
     void addLayouts(QMenu& menu);

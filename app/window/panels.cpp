@@ -119,8 +119,7 @@ Panels::Panels(Workspace& workspace, const Theme& theme)
     history->setAccessibleName(PanelText::tr("History of edits"));
     history->setEmptyLabel(PanelText::tr("As opened"));
     history->setToolTip(
-        PanelText::tr("Click a line to go back or forth to it; the disk marks what is "
-                      "saved."));
+        PanelText::tr("Click a line to go to that state; the disk marks the saved one."));
 }
 
 void Panels::setTheme(const Theme& theme) const

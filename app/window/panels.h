@@ -37,7 +37,7 @@ struct Panels
     Panels(Workspace& workspace, const Theme& theme);
 
     void setTheme(const Theme& theme) const;
-    /** What is being typed counts as if Return had been pressed. */
+    /** Accepts a value that is being typed, as Return does. */
     void finishTyping() const;
     /** Alarms, map and playback bar. */
     [[nodiscard]] QWidget* makeCentre() const;

@@ -12,6 +12,7 @@
 #include "widgets/words/source_text.h"
 
 #include <QActionGroup>
+#include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
 
@@ -65,7 +66,7 @@ void PreferenceMenus::buildAppearance(QMenu& menu)
     });
 }
 
-/** Of the whole window: text that grows alone leaves no room for itself. */
+/** Scales the whole window, because larger text alone would not fit. */
 void PreferenceMenus::buildScale(QMenu& menu)
 {
     for (const int scale_percent : kScales_percent)
@@ -73,7 +74,7 @@ void PreferenceMenus::buildScale(QMenu& menu)
                   QString::number(scale_percent));
     connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
         settings().setValue(kScaleKey, action->data());
-        showMessage(tr("The text has this size when Bergwatch is started again."), kLongMessage_ms);
+        showMessage(tr("Restart Bergwatch to apply the new text size."), kLongMessage_ms);
     });
 }
 
@@ -113,7 +114,7 @@ void PreferenceMenus::buildUnits(QMenu& menu)
             {{u"direction"_s, tr("Speed and direction: wind from, drift towards")},
              {u"components"_s, tr("Components east and north")}});
     choices(tr("&Times"), kTimeFormKey,
-            {{u"utc"_s, tr("UTC, where the scenario has a start")},
+            {{u"utc"_s, tr("UTC, if the scenario has a start time")},
              {u"elapsed"_s, tr("Elapsed since the start")}});
     choices(tr("&Uncertainty"), kUncertaintyFormKey,
             {{u"sigma"_s, tr("σ first, 95 % radius beside it")},
@@ -141,7 +142,7 @@ void PreferenceMenus::buildNorth(QMenu& menu)
         menu,
         shownUnits().north == NorthForm::Typed
             ? tr("True and magnetic, declination %1...").arg(declinationText(typed_deg, locale()))
-            : tr("True and magnetic, declination typed in..."),
+            : tr("True and magnetic, declination entered by hand..."),
         key, u"typed"_s);
     connect(&menu, &QMenu::triggered, this,
             [this](const QAction* action) { chooseNorth(*action); });

@@ -1,8 +1,8 @@
 #include "app/window/result_files.h"
 
-#include "app/window/awaited.h"
 #include "app/window/file_names.h"
 #include "app/window/panels.h"
+#include "app/window/run_with_progress.h"
 #include "core/io/text/file_set.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/workspace.h"
@@ -45,7 +45,7 @@ ResultFiles::ResultFiles(WindowContext& context) : WindowPart(context)
         connect(chart, &ChartPanel::exportRequested, this, [this, chart] { exportChart(*chart); });
 }
 
-/** Where the user wants it; empty: nowhere. */
+/** Returns the path that the user chose; empty if cancelled. */
 QString ResultFiles::runPath()
 {
     const QString chosen = interaction().savePath(&window(), u"flight.bergrun"_s,
@@ -68,7 +68,7 @@ bool ResultFiles::saveRunNow()
     m_isRunSaved.reset();
     workspace().runner().requestRun(path);
     interaction().waitUntil(
-        &window(), tr("The run is saved when the plan under way is made."),
+        &window(), tr("The run is saved as soon as the current plan is made."),
         [this] { return m_isRunSaved.has_value(); }, true);
     return m_isRunSaved.value_or(false);
 }
@@ -76,8 +76,9 @@ bool ResultFiles::saveRunNow()
 bool ResultFiles::writeRun(const QString& path, const RunFile& run)
 {
     if (!attempt([&] {
-            awaited(interaction(), &window(), tr("Saving %1").arg(QFileInfo(path).fileName()),
-                    [&] { berg::saveRun(run, QFile::encodeName(path).toStdString()); });
+            runWithProgress(interaction(), &window(),
+                            tr("Saving %1").arg(QFileInfo(path).fileName()),
+                            [&] { berg::saveRun(run, QFile::encodeName(path).toStdString()); });
         }))
         return false;
     workspace().noteSaved(run);
@@ -118,7 +119,8 @@ void ResultFiles::chooseExport(const std::string& formatId)
     workspace().runner().requestExport(*choice);
 }
 
-/** False, and the user is told: what was to be exported has been replaced while he was asked. */
+/** Returns false and shows a message if the content to export was replaced while the dialog was
+ * open. */
 bool ResultFiles::isStillOf(std::uint64_t generation)
 {
     const bool isOf = generation == workspace().runner().generation();
@@ -136,12 +138,11 @@ void ResultFiles::writeExport(const std::vector<ExportFile>& files)
         if (const QFileInfo info(pathOf(file)); info.exists())
             present << info.fileName();
     const auto answer =
-        present.isEmpty()
-            ? Interaction::Overwrite::Overwrite
-            : interaction().askOverwrite(
-                  &window(), present.join(u", "_s),
-                  tr("%n files of these names are there. What is in them would be lost.", nullptr,
-                     static_cast<int>(present.size())));
+        present.isEmpty() ? Interaction::Overwrite::Overwrite
+                          : interaction().askOverwrite(
+                                &window(), present.join(u", "_s),
+                                tr("%n files with these names exist. Their content would be lost.",
+                                   nullptr, static_cast<int>(present.size())));
     if (answer == Interaction::Overwrite::SaveAs)
         exportPlan();
     if (answer != Interaction::Overwrite::Overwrite || !isStillOf(generation))

@@ -18,10 +18,11 @@ class ResultFiles : public WindowPart
 public:
     explicit ResultFiles(WindowContext& context);
 
-    /** As last chosen in another window. */
+    /** Takes over the choices of another window. */
     void takeOver(const ResultFiles& other) { m_exportOptions = other.m_exportOptions; }
     void saveRun();
-    /** The same before the window goes: pauses the flight; false when it is in no file then. */
+    /** Pauses the flight and saves the run before the window closes; returns false if it is not
+     * saved. */
     [[nodiscard]] bool saveRunNow();
     void exportPlan();
     /** In that format ("brief": the page to fly by, "log": of the run) unless another is chosen. */
@@ -37,7 +38,7 @@ private:
     void exportChart(const ChartPanel& chart);
 
     ExportOptions m_exportOptions;    ///< last chosen
-    std::optional<bool> m_isRunSaved; ///< the one that was asked for last; none: no answer yet
+    std::optional<bool> m_isRunSaved; ///< result of the last request; nullopt until it is known
 };
 
 } // namespace berg

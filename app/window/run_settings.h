@@ -8,7 +8,7 @@
 
 namespace berg {
 
-/** Of text and all else, per cent of what the system has; the sizes to choose from. */
+/** Sizes of text and window to choose from, in per cent of the system's. */
 inline constexpr const char* kScaleKey = "view/scale";
 inline constexpr std::array kScales_percent = {100, 125, 150, 175, 200};
 
@@ -22,17 +22,17 @@ inline constexpr std::array kScales_percent = {100, 125, 150, 175, 200};
 class RunSettings
 {
 public:
-    /** `config`: a file in place of the user's own settings; empty: none. */
+    /** `config` replaces the user's own settings file, unless it is empty. */
     RunSettings(const QString& config, bool isPicture);
 
     [[nodiscard]] QSettings& settings() { return *m_settings; }
     /**
-     * What is written in that file of the size of text and all else, in per cent; 100: nothing is.
-     * Before there is an application, whose scale it decides.
+     * Returns the size of text and window in that file, in per cent, or 100 if the file has none.
+     * It is read before the application exists, because it decides its scale.
      */
     [[nodiscard]] static int savedScale_percent(const QString& config);
 
-    /** Where unsaved work and locks are kept. */
+    /** Returns the folder of recovery files and locks. */
     [[nodiscard]] const QString& dataFolder() const { return m_dataFolder; }
 
 private:

@@ -1,21 +1,26 @@
 #include "app/window/scenario_dialogs.h"
 
 #include "app/dialogs/interaction.h"
+#include "app/dialogs/screen_fit.h"
 #include "app/window/action_maker.h"
+#include "app/window/docks.h"
 #include "app/window/panels.h"
 #include "app/window/scenario_files.h"
-#include "app/window/start_guide.h"
+#include "app/window/start_page_controller.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/map/view/place_mark.h"
 #include "widgets/model/wind.h"
 #include "widgets/model/workspace.h"
 #include "widgets/panels/dialogs/find_box.h"
 #include "widgets/panels/dialogs/generate_dialog.h"
+#include "widgets/panels/inspector/inspector_panel.h"
 
 #include <QAction>
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QSettings>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -28,8 +33,8 @@ constexpr const char* kFavouritesKey = "find/favourites";
 
 } // namespace
 
-ScenarioDialogs::ScenarioDialogs(WindowContext& context, ScenarioFiles& files,
-                                 const StartGuide& start)
+ScenarioDialogs::ScenarioDialogs(WindowContext& context, ScenarioFiles& files, const Docks& docks,
+                                 const StartPageController& start)
     : WindowPart(context), m_files(files)
 {
     const FindBox* box = panels().findBox;
@@ -41,15 +46,19 @@ ScenarioDialogs::ScenarioDialogs(WindowContext& context, ScenarioFiles& files,
             if (command.action->objectName() == name)
                 return command.action->trigger();
     });
+    connect(box, &FindBox::fieldChosen, this, [this, &docks](const QString& key) {
+        docks.openInspector();
+        panels().inspector->goToField(key);
+    });
     connect(box, &FindBox::moveRequested, this, &ScenarioDialogs::moveScenario);
     connect(box, &FindBox::newRequested, this, [this](const LatLon& place) {
         if (m_files.newScenario())
             placeNewScenario(place);
     });
     connect(box, &FindBox::whereChosen, this, &ScenarioDialogs::placeNewScenario);
-    connect(&start, &StartGuide::newRequested, this, &ScenarioDialogs::newScenario);
+    connect(&start, &StartPageController::newRequested, this, &ScenarioDialogs::newScenario);
     connect(box, &FindBox::favouriteChanged, this, &ScenarioDialogs::setFavourite);
-    // What it lists, and where it would go, is of what it was opened for.
+    // The list and its targets belong to the scenario for which it was opened.
     connect(&workspace().document(), &ScenarioDocument::replaced, box, &FindBox::dismiss);
     connect(&workspace(), &Workspace::inFlightChanged, box, &FindBox::dismiss);
 }
@@ -77,6 +86,7 @@ void ScenarioDialogs::generateIcebergs()
     });
     connect(dialog, &QDialog::finished, this, [this] { panels().map->setPreview(nullptr); });
     preview();
+    boundToScreen(*dialog);
     dialog->open();
     // Beside the sea that the preview is on.
     dialog->move(window().geometry().right() - dialog->width() - kDialogEdge_px,
@@ -114,6 +124,8 @@ void ScenarioDialogs::openBox(bool asksWhere)
     if (workspace().inFlight())
         shown.icebergs = workspace().record().now.icebergs;
     std::vector<FindItem> items = findableItems(shown);
+    for (FindItem& field : fields())
+        items.push_back(std::move(field));
     for (FindItem& command : commands())
         items.push_back(std::move(command));
     markFavourites(items, settings().value(kFavouritesKey).toStringList());
@@ -123,11 +135,15 @@ void ScenarioDialogs::openBox(bool asksWhere)
                             .asksWhere = asksWhere});
 }
 
-/** What the menus can do now. */
+/** Returns the menu commands that are possible now, with the switches last. */
 std::vector<FindItem> ScenarioDialogs::commands() const
 {
+    std::vector<MenuCommand> commands = menuCommands(*window().menuBar());
+    std::stable_partition(commands.begin(), commands.end(), [](const MenuCommand& command) {
+        return !command.action->isCheckable();
+    });
     std::vector<FindItem> items;
-    for (const auto& [action, text, path] : menuCommands(*window().menuBar())) {
+    for (const auto& [action, text, path] : commands) {
         if (action->objectName().isEmpty() || !action->isEnabled() || !action->isVisible())
             continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
@@ -138,6 +154,20 @@ std::vector<FindItem> ScenarioDialogs::commands() const
                          .hint = keys.isEmpty() ? path : path + u", "_s + keys,
                          .at = {}});
     }
+    return items;
+}
+
+/** The numbers that the Inspector can show now. */
+std::vector<FindItem> ScenarioDialogs::fields() const
+{
+    std::vector<FindItem> items;
+    for (const InspectorPanel::Field& field : panels().inspector->fields())
+        items.push_back({.kind = FindKind::Field,
+                         .key = field.key,
+                         .text = field.label,
+                         .other = field.of + u' ' + field.label,
+                         .hint = field.of,
+                         .at = {}});
     return items;
 }
 
@@ -156,7 +186,7 @@ void ScenarioDialogs::setFavourite(const QString& key, bool isFavourite)
     settings().setValue(kFavouritesKey, keys);
 }
 
-/** Of the empty scenario that was just made. */
+/** Asks for the place of the new, empty scenario. */
 void ScenarioDialogs::placeNewScenario(const LatLon& origin)
 {
     ScenarioDocument& document = workspace().document();

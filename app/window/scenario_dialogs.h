@@ -6,8 +6,9 @@
 
 namespace berg {
 
+class Docks;
 class ScenarioFiles;
-class StartGuide;
+class StartPageController;
 
 /** Dialogs that change the scenario: wind, origin, random icebergs; and what is found by its name.
  */
@@ -16,7 +17,8 @@ class ScenarioDialogs : public WindowPart
     Q_OBJECT
 
 public:
-    ScenarioDialogs(WindowContext& context, ScenarioFiles& files, const StartGuide& start);
+    ScenarioDialogs(WindowContext& context, ScenarioFiles& files, const Docks& docks,
+                    const StartPageController& start);
 
     /** After the question about unsaved changes; then asks where. */
     void newScenario();
@@ -29,6 +31,7 @@ public:
 private:
     void openBox(bool asksWhere);
     [[nodiscard]] std::vector<FindItem> commands() const;
+    [[nodiscard]] std::vector<FindItem> fields() const;
     void showObject(const std::string& id);
     void setFavourite(const QString& key, bool isFavourite);
     void placeNewScenario(const LatLon& origin);

@@ -1,9 +1,9 @@
 #include "app/window/scenario_files.h"
 
 #include "app/start/start_content.h"
-#include "app/window/awaited.h"
 #include "app/window/file_names.h"
 #include "app/window/panels.h"
+#include "app/window/run_with_progress.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
@@ -22,7 +22,7 @@ namespace berg {
 
 namespace {
 
-constexpr const char* kKeepOldKey = "files/keepOld"; ///< on unless told otherwise
+constexpr const char* kKeepOldKey = "files/keepOld"; ///< on by default
 constexpr const char* kRecentFilesKey = "files/recent";
 constexpr int kRecentFiles = 8;
 
@@ -57,7 +57,7 @@ bool ScenarioFiles::isRunFile(const QString& path)
     return QFileInfo(path).suffix().toLower() == u"bergrun"_s;
 }
 
-bool ScenarioFiles::mayLeaveScene()
+bool ScenarioFiles::confirmDiscardScenario()
 {
     panels().finishTyping();
     if (workspace().document().isClean())
@@ -97,7 +97,7 @@ bool ScenarioFiles::mayAnswer(bool wasInFlight)
 
 bool ScenarioFiles::newScenario()
 {
-    if (!mayLeaveScene())
+    if (!confirmDiscardScenario())
         return false;
     Scenario scenario = randomScenario(1, {.icebergs = 0});
     scenario.name = tr("New scenario").toStdString();
@@ -147,11 +147,11 @@ bool ScenarioFiles::openRun(const QString& path)
 {
     std::shared_ptr<const RunFile> run;
     const bool isRead =
-        awaited(interaction(), &window(), tr("Reading %1").arg(QFileInfo(path).fileName()),
-                [&](const std::stop_token& stop) {
-                    run = std::make_shared<const RunFile>(
-                        loadRun(QFile::encodeName(path).toStdString(), stop));
-                });
+        runWithProgress(interaction(), &window(), tr("Reading %1").arg(QFileInfo(path).fileName()),
+                        [&](const std::stop_token& stop) {
+                            run = std::make_shared<const RunFile>(
+                                loadRun(QFile::encodeName(path).toStdString(), stop));
+                        });
     if (isRead)
         workspace().openRun(std::move(run));
     return isRead;
@@ -163,7 +163,7 @@ bool ScenarioFiles::openFile(const QString& path)
         workspace().studyFiles().open(path);
         return true;
     }
-    if (!mayLeaveScene())
+    if (!confirmDiscardScenario())
         return false;
     bool isOpen = false;
     attempt([&] {
@@ -176,7 +176,7 @@ bool ScenarioFiles::openFile(const QString& path)
 
 void ScenarioFiles::openExample(const QString& path)
 {
-    if (!mayLeaveScene())
+    if (!confirmDiscardScenario())
         return;
     attempt([&] { workspace().document().reset(loadExample(path)); });
 }
@@ -212,7 +212,7 @@ Interaction::Overwrite ScenarioFiles::mayOverwrite(const QString& path)
     } else if (const std::optional<LockHolder> holder = file.otherHolder(path)) {
         return interaction().askOverwrite(
             &window(), name,
-            tr("%1 has it open. What is saved there would be lost.").arg(holderText(*holder)));
+            tr("%1 has it open. Changes saved there would be lost.").arg(holderText(*holder)));
     }
     return Interaction::Overwrite::Overwrite;
 }
@@ -233,7 +233,8 @@ bool ScenarioFiles::saveTo(const QString& path)
         const bool kept = workspace().file().save(path, keepOld);
         remember(path);
         showMessage(
-            (kept ? tr("Saved %1") : tr("Saved %1; its folder takes no backup copy")).arg(path),
+            (kept ? tr("Saved %1") : tr("Saved %1; a backup copy cannot be written to its folder"))
+                .arg(path),
             kMessage_ms);
     });
 }

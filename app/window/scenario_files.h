@@ -25,8 +25,8 @@ public:
      * The gate for all that makes the present scene go away: one question about the changes that
      * are in no file and the flight under way.
      */
-    [[nodiscard]] bool mayLeaveScene();
-    /** The part of it about changes; `endsFlight`: they are told that a flight ends as well. */
+    [[nodiscard]] bool confirmDiscardScenario();
+    /** Asks about unsaved changes only. `endsFlight` adds that a flight ends as well. */
     [[nodiscard]] bool maySettleChanges(bool endsFlight = false);
     /** A flight that has come to its end is in the list of runs, and nothing is lost. */
     [[nodiscard]] bool mayEndFlight();

@@ -3,11 +3,12 @@
 #include "app/dialogs/interaction.h"
 #include "app/window/panels.h"
 #include "app/window/scenario_files.h"
-#include "app/window/start_guide.h"
+#include "app/window/start_page_controller.h"
 #include "core/io/text/atomic_file.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/model/flight_sightings.h"
 #include "widgets/model/workspace.h"
+#include "widgets/panels/flight/playback_bar.h"
 #include "widgets/words/issue_text.h"
 
 #include <QApplication>
@@ -77,7 +78,8 @@ SightingsImport::AirspacePointer SightingsImport::read(const AirspaceRequest& re
                  .result = importAirspace(*request.into, bytes, name, stop)});
 }
 
-SightingsImport::SightingsImport(WindowContext& context, ScenarioFiles& files, StartGuide& start)
+SightingsImport::SightingsImport(WindowContext& context, ScenarioFiles& files,
+                                 StartPageController& start)
     : WindowPart(context)
     , m_files(files)
     , m_start(start)
@@ -93,14 +95,15 @@ SightingsImport::SightingsImport(WindowContext& context, ScenarioFiles& files, S
 {
     window().setAcceptDrops(true);
     window().installEventFilter(this);
-    connect(&m_start, &StartGuide::importRequested, this, &SightingsImport::chooseSightings);
+    connect(&m_start, &StartPageController::importRequested, this,
+            &SightingsImport::chooseSightings);
 }
 
 bool SightingsImport::mayImport()
 {
     if (!workspace().inFlight())
         return true;
-    showMessage(tr("Airspace cannot be imported in flight. Stop the flight to import it."),
+    showMessage(tr("Airspace cannot be imported in flight. Stop the flight before importing."),
                 kMessage_ms);
     return false;
 }
@@ -153,8 +156,8 @@ void SightingsImport::takeAirspace(const Airspace& airspace)
         m_start.closePage();
     }
     const QString summary =
-        tr("Airspace of %1: %n areas added, %2 there already, %3 farther than 100 km, "
-           "%4 left out",
+        tr("Airspace of %1: %n areas added, %2 already present, %3 farther than 100 km, %4 left "
+           "out",
            nullptr, static_cast<int>(result.added))
             .arg(name, QString::number(result.known), QString::number(result.far),
                  QString::number(result.tooMany + result.rejected.count));
@@ -167,17 +170,18 @@ void SightingsImport::tellLeftOut(const AirspaceResult& result, const QString& s
 {
     QStringList text{summary, {}};
     if (result.tooMany > 0)
-        text << tr("%n areas: a scenario holds at most %1", nullptr,
+        text << tr("%n areas: a scenario can have at most %1", nullptr,
                    static_cast<int>(result.tooMany))
                     .arg(kMostAirspaceAreas);
-    if (result.rejected.count > 0)
-        text << reasonsOf(result.rejected);
+    for (const Rejections* list : {&result.rejected, &result.noted})
+        if (list->count > 0)
+            text << reasonsOf(*list);
     if (text.size() == 2)
         return;
     if (result.added + result.known == 0)
         interaction().showError(&window(), text.join(u'\n'));
     else
-        interaction().showInformation(&window(), tr("Airspace left out"),
+        interaction().showInformation(&window(), tr("Airspace left out or changed"),
                                       text.join(u'\n').toHtmlEscaped().replace(u'\n', u"<br>"_s));
 }
 
@@ -221,7 +225,7 @@ void SightingsImport::importSightings(const QString& path)
         acceptImport(*choice, QFileInfo(path).fileName());
 }
 
-/** Pauses the flight and imports into the instant at which it stands then. */
+/** Imports into the instant at which the flight stands; one that flies pauses meanwhile. */
 void SightingsImport::importInFlight(const QString& path)
 {
     if (workspace().refuseIntervention())
@@ -236,7 +240,11 @@ void SightingsImport::importInFlight(const QString& path)
         if (!isPaused())
             return;
         disconnect(m_pause);
-        QTimer::singleShot(0, this, [this, path] { askReports(path); });
+        QTimer::singleShot(0, this, [this, path] {
+            askReports(path);
+            if (workspace().mayIntervene()) // it was flying, and goes on
+                workspace().fly(panels().playback->rate());
+        });
     });
     workspace().pause();
 }
@@ -255,7 +263,8 @@ void SightingsImport::askReports(const QString& path)
     if (!choice)
         return;
     if (!workspace().inFlight() || workspace().record().now.time_s != now_s) {
-        showMessage(tr("The flight has gone on meanwhile: nothing was reported."), kLongMessage_ms);
+        showMessage(tr("The flight has continued in the meantime, so nothing was reported."),
+                    kLongMessage_ms);
         return;
     }
     workspace().report(choice->reports);
@@ -268,7 +277,7 @@ void SightingsImport::askReports(const QString& path)
 void SightingsImport::acceptImport(const ImportChoice& choice, const QString& fileName)
 {
     if (choice.intoNew) {
-        if (!m_files.mayLeaveScene())
+        if (!m_files.confirmDiscardScenario())
             return;
         workspace().document().restore(choice.scenario, {}); // it is in no file yet
     } else {

@@ -11,7 +11,7 @@
 namespace berg {
 
 class ScenarioFiles;
-class StartGuide;
+class StartPageController;
 struct ImportChoice;
 
 /**
@@ -23,7 +23,7 @@ class SightingsImport : public WindowPart
     Q_OBJECT
 
 public:
-    SightingsImport(WindowContext& context, ScenarioFiles& files, StartGuide& start);
+    SightingsImport(WindowContext& context, ScenarioFiles& files, StartPageController& start);
 
     void chooseSightings();
     void chooseAirspace();
@@ -60,7 +60,7 @@ private:
     void openDropped(const QString& path);
 
     ScenarioFiles& m_files;
-    StartGuide& m_start;
+    StartPageController& m_start;
     LatestTask<AirspaceRequest, AirspacePointer> m_airspace;
     QMetaObject::Connection m_pause; ///< until the flight pauses to take reports
     QTemporaryDir m_pasted;          ///< for the text of the clipboard

@@ -45,7 +45,7 @@ StatusLine::StatusLine(WindowContext& context)
     m_findings->setAutoRaise(true);
     m_findings->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_findings->setFocusPolicy(Qt::TabFocus);
-    m_findings->setToolTip(tr("Shows what is found about the scenario."));
+    m_findings->setToolTip(tr("Shows the findings about the scenario."));
     QSizePolicy room = m_findings->sizePolicy();
     room.setRetainSizeWhenHidden(true); // or the map above gets another size
     m_findings->setSizePolicy(room);

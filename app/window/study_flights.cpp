@@ -54,7 +54,8 @@ StudyFlights::StudyFlights(WindowContext& context, ScenarioFiles& files, const D
 bool StudyFlights::flyOnMap(const Scenario& scenario, const QString& text)
 {
     panels().finishTyping();
-    if (!(workspace().isVariant(scenario) ? m_files.mayEndFlight() : m_files.mayLeaveScene()))
+    if (!(workspace().isVariant(scenario) ? m_files.mayEndFlight()
+                                          : m_files.confirmDiscardScenario()))
         return false;
     workspace().flyScenario(scenario, text);
     if (auto* dock = m_docks.dock(Dock::Study); dock->isFloating())
@@ -63,7 +64,7 @@ bool StudyFlights::flyOnMap(const Scenario& scenario, const QString& text)
     return true;
 }
 
-/** In flight it is told to the flight. */
+/** Sends the setting to the flight, if there is one. */
 void StudyFlights::use(const StudySetting& setting)
 {
     const QString text = tr("Use %1").arg(settingText(setting, locale()));
@@ -72,7 +73,7 @@ void StudyFlights::use(const StudySetting& setting)
         if (setting.tau)
             workspace().setTau(*setting.tau);
         if (!workspace().mayIntervene())
-            return; // refused, and told so
+            return; // the message is already shown
     } else {
         workspace().document().edit(text, [&](Scenario& scenario) {
             scenario.planner.policy = setting.policy;

@@ -19,7 +19,7 @@ class StudyFlights : public WindowPart
 public:
     StudyFlights(WindowContext& context, ScenarioFiles& files, const Docks& docks);
 
-    /** What the one of another window awaits. */
+    /** Takes over the waiting work of another window. */
     void takeOver(StudyFlights& other) { m_compared = std::move(other.m_compared); }
 
 private:
@@ -39,7 +39,7 @@ private:
 
     ScenarioFiles& m_files;
     const Docks& m_docks;
-    std::optional<ComparedPair> m_compared; ///< awaited
+    std::optional<ComparedPair> m_compared; ///< waits until both flights have ended
 };
 
 } // namespace berg

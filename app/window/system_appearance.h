@@ -8,10 +8,10 @@
 namespace berg {
 
 /**
- * Whether the desktop is dark or of high contrast, and when that changes. Asks the freedesktop
- * settings portal (org.freedesktop.appearance, color-scheme and contrast), which Qt asks by itself
- * only from 6.5 on; without a portal, or when it has no preference, the desktop's palette tells.
- * Never waits for an answer.
+ * Detects whether the desktop is dark or of high contrast, and reports changes. It reads the
+ * freedesktop settings portal (org.freedesktop.appearance, color-scheme and contrast), which Qt
+ * itself reads only from 6.5 on. Without a portal or a preference it uses the desktop's palette. It
+ * never blocks.
  */
 class SystemAppearance : public QObject
 {
@@ -39,7 +39,7 @@ private:
     void read(const QString& key, void (SystemAppearance::*answer)(uint));
 
     bool m_contrast = false;
-    std::optional<bool> m_portalDark; ///< none: no portal, or no preference
+    std::optional<bool> m_portalDark; ///< nullopt without a portal or a preference
 };
 
 } // namespace berg

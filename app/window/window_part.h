@@ -16,7 +16,7 @@ class Interaction;
 class Workspace;
 struct Panels;
 
-/** What all parts of a window work with; it outlives them. */
+/** Shared objects of all parts of a window; they outlive the parts. */
 struct WindowContext
 {
     QMainWindow& window; ///< parent of dialogs; its status bar shows messages
@@ -38,7 +38,7 @@ protected:
 
     [[nodiscard]] WindowContext& context() const { return m_context; }
     [[nodiscard]] QMainWindow& window() const { return m_context.window; }
-    /** What dialogs about a panel belong to: its own window while it is shown in one. */
+    /** Returns the parent for dialogs about a panel: its own window if it floats. */
     [[nodiscard]] QWidget* windowOf(const QWidget& panel) const;
     [[nodiscard]] Workspace& workspace() const { return m_context.workspace; }
     [[nodiscard]] Interaction& interaction() const { return m_context.interaction; }

@@ -3,6 +3,7 @@
 #include "app/window/alarm_sound.h"
 #include "app/window/appearance_choice.h"
 #include "app/window/backdrop_file.h"
+#include "app/window/benchmark_controller.h"
 #include "app/window/checks_view.h"
 #include "app/window/comparison_view.h"
 #include "app/window/context_menus.h"
@@ -10,22 +11,22 @@
 #include "app/window/flight_controls.h"
 #include "app/window/flight_panels.h"
 #include "app/window/flight_view.h"
+#include "app/window/history_actions.h"
 #include "app/window/manual_help.h"
-#include "app/window/map_links.h"
+#include "app/window/map_controller.h"
 #include "app/window/menus.h"
 #include "app/window/planner_view.h"
 #include "app/window/preference_menus.h"
 #include "app/window/result_files.h"
-#include "app/window/run_end.h"
+#include "app/window/run_summary_controller.h"
 #include "app/window/scenario_dialogs.h"
 #include "app/window/scenario_files.h"
 #include "app/window/sightings_import.h"
-#include "app/window/solve_time_desk.h"
-#include "app/window/start_guide.h"
+#include "app/window/start_page_controller.h"
 #include "app/window/status_line.h"
-#include "app/window/study_desk.h"
+#include "app/window/study_controller.h"
 #include "app/window/study_flights.h"
-#include "app/window/work_safety.h"
+#include "app/window/unsaved_work_guard.h"
 
 namespace berg {
 
@@ -38,13 +39,13 @@ struct WindowParts
     Docks docks;
     ScenarioFiles files;
     ResultFiles results;
-    StartGuide start;
+    StartPageController start;
     SightingsImport sightings;
     ScenarioDialogs dialogs;
-    StudyDesk study;
-    SolveTimeDesk solveTimes;
+    StudyController study;
+    BenchmarkController solveTimes;
     StudyFlights studyFlights;
-    WorkSafety safety;
+    UnsavedWorkGuard safety;
     ChecksView checks;
     ComparisonView comparison;
     PlannerView planner;
@@ -52,12 +53,13 @@ struct WindowParts
     FlightView flightView;
     AlarmSound sound;
     FlightControls flight;
-    RunEnd runEnd;
-    MapLinks mapLinks;
+    RunSummaryController runEnd;
+    MapController mapLinks;
     BackdropFile backdrop;
     AppearanceChoice appearance;
     PreferenceMenus preferences;
     ManualHelp manual;
+    HistoryActions history;
     Menus menus;
     ContextMenus contextMenus;
 };

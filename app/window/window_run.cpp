@@ -1,11 +1,11 @@
 #include "app/window/window_run.h"
 
 #include "app/cli/console.h"
+#include "app/dialogs/screen_fit.h"
+#include "app/window/main_window_host.h"
 #include "app/window/run_settings.h"
 #include "app/window/scenario_files.h"
-#include "app/window/screen_fit.h"
-#include "app/window/start_guide.h"
-#include "app/window/window_holder.h"
+#include "app/window/start_page_controller.h"
 #include "core/io/text/atomic_file.h"
 #include "core/scenario/presets.h"
 #include "widgets/map/view/map_view.h"
@@ -50,7 +50,7 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
     const auto done = [&window, path = options.screenshot] {
         int code = 0;
         try {
-            window.grab(); // tells what land it needs
+            window.grab(); // requests the land it needs
             window.finishLand();
             saveImage(window.grab(), path);
         } catch (const Error& error) {
@@ -97,15 +97,15 @@ void keepSafe(Workspace& workspace, const QDir& data)
 {
     workspace.file().setLockFolder(data.filePath(u"locks"_s));
     workspace.autosaver().start(data.filePath(u"recovery"_s));
-    workspace.studyKeeper().start(data.filePath(u"studies"_s));
+    workspace.studyAutosaver().start(data.filePath(u"studies"_s));
 }
 
-/** What came of the file named on the command line before there was a window. */
+/** Result of opening the file on the command line, before the window exists. */
 struct NamedFile
 {
-    QString path;       ///< empty: none was named
+    QString path;       ///< empty if no file was named
     bool later = false; ///< to be opened by the window: a study, a run, or a file in use
-    QString fault = {}; ///< why it was not opened, in the user's words; empty: it was
+    QString fault = {}; ///< reason that it was not opened; empty on success
 };
 
 NamedFile openNamed(Workspace& workspace, const QString& name, bool picture)
@@ -126,13 +126,13 @@ NamedFile openNamed(Workspace& workspace, const QString& name, bool picture)
     return named;
 }
 
-/** What is there to be asked, told or shown once the window stands. */
+/** Questions and messages to show after the window has opened. */
 void greet(MainWindow& window, Interaction& interaction, const QSettings& settings,
            const NamedFile& file)
 {
     const bool isOpen = !file.path.isEmpty() && file.fault.isEmpty();
     const bool isShown = file.later ? window.openFile(file.path) : isOpen;
-    if (!isShown && StartGuide::wantsStartPage(settings))
+    if (!isShown && StartPageController::wantsStartPage(settings))
         window.showStartPage();
     if (!file.fault.isEmpty())
         interaction.showError(&window, file.fault);
@@ -168,7 +168,7 @@ int runWindow(const WindowOptions& options)
         say(named.fault);
     if (picture && !named.fault.isEmpty())
         return cli::kBadInput;
-    WindowHolder holder(workspace, interaction, settings);
+    MainWindowHost holder(workspace, interaction, settings);
     MainWindow& window = holder.window();
     if (!picture && !settings.contains(u"window/state"_s))
         window.showFirstLayout();

@@ -51,6 +51,49 @@ check "curve --certificate: what it proves" python3 -c 'import json; assert all(
 check "plan --certificate" exits 0 "$cli" plan "$default" --certificate plan-proof.json --json
 check "plan --certificate of several UAVs" exits 0 "$cli" plan "$source_dir/resources/scenarios/svalbard-two-uavs.berg" --certificate fleet-proof.json --json
 check "certificates are confirmed" "$checker" proof.json plan-proof.json curve-proof.json fleet-proof.json
+# Latency and TSPLIB. By hand: orders 1,2 and 2,1 come to 3*900 + 7.5*1600 and 7.5*1500 + 3*2200.
+check "solve --criterion latency" exits 0 "$cli" solve problem.json --criterion latency --json
+check "solve --criterion latency: by hand" json 'd["order"] == [1,2] and d["objective"] == 14700 and d["mu"] == 1 and d["status"] == "optimal"'
+check "solve --return" exits 0 "$cli" solve problem.json --criterion latency --return --json
+check "solve --return: by hand" json 'd["order"] == [1,2] and d["objective"] == 14700 + 3100 and d["distance_m"] == 3100'
+check "solve --return: mu" exits 0 "$cli" solve problem.json --criterion latency --return --mu 0.5 --json
+check "solve --return: half of it" json 'd["objective"] == 8900'
+check "solve --return without latency" exits 2 "$cli" solve problem.json --return
+check "solve --return without latency: says so" says "--return excludes --criterion visitation"
+check "solve latency beside a route" exits 2 "$cli" solve problem.json --criterion latency --route closed
+check "solve latency beside tau" exits 2 "$cli" solve problem.json --criterion latency --tau 1
+check "solve latency by cbc" exits 2 "$cli" solve problem.json --criterion latency --backend cbc
+sed 's/7.5/0/' problem.json >zero.json
+check "solve --return of a place without sigma" exits 3 "$cli" solve zero.json --criterion latency --return
+check "solve --return of a place without sigma: names it" says "zero.json: sigma[2]: must be above 0"
+optima() { # FILE: round tour, latency, latency with the return, by trying all orders
+    python3 - "$1" <<'P'
+import itertools, math, re, sys
+text = open(sys.argv[1]).read()
+numbers = [float(x) for x in re.search(r"SECTION\n(.*)", text, re.S).group(1).replace("EOF", "").split()]
+n = int(re.search(r"DIMENSION: (\d+)", text).group(1))
+at = [numbers[3 * i + 1:3 * i + 3] for i in range(n)]
+d = lambda i, j: math.floor(math.dist(at[i], at[j]) + 0.5) if "EUC_2D" in text else numbers[n * i + j]
+def costs(order):
+    arrivals = list(itertools.accumulate(d(i, j) for i, j in zip((0,) + order, order)))
+    back = arrivals[-1] + d(order[-1], 0)
+    return back, sum(arrivals), sum(arrivals) + back
+print(*(int(min(c)) for c in zip(*map(costs, itertools.permutations(range(1, n))))))
+P
+}
+for instance in small.tsp small.atsp; do
+    file=$source_dir/tests/data/scenarios/$instance
+    read -r tour latency with_return <<<"$(optima "$file")"
+    check "$instance: tour" exits 0 "$cli" solve "$file" --json
+    check "$instance: tour: optimum" json "d['objective'] == d['distance_m'] == $tour and sorted(d['order']) == list(range(2, len(d['order']) + 2))"
+    check "$instance: latency" exits 0 "$cli" solve "$file" --criterion latency --json
+    check "$instance: latency: optimum" json "d['objective'] == $latency and d['distance_m'] < $latency"
+    check "$instance: latency with the return" exits 0 "$cli" solve - --criterion latency --return --json <"$file"
+    check "$instance: latency with the return: optimum" json "d['objective'] == $with_return and d['status'] == 'optimal' and 1 not in d['order']"
+    check "$instance: certificate" exits 0 "$cli" solve "$file" --criterion latency --return --certificate "$instance.json"
+    check "$instance: certificate is confirmed" "$checker" "$instance.json"
+    check "$instance: validate" exits 0 "$cli" validate "$file"
+done
 check "solve --mu beyond all measure" exits 2 "$cli" solve huge.json --mu 1e300
 check "solve --mu as large as in a file" exits 0 "$cli" solve huge.json --mu 1e15 --json
 check "solve --route closed" exits 0 "$cli" solve problem.json --route closed --json
@@ -307,7 +350,7 @@ check "sweep: csv" grep -qx 'policy,tau,n,mean_m2s,standard_error_m2s,median_m2s
 cp sweep.csv one.csv
 check "sweep with real drift" exits 0 "$cli" sweep --random 2 --regime fitted-drift --tau 1 --policies visitation,coverage
 check "a first seed is of random scenarios" exits 2 "$cli" sweep "$default" --first-seed 5 --tau 1
-check "a first seed is of random scenarios: says so" says "--first-seed is for --random N"
+check "a first seed is of random scenarios: says so" says "--first-seed needs --random N"
 check "sweep of wide numbers" exits 0 "$cli" sweep "$source_dir"/resources/scenarios/{baffin-bay-day,recorded-drift}.berg --tau 0,1 -q
 check "sweep of wide numbers: columns apart" python3 -c '
 import re
@@ -341,7 +384,7 @@ check "sweep --study again: the same" cmp -s first.bergstudy whole.bergstudy
 check "a study is a valid file" exits 0 "$cli" validate whole.bergstudy
 for part in 1 2 3; do
     check "shard $part" exits 0 "$cli" sweep "${small[@]}" --study part$part.bergstudy --shard $part/3 --threads $part
-    check "shard $part: says that it is a part" says "not complete"
+    check "shard $part: says that it is a part" says "incomplete"
 done
 check "study" exits 0 "$cli" study part3.bergstudy part1.bergstudy part2.bergstudy --study merged.bergstudy --output merged.csv
 check "study: prints what one sweep prints" cmp -s whole.txt stdout.txt
@@ -349,7 +392,7 @@ check "study: is the file of one sweep" cmp -s whole.bergstudy merged.bergstudy
 check "study: writes the table of one sweep" cmp -s whole.csv merged.csv
 check "study of a part" exits 0 "$cli" study part2.bergstudy --json
 check "study of a part: its cases" json 'd["cases"] == 2 and d["flown"] == 8 and d["missions"] == 20 and d["rows"][0]["n"] == 2'
-check "study of a part: says so" says "not complete: 8 of 20 missions"
+check "study of a part: says so" says "incomplete: 8 of 20 missions"
 check "a part is carried on by another shard" exits 0 "$cli" sweep "${small[@]}" --study part2.bergstudy --shard 1/3
 check "a part is carried on by the whole" exits 0 "$cli" sweep "${small[@]}" --study part2.bergstudy
 check "a part is carried on: the same" cmp -s whole.bergstudy part2.bergstudy
@@ -427,7 +470,7 @@ done
 check "export zeta-csv: the run's table" cmp -s run.zeta-csv out/zeta.csv
 cp plan.plan before.plan
 check "export does not write over a file" exits 2 "$cli" export "$default" --format plan --altitude 90 --output plan.plan
-check "export does not write over a file: says so" says "plan.plan: exists"
+check "export does not write over a file: says so" says "plan.plan exists"
 check "export does not write over a file: as before" cmp -s plan.plan before.plan
 check "export --force" exits 0 "$cli" export "$default" --format plan --altitude 90 --output plan.plan --force
 plan_is() { python3 -c 'import json, sys; m=json.load(open(sys.argv[1]))["mission"]["items"]; sys.exit(0 if eval(sys.argv[2]) else 1)' "$@"; }
@@ -473,23 +516,27 @@ check "export of both in one file" exits 0 "$cli" export two.berg --format kml -
 data="$source_dir/tests/data/import"
 for file in iip.csv cis-beacon.csv usnic.csv metno.geojson points.geojson places.kml waypoints.gpx \
             qgc.plan fence.plan ardupilot.waypoints route.gpx route.geojson scene.geojson scene.kml \
-            scene.gpx table.csv; do
+            scene.gpx table.csv geometries.geojson lines.geojsonl polar.geojson tracks.kml \
+            commas.kml shapes.kml links.kmz; do
     check "import $file" exits 0 "$cli" import "$data/$file" --output imported.berg --force
     check "import $file: names each rejected row" grep -q "$file: \(line\|feature\) " stderr.txt
     check "import $file: valid" exits 0 "$cli" validate imported.berg
     check "import $file: flies" exits 0 "$cli" simulate imported.berg --duration 20
 done
+printf '{x "coordinates"' >broken.geojson
+check "import of broken JSON" exits 3 "$cli" import broken.geojson --output none.berg
+check "import of broken JSON: does not hint at itself" test -z "$(grep "'import'" stderr.txt)"
 check "import --json" exits 0 "$cli" import "$data/iip.csv" --format iip --output imported.berg --force --json
-check "import --json: members" json 'list(d) == ["format","sightings","rejected","outside_area","outside_time","added","updated","unchanged","left_out","start_utc","origin","unused_columns","scene","icebergs","rejected_rows"]'
-check "import --json: counts" json '(d["sightings"], d["rejected"], d["added"]) == (7, 7, 4) and d["rejected_rows"][0]["line"] == 7'
+check "import --json: members" json 'list(d) == ["format","sightings","rejected","noted","outside_area","outside_time","added","updated","unchanged","left_out","needs_consent","start_utc","origin","unused_columns","scene","icebergs","rejected_rows","noted_rows","outside_rows"]'
+check "import --json: counts" json '(d["sightings"], d["rejected"], d["added"]) == (10, 4, 7) and d["rejected_rows"][0]["line"] == 7 and [r["line"] for r in d["noted_rows"]] == [8, 9, 10]'
 check "import of a fence" exits 0 "$cli" import "$data/fence.plan" --output fence.berg
 check "import of a fence: what is taken over" grep -q 'scene      area taken over as geofence' stdout.txt
-check "import of a fence: what is left out" grep -q 'scene      2 circles of the geofence left out' stdout.txt
+check "import of a fence: its circles" grep -q 'scene      2 no-fly areas taken over' stdout.txt
 check "import of a fence: it is there" python3 -c 'import json; s = json.load(open("fence.berg")); raise SystemExit(not (s["geofence"] and len(s["area_m"]) == 5 and s["uavs"][0]["altitude_m"] == 60))'
 check "import of a fence into a scenario" exits 0 "$cli" import "$data/fence.plan" --into fence.berg --output again.berg --json
 check "import of a fence into a scenario: kept" json 'd["scene"] == [{"note": "UAVs, area and asset of the file not taken over: the scenario is in use", "count": 1}]'
 check "import again" exits 0 "$cli" import "$data/iip.csv" --into imported.berg --output again.berg --force --json
-check "import again: nothing new" json 'd["unchanged"] == 4 and d["added"] + d["updated"] == 0'
+check "import again: nothing new" json 'd["unchanged"] == 7 and d["added"] + d["updated"] == 0'
 check "import again: the same file" cmp -s imported.berg again.berg
 check "import of an area and time" exits 0 "$cli" import "$data/iip.csv" --output area.berg --area 47,-50,53,-49 --since 2021-01-01T00:00:00Z --at 2021-04-02T00:00:00Z --json
 check "import of an area and time: one" json '[i["id"] for i in d["icebergs"]] == ["2021-302"] and d["start_utc"] == "2021-04-02T00:00:00Z" and d["icebergs"][0]["age_s"] == 7.25 * 3600'
@@ -497,6 +544,11 @@ check "import with a track" exits 0 "$cli" import "$data/cis-beacon.csv" --outpu
 check "import with a track: it is there" python3 -c 'import json; t = json.load(open("track.berg"))["icebergs"][0]["track"]; raise SystemExit(not (t["time_s"][0] == 0 and t["time_s"][-1] == 39600 and len(t["time_s"]) == len(t["position_m"])))'
 check "a track is flown and replayed" exits 0 "$cli" simulate track.berg --duration 60 --output trackout
 check "a track is flown and replayed: equal" exits 0 "$cli" simulate trackout/run.bergrun
+check "import of a continent" exits 0 "$cli" import "$data/antarctica.csv" --output far.berg
+check "import of a continent: names what is left out" grep -q 'antarctica.csv: line 8: is more than 1000 km' stderr.txt
+check "import of a continent: names what to do" grep -q 'choose others with --area' stderr.txt
+check "import of an area: names what is outside" exits 0 "$cli" import "$data/antarctica.csv" --output far.berg --force --area -75,-110,-70,-100
+check "import of an area: lists what is outside" grep -q 'line 2: lies outside the chosen area: "-64.5 -44.2"' stderr.txt
 printf 'A,B\n47.1,-48.2\n' >columns.csv
 check "import with a mapping" exits 0 "$cli" import columns.csv --map latitude=A --map longitude=B --output mapped.berg --json
 check "import with a mapping: taken" json 'd["format"] == "csv" and d["added"] == 1 and d["start_utc"] is None'
@@ -512,8 +564,26 @@ check "import of a missing file" exits 3 "$cli" import missing.csv --output neve
 check "import of a scenario" exits 3 "$cli" import "$default" --output never.berg
 check "import of the program" exits 3 "$cli" import "$cli" --output never.berg
 check "import of an empty area" exits 3 "$cli" import "$data/iip.csv" --area 0,0,1,1 --output never.berg
-check "import of an empty area: words" says "none of its 7 sightings"
+check "import of an empty area: words" says "none of its 10 sightings"
 check "import: a place that cannot be written" exits 1 "$cli" import "$data/iip.csv" --output columns.csv/x.berg
+printf 'call,time,lat,lon\nX,2026-05-01T10:00:00Z,47,-48\nY,2026-05-01T10:30:00Z,47.5,-48\nX,2026-05-01T11:00:00Z,47.01,-48\nY,2026-05-01T11:30:00Z,47.51,-48\n' >calls.csv
+check "import: nothing tells the icebergs" exits 3 "$cli" import calls.csv --output never.berg
+check "import: nothing tells the icebergs: a column" says "--map id=call: icebergs: 2, greatest speed between two sightings: 0.31 m/s"
+check "import: nothing tells the icebergs: all rows" says "--one-iceberg: icebergs: 1"
+check "import: nothing tells the icebergs: each row" says "--each-row: icebergs: 4"
+check "import: a column tells the icebergs" exits 0 "$cli" import calls.csv --map id=call --output calls.berg --json
+check "import: a column tells the icebergs: two" json '[(i["id"], i["velocity_from"], i["velocity_age_s"]) for i in d["icebergs"]] == [("X", "fixes", 1800), ("Y", "fixes", 0)]'
+check "import: each row" exits 0 "$cli" import calls.csv --each-row --output calls.berg --force --json
+check "import: each row: four" json 'd["added"] == 4'
+printf 'time,lat,lon\n2026-05-01T10:00:00Z,47,-48\n2026-05-01T11:00:00Z,47.07,-48\n' >fast.csv
+check "import: one iceberg is too fast" exits 3 "$cli" import fast.csv --one-iceberg --output never.berg
+check "import: one iceberg is too fast: says so" says "is faster than 1.5 m/s"
+check "import: one iceberg and each row" exits 2 "$cli" import calls.csv --one-iceberg --each-row --output never.berg
+printf 'id,lat,lon\na,48.7,-56\n' >land.csv
+check "import: on land" exits 3 "$cli" import land.csv --output never.berg
+check "import: on land: names the option" says "accept it with --accept-doubtful"
+check "import: on land all the same" exits 0 "$cli" import land.csv --accept-doubtful --output land.berg --json
+check "import: on land all the same: says so" json 'd["needs_consent"] and "on land" in d["icebergs"][0]["notes"]'
 check "import: nothing is written in vain" test ! -e never.berg
 
 # --- benchmark -------------------------------------------------------------------------------
@@ -550,8 +620,8 @@ while IFS= read -r -d '' file; do
 done < <(find "$source_dir/tests/data/broken" -type f ! -name 'EXPECTED.tsv' -print0)
 check "at least 40 broken files" test "$broken" -ge 40
 check "broken input writes nothing" test ! -e never
-check "validate: advice" exits 0 "$cli" validate "$source_dir/resources/scenarios/flemish-pass-appearing.berg"
-check "validate: advice names the field" says "hint: icebergs[2].velocity_mps: drifts out of the area"
+check "validate: scenarioWarnings" exits 0 "$cli" validate "$source_dir/resources/scenarios/flemish-pass-appearing.berg"
+check "validate: scenarioWarnings names the field" says "hint: icebergs[2].velocity_mps: drifts out of the area"
 check "validate --json" exits 3 "$cli" validate --json problem.json missing.berg
 check "validate --json: list" json '[(f["file"], f["severity"]) for f in d] == [("problem.json", "valid"), ("missing.berg", "error")]'
 

@@ -13,6 +13,7 @@ printf 'id,y,x\na,62.4S,54W\n' >columns.csv
 echo '{"format": "bergwatch-problem", "version": 1, "sigma": [0, 1], "position_m": [[0, 0], [1, 0]], "toa": 2}' >unknown.json
 printf 'id,latitude,longitude,length\na,62S,54W,"1,200"\n' >lengths.csv
 sed 's/"sigma0_m2": [0-9.]*/"sigma0_m2": -1/' four.berg >negative.berg
+printf 'TYPE: TSP\nDIMENSION: 3\nCOLOUR: red\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: UPPER_ROW\nEDGE_WEIGHT_SECTION\n1 -2\n' >few.tsp
 sed 's/"policy": "visitation"/"backend": "cbc", &/' four.berg >cbc.berg
 
 # --- mistakes --------------------------------------------------------------------------------
@@ -84,7 +85,7 @@ for words in "sweep four.berg --tau nan" "sweep four.berg --tau 0:nan:1" "import
 done
 
 check "too many taus" exits 2 "$cli" sweep four.berg --tau 0:100:1e-9
-check "too many taus: says so" says "--tau: 0:100:1e-9 makes it more than 100000 values"
+check "too many taus: says so" says "--tau: with 0:100:1e-9 there are more than 100000 values"
 # Each range by itself is short enough; all of them would be 2.4 GB.
 check "too many taus in sum" exits 2 "$cli" sweep four.berg --tau "$(yes 0:100:0.001 | head -3000 | paste -sd,)"
 
@@ -139,7 +140,7 @@ speaks() { # language, then what is said of a file, a field, an option, a value,
 }
 speaks nb_NO.UTF-8 "kan ikke åpnes: filen eller mappen finnes ikke" "må være fra 0 til 1000000000000, ikke -1" \
     "det finnes ikke noe valg «--duraton»; mente du «--duration»?" "må være fra 0 til 100, ikke 101" \
-    "tips: icebergs[2].velocity_mps: driver ut av området" "linje 2: bredden er ikke et tall fra −90 til 90"
+    "tips: icebergs[2].velocity_mps: driver ut av området" "linje 2: bredden må være fra -90 til 90, minuttene under 60"
 speaks da_DK "kan ikke åbnes: ingen sådan fil eller mappe" "skal være fra 0 til 1000000000000, ikke -1" \
     "der findes intet tilvalg »--duraton«; mente du »--duration«?" "skal være fra 0 til 100, ikke 101" \
     "tip: icebergs[2].velocity_mps: driver ud af området" "linje 2: "

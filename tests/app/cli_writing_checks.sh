@@ -39,12 +39,12 @@ refused "import over its input" 2 "--output: iip.csv is an input" "$cli" import 
 refused "a run replayed into its folder" 2 "--output: run/run.bergrun is an input" "$cli" simulate run/run.bergrun --output run --force
 
 # --- outputs of one name ---------------------------------------------------------------------
-refused "table and report of one name" 2 "--report: x.out is the file of --output already" "$cli" "${endless[@]}" --output x.out --report x.out
-refused "the same by another name" 2 "--report: ../${work##*/}/x.out is the file of --output" "$cli" "${endless[@]}" --output x.out --report "../${work##*/}/x.out"
-refused "three of one name" 2 "--output: x.out is the file of --study already" "$cli" "${endless[@]}" --study x.out --output x.out --report x.out
+refused "table and report of one name" 2 "--report: x.out is already the file of --output" "$cli" "${endless[@]}" --output x.out --report x.out
+refused "the same by another name" 2 "--report: ../${work##*/}/x.out is already the file of --output" "$cli" "${endless[@]}" --output x.out --report "../${work##*/}/x.out"
+refused "three of one name" 2 "--output: x.out is already the file of --study" "$cli" "${endless[@]}" --study x.out --output x.out --report x.out
 cp four.bergstudy table.csv
 ln table.csv page.html
-refused "two names of one file" 2 "--report: page.html is the file of --output" "$cli" "${endless[@]}" --output table.csv --report page.html --force
+refused "two names of one file" 2 "--report: page.html is already the file of --output" "$cli" "${endless[@]}" --output table.csv --report page.html --force
 rm table.csv page.html
 
 # --- what exists, what cannot be -------------------------------------------------------------
@@ -52,16 +52,16 @@ echo mine >there.csv
 mkdir folder
 for command in "curve four.berg" "${endless[*]}" "study four.bergstudy" "import iip.csv" "benchmark"; do
     name=${command%% *}
-    refused "$name: exists" 2 "--output: there.csv: exists; --force overwrites it" "$cli" $command --output there.csv
+    refused "$name exists" 2 "--output: there.csv exists; use --force to overwrite it" "$cli" $command --output there.csv
     refused "$name: no folder" 1 "--output: none/x.csv: there is no folder none" "$cli" $command --output none/x.csv
     refused "$name: a file for a folder" 1 "--output: there.csv/x.csv: there.csv is no folder" "$cli" $command --output there.csv/x.csv
     refused "$name: a folder for a file" 1 "--output: folder: cannot be written: Is a directory" "$cli" $command --output folder
     refused "$name: a folder that takes no files" 1 "--output: /proc/x.csv: cannot be written" "$cli" $command --output /proc/x.csv
 done
-refused "report: exists" 2 "--report: there.csv: exists" "$cli" "${endless[@]}" --report there.csv
+refused "report: exists" 2 "--report: there.csv exists" "$cli" "${endless[@]}" --report there.csv
 refused "report: no folder" 1 "--report: none/x.html: there is no folder none" "$cli" "${endless[@]}" --report none/x.html
 refused "study: no folder" 1 "--study: none/x.bergstudy: there is no folder none" "$cli" "${endless[@]}" --study none/x.bergstudy
-refused "simulate: the files of a flight exist" 2 "--output: run/trajectory.csv: exists" "$cli" simulate four.berg --duration 60 --output run
+refused "simulate: the files of a flight exist" 2 "--output: run/trajectory.csv exists" "$cli" simulate four.berg --duration 60 --output run
 refused "simulate: a file for a folder" 1 "--output: there.csv: is no folder" "$cli" simulate four.berg --output there.csv
 refused "simulate: no folder can be made there" 1 "there.csv is no folder" "$cli" simulate four.berg --output there.csv/new/out
 check "what is there is as before" test "$(cat there.csv)" = mine
@@ -74,7 +74,7 @@ d["uavs"] = [dict(d["uavs"][0], id=name) for name in ("a", "b")]
 json.dump(d, open(sys.argv[2], "w"))
 P
 touch two-b.plan
-refused "one of the files of an export exists" 2 "--output: two-b.plan: exists" "$cli" export two.berg --format plan --output two.plan
+refused "one of the files of an export exists" 2 "--output: two-b.plan exists" "$cli" export two.berg --format plan --output two.plan
 check "one of the files of an export exists: none is written" test ! -e two-a.plan -a ! -s two-b.plan
 
 # --- with --force ----------------------------------------------------------------------------
@@ -107,13 +107,13 @@ check "a device twice" exits 0 "$cli" "${sweep[@]}" --output /dev/null --report 
 check "two things on standard output" exits 2 "$cli" curve "$scenario" --output - --json
 check "two things on standard output: told" says "--output: /dev/stdout and --json both need standard output"
 check "two things on standard output: in JSON" json 'd["error"]["kind"] == "wrong-usage"'
-refused "standard output twice" 2 "--report: /dev/stdout is the file of --output already" "$cli" "${sweep[@]}" --output - --report -
+refused "standard output twice" 2 "--report: /dev/stdout is already the file of --output" "$cli" "${sweep[@]}" --output - --report -
 check "a scenario on standard output" exits 0 "$cli" import iip.csv --output -
 cp stdout.txt piped.berg
 check "a scenario on standard output: is one" exits 0 "$cli" validate piped.berg
 refused "a study on standard output" 2 "--study: '-' is not possible here" "$cli" "${sweep[@]}" --study -
 refused "a flight on standard output" 2 "--output: '-' is not possible here" "$cli" simulate four.berg --output -
-refused "--replace-study without a study" 2 "--replace-study: is for --study FILE" "$cli" study four.bergstudy --replace-study
+refused "--replace-study without a study" 2 "--replace-study needs --study FILE" "$cli" study four.bergstudy --replace-study
 check "an export on standard output" exits 0 "$cli" export "$scenario" --format wpl --output -
 check "an export on standard output: is one" test "$(head -1 stdout.txt)" = "QGC WPL 110"
 

@@ -19,7 +19,7 @@ stand_in() {
 }
 for format in $painted; do
     check "no $format without bergwatch" exits 1 alone export "$default" --format $format --output none.$format
-    check "no $format without bergwatch: says so" says "--format $format: is painted by the program bergwatch, which was found neither"
+    check "no $format without bergwatch: says so" says "--format $format: the program bergwatch paints this format, but it is neither"
     check "no $format without bergwatch: no file" test ! -e none.$format
 done
 check "without bergwatch a file is in the way all the same" exits 2 alone export "$default" --format brief --output plan.plan
@@ -49,7 +49,7 @@ if [ "$bergwatch" != none ]; then
     done
     cp page.brief before.pdf
     check "a brief does not write over a file" exits 2 "$bergwatch" export "$default" --format brief --output page.brief
-    check "a brief does not write over a file: says so" says "page.brief: exists; --force overwrites it"
+    check "a brief does not write over a file: says so" says "page.brief exists; use --force to overwrite it"
     check "a brief does not write over a file: as before" cmp -s page.brief before.pdf
     check "a brief with --force" exits 0 "$cli" export "$default" --format brief --output page.brief --force
     check "a brief with --force: another one" test -s page.brief -a -z "$(cmp -s page.brief before.pdf && echo same)"

@@ -59,7 +59,7 @@ if failed == 0:
 P
 }
 
-check "import" starved "$cli" import long.csv --output imported.berg --force
+check "import" starved "$cli" import long.csv --output imported.berg --force --accept-doubtful
 check "simulate" starved "$cli" simulate "$scenarios/scoresby-sund-40.berg" --duration 300 --output flown --force
 check "plan" starved "$cli" plan "$scenarios/scoresby-sund-40.berg"
 check "curve" starved "$cli" curve "$scenarios/labrador-20.berg" --output curve.csv --force

@@ -95,7 +95,7 @@ interrupted() {
 }
 check "ended from outside" interrupted
 check "ended from outside: a study is left" exits 0 "$cli" study long.bergstudy
-check "ended from outside: a part of it" grep -q "not complete: [1-9]" stderr.txt
+check "ended from outside: a part of it" grep -q "incomplete: [1-9]" stderr.txt
 
 [ "$failures" -eq 0 ] && echo "all passed"
 [ "$failures" -eq 0 ]

@@ -25,14 +25,14 @@ check "pictures: three files" test "$(ls out | tr '\n' ' ')" = "map.png sigma.pn
 echo mine >out/zeta.png
 rm out/map.png
 check "pictures that exist" exits 2 pictures out $scenario
-check "pictures that exist: says so" says "--pictures: out/zeta.png: exists; --force overwrites it"
+check "pictures that exist: says so" says "--pictures: out/zeta.png exists; use --force to overwrite it"
 check "pictures that exist: as before" test "$(cat out/zeta.png)" = mine
 check "pictures that exist: no other one" test ! -e out/map.png
 check "other pictures beside them" exits 0 pictures out --theme dark --force $scenario
 check "--force overwrites" test "$(head -c 4 out/zeta.png | tail -c 3)" = PNG
 echo mine >out/zeta-dark.png
 check "one of both themes exists" exits 2 pictures out --theme both $scenario
-check "one of both themes exists: says so" says "out/map.png: exists"
+check "one of both themes exists: says so" says "out/map.png exists"
 check "no folder for pictures" exits 1 pictures $scenario/out $scenario
 check "no folder for pictures: says so" says "$scenario is no folder"
 check "a file in place of the folder" exits 1 pictures $scenario $scenario
@@ -56,7 +56,7 @@ check "a disk that is full: no file" test -z "$(ls -A full 2>/dev/null)"
 check "a screenshot" exits 0 "$bergwatch" --screenshot shot.png $scenario
 check "a screenshot: a picture" test "$(head -c 4 shot.png | tail -c 3)" = PNG
 check "a screenshot that exists" exits 2 "$bergwatch" --screenshot shot.png $scenario
-check "a screenshot that exists: says so" says "--screenshot: shot.png: exists; --force overwrites it"
+check "a screenshot that exists: says so" says "--screenshot: shot.png exists; use --force to overwrite it"
 check "a screenshot again" exits 0 "$bergwatch" --screenshot shot.png --force $scenario
 check "a screenshot that waits" exits 0 "$bergwatch" --screenshot shot.png --force --wait 1 $scenario
 check "a screenshot that waits for what" exits 2 "$bergwatch" --screenshot shot.png --force --wait long $scenario

@@ -42,7 +42,7 @@ class Exporting
 {
 public:
     explicit Exporting(const Scenario& scenario, const ExportRequest& suggested = {},
-                       double flown_s = 0)
+                       double flown_s = 0, const Theme& theme = Theme::light())
     {
         m_runner.setExportPaint(exportPaint());
         m_runner.setScenario(scenario);
@@ -51,7 +51,7 @@ public:
         ExportOffer offer{.suggested = suggested,
                           .flown = flown_s > 0,
                           .scenario = std::make_shared<const Scenario>(scenario),
-                          .theme = Theme::light()};
+                          .theme = theme};
         if (offer.suggested.path.isEmpty())
             offer.suggested.path = folder.filePath(u"survey"_s);
         m_dialog = std::make_unique<ExportDialog>(m_runner, offer);
@@ -95,7 +95,7 @@ public:
             if (list.item(row)->data(Qt::UserRole).toString() == format)
                 list.setCurrentRow(row);
     }
-    /** What is written if this is accepted. */
+    /** Returns the request that the dialog would export. */
     [[nodiscard]] std::vector<ExportFile> written()
     {
         std::vector<ExportFile> taken;
@@ -207,6 +207,26 @@ private slots:
         QVERIFY(dialog.at<QWidget>("exportMap").isVisible());
     }
 
+    void pagesAreOnRedPaperAtNight()
+    {
+        const Theme night = Theme::night();
+        Exporting dialog(withUavs(1), {}, 0, night);
+        QVERIFY(dialog.settles());
+        dialog.choose(u"brief"_s);
+        QVERIFY(dialog.settles());
+        QWidget& view = dialog.at<QWidget>("exportPage");
+        QTRY_VERIFY(view.height() > view.parentWidget()->height()); // as wide as there is room
+        const QImage shown = view.grab().toImage();
+        const QRect page = shown.rect().adjusted(40, 40, -40, -shown.height() / 2);
+        QVERIFY(page.height() > 40);
+        for (int y = page.top(); y < page.bottom(); ++y)
+            for (int x = page.left(); x < page.right(); ++x) {
+                const QColor colour = shown.pixelColor(x, y);
+                QVERIFY(colour.red() <= night.mutedText.red());
+                QVERIFY(colour.blue() <= night.mutedText.blue());
+            }
+    }
+
     void speedIsInTheUnitOfTheUser()
     {
         setShownUnits({.speed = SpeedUnit::Knots});
@@ -239,7 +259,7 @@ private slots:
         dialog.at<QComboBox>("exportWhat").setCurrentIndex(1);
         QVERIFY(dialog.settles());
         QCOMPARE(rows.rowCount(), 1);
-        QVERIFY(dialog.choice().options.what == ExportWhat::FirstLeg);
+        QVERIFY(dialog.choice().options.what == ExportScope::FirstLeg);
     }
 
     /** In flight plans are of what is left, tracks of what was flown, unless something is chosen.
@@ -249,7 +269,7 @@ private slots:
         Exporting dialog(withUavs(1), {}, 20);
         dialog.choose(u"wpl"_s);
         QVERIFY(dialog.settles());
-        QVERIFY(dialog.choice().options.what == ExportWhat::Order);
+        QVERIFY(dialog.choice().options.what == ExportScope::Order);
         dialog.choose(u"gpx"_s);
         QVERIFY(dialog.settles());
         QVERIFY(!dialog.choice().options.what);
@@ -257,7 +277,7 @@ private slots:
         what.setCurrentIndex(what.count() - 1);
         dialog.choose(u"plan"_s);
         QVERIFY(dialog.settles());
-        QVERIFY(dialog.choice().options.what == ExportWhat::Path);
+        QVERIFY(dialog.choice().options.what == ExportScope::Path);
     }
 
     void optionsAreTaken()
@@ -284,7 +304,7 @@ private slots:
         QVERIFY(dialog.notes().contains(u"whole number"_s));
     }
 
-    /** What the format cannot hold is neither to be chosen nor asked of it. */
+    /** Options that the format does not support are disabled and not in the request. */
     void optionsFollowTheFormat()
     {
         Exporting dialog(withUavs(2), {.formatId = "plan", .options = {.loiterTurns = 2}}, 20);
@@ -363,7 +383,7 @@ private slots:
         writeFileAtomically(path.toStdString(), "old");
         Exporting dialog(withUavs(1), {.formatId = "plan", .path = path});
         QVERIFY(dialog.settles());
-        QVERIFY(dialog.at<QLabel>("exportFileNote").text().contains(u"There already"_s));
+        QVERIFY(dialog.at<QLabel>("exportFileNote").text().contains(u"The file exists"_s));
     }
 };
 

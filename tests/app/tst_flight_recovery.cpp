@@ -12,7 +12,7 @@ using test::WindowFixture;
 
 namespace {
 
-/** What is in the folder now, as a program that is killed leaves it: nobody holds the copy. */
+/** Copies the folder as a killed program leaves it: no process holds a lock on the copy. */
 void copyFiles(const QDir& from, const QString& to)
 {
     QVERIFY(QDir().mkpath(to));
@@ -20,7 +20,7 @@ void copyFiles(const QDir& from, const QString& to)
         QVERIFY(QFile::copy(from.filePath(name), QDir(to).filePath(name)));
 }
 
-/** So many seconds into the flight, paused. */
+/** Flies for some seconds and pauses. */
 bool flyTo(WindowFixture& w, double time_s)
 {
     w.workspace.stepTicks(qRound((time_s - w.record().now.time_s) / w.scenario().dt_s));

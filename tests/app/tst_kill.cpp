@@ -8,7 +8,7 @@
 #include "tests/support/study_builder.h"
 #include "widgets/model/document_file.h"
 #include "widgets/model/scenario_document.h"
-#include "widgets/model/study_keeper.h"
+#include "widgets/model/study_autosaver.h"
 #include "widgets/theme/language.h"
 
 #include <QAction>
@@ -31,7 +31,7 @@ namespace {
 constexpr int kSteps = 100;             ///< of the slider for each unit of tau
 constexpr qint64 kMostLost_ms = 10'000; ///< of work
 
-/** What the program to be killed has done, line by line, for whoever kills it. */
+/** Notes of the program to be killed, one per line, for the process that kills it. */
 class Journal
 {
 public:
@@ -68,7 +68,7 @@ std::vector<Entry> entriesOf(const QString& path)
     return entries;
 }
 
-/** The last value noted under `what` at `until_ms` or before; none: -1. */
+/** Returns the last value noted under `what` at `until_ms` or before, or -1 if there is none. */
 qint64 lastOf(const std::vector<Entry>& entries, const QByteArray& what, qint64 until_ms)
 {
     qint64 value = -1;
@@ -130,7 +130,7 @@ int study(int argc, char** argv)
     QCoreApplication app(argc, argv);
     const Journal journal(argv[4]);
     StudyRunner runner;
-    StudyKeeper keeper(runner);
+    StudyAutosaver keeper(runner);
     keeper.start(QString::fromLocal8Bit(argv[2]));
     QObject::connect(&runner, &StudyRunner::updated,
                      [&] { journal.add("edit", static_cast<qint64>(runner.flown())); });
@@ -270,8 +270,8 @@ private slots:
         StudyRunner runner;
         std::shared_ptr<const Study> found;
         {
-            StudyKeeper keeper(runner);
-            connect(&keeper, &StudyKeeper::found, this,
+            StudyAutosaver keeper(runner);
+            connect(&keeper, &StudyAutosaver::found, this,
                     [&](const std::shared_ptr<const Study>& study) { found = study; });
             keeper.start(folder);
             const bool isThere = !names(u"studies"_s).filter(u".bergstudy"_s).isEmpty();

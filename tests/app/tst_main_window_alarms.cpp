@@ -19,7 +19,7 @@ using test::WindowFixture;
 
 namespace {
 
-/** An iceberg on its way into the inner ring of a platform, one that goes nowhere. */
+/** One iceberg drifts into the inner ring of a platform, and one stands still. */
 Scenario threatened()
 {
     Scenario scenario = test::emptySea(40);
@@ -48,7 +48,7 @@ QAbstractButton& line(WindowFixture& w, int number)
 
 } // namespace
 
-/** What the user is to know now, beside the map and not on it. */
+/** Alarms are shown above the map, not on it. */
 class TestMainWindowAlarms : public QObject
 {
     Q_OBJECT
@@ -71,7 +71,7 @@ private slots:
         }
     }
 
-    /** What is raised can be read again when it is over, and is heard. */
+    /** An alarm is announced, and stays in the list of messages after it has ended. */
     void alarmsAreKept()
     {
         WindowFixture w(threatened());
@@ -81,7 +81,7 @@ private slots:
         QTRY_COMPARE(list.count(), 1);
         QVERIFY(list.item(0)->text().contains(u"berg-1 enters the inner ring"_s));
         QTRY_VERIFY(announcer.accessibleName().contains(u"berg-1 enters the inner ring"_s));
-        QVERIFY(flyTo(w, 10)); // goes on, and is told once
+        QVERIFY(flyTo(w, 10)); // the alarm continues and is reported once
         QCOMPARE(list.count(), 1);
     }
 
@@ -120,7 +120,7 @@ private slots:
         QVERIFY(!next.findChild<QAction*>(u"alarmSoundAction"_s)->isChecked());
     }
 
-    /** What was there before is no news when one looks back, nor in another language. */
+    /** Looking back or changing the language does not report old alarms again. */
     void nothingIsToldTwice()
     {
         WindowFixture w(threatened());

@@ -42,7 +42,7 @@ bool flyUntil(WindowFixture& w, double time_s)
     });
 }
 
-/** Of the screen. */
+/** Returns the colour of a pixel on the screen. */
 QPoint placeOnLegend(WindowFixture& w)
 {
     constexpr int kStep_px = 20;
@@ -87,7 +87,7 @@ private slots:
         QVERIFY(w.until([&] { return w.record().instant.has_value(); }));
         QCOMPARE(missionPicture(w.record(), QLocale::c()).sigmaFull_m2, end_m2);
         QTRY_VERIFY(symbolIn(w, "berg-3") == flown);
-        w.workspace.flyOnFromHere();
+        w.workspace.continueFromHere();
         QVERIFY(w.until([&] { return !w.record().instant && w.record().now.time_s < 201; }));
         QCOMPARE(missionPicture(w.record(), QLocale::c()).sigmaFull_m2, end_m2);
         QTRY_VERIFY(symbolIn(w, "berg-3") == flown);
@@ -103,7 +103,7 @@ private slots:
         w.trigger(u"view/sigmaEnd-1000"_s);
         QCOMPARE(missionPicture(w.record(), QLocale::c()).sigmaFull_m2, 1000.0);
         QTRY_VERIFY(symbolIn(w, "berg-3") != own);
-        WindowHolder next(w.workspace, w.interaction, w.settings);
+        MainWindowHost next(w.workspace, w.interaction, w.settings);
         QCOMPARE(chosenSigmaEnd_m2(), 1000.0);
         QVERIFY(test::child<QAction>(next.window(), u"view/sigmaEnd-1000"_s).isChecked());
         w.trigger(u"view/sigmaEnd-0"_s);

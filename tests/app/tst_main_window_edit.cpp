@@ -32,7 +32,7 @@ private slots:
             scenario.observer.model = ObserverModel::Kalman;
         });
         const Scenario filtered = w.scenario();
-        auto& error = test::child<QDoubleSpinBox>(w.window(), u"observerPositionSd"_s);
+        auto& error = test::child<QDoubleSpinBox>(w.window(), u"observer.position_sd_m"_s);
         error.setFocus();
         error.selectAll();
         QTest::keyClicks(&error, u"77"_s);

@@ -42,7 +42,7 @@ void press(WindowFixture& w, const QString& name)
     test::child<QAbstractButton>(w.window(), name).click();
 }
 
-/** Where it is in the window. */
+/** Returns the rectangle of the widget in the window. */
 QRect placeOf(WindowFixture& w, const QWidget& widget)
 {
     return {widget.mapTo(&w.window(), QPoint()), widget.size()};
@@ -50,7 +50,7 @@ QRect placeOf(WindowFixture& w, const QWidget& widget)
 
 } // namespace
 
-/** What is told when a run has come to its end. */
+/** The card at the end of a run. */
 class TestMainWindowEnd : public QObject
 {
     Q_OBJECT

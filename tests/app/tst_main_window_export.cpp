@@ -38,7 +38,7 @@ class TestMainWindowExport : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    /** Of a flight: there is none before take-off. */
+    /** Formats of a flight are disabled before take-off. */
     void logIsOfAFlight()
     {
         WindowFixture w(randomScenario(1, {.icebergs = 4}));
@@ -72,6 +72,8 @@ private slots:
                 w.trigger(u"stepAction"_s);
             QVERIFY(w.until([&] { return w.record().now.time_s > 39.95; }));
         }
+        QVERIFY(w.until([&] { return w.workspace.predicted().has_value(); }));
+        const std::optional<ZetaPrediction> predicted = w.workspace.predicted();
         const QString path = w.file(u"plan.out"_s);
         w.interaction.exportChoice = requestFor(qPrintable(format), path);
         w.trigger(u"exportAction"_s);
@@ -82,8 +84,10 @@ private slots:
             Mission mission(scenario);
             mission.advance(flown ? 40 : 0);
             const PlanAnswer plan = planFromStart(scenario);
-            const ExportContent content = exportContent(
-                {.scenario = scenario, .plan = plan, .mission = flown ? &mission : nullptr});
+            const ExportContent content = exportContent({.scenario = scenario,
+                                                         .plan = plan,
+                                                         .mission = flown ? &mission : nullptr,
+                                                         .predicted = predicted});
             return exportFiles(*findExportFormat(format.toStdString()), content, {},
                                exportPaint().file)
                 .front()
@@ -243,7 +247,7 @@ private slots:
         QVERIFY(w.until([&] { return w.settings.value("view/language") == u"en"_s; }));
     }
 
-    /** What could not be exported is not written with the next one. */
+    /** A failed export is not written with the next one. */
     void refusedExportIsForgotten()
     {
         Scenario scenario = three();

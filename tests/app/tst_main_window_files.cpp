@@ -25,7 +25,7 @@ Q_DECLARE_METATYPE(Interaction::Unsaved)
 
 namespace {
 
-/** The ways in which the scenario on screen is left. */
+/** All actions that replace the scenario on screen. */
 enum class WayOut
 {
     New,
@@ -399,11 +399,11 @@ private slots:
         const std::pair<WayOut, const char*> paths[] = {
             {WayOut::New, "new"}, {WayOut::Drop, "drop"}, {WayOut::Close, "close"}};
         for (const auto& [path, name] : paths)
-            for (const char* field : {"icebergName", "icebergGrowth", "tauField"})
+            for (const char* field : {"icebergs.name", "icebergs.q_m2ps", "tauField"})
                 QTest::addRow("%s, %s", name, field) << path << QString::fromLatin1(field);
     }
 
-    /** What is typed but not yet confirmed counts as a change. */
+    /** Text that is typed but not yet confirmed counts as a change. */
     void typingIsAChange()
     {
         QFETCH(WayOut, path);
@@ -429,7 +429,7 @@ private slots:
     void typingIsSaved_data()
     {
         QTest::addColumn<QString>("field");
-        for (const char* field : {"icebergGrowth", "tauField"})
+        for (const char* field : {"icebergs.q_m2ps", "tauField"})
             QTest::newRow(field) << QString::fromLatin1(field);
     }
 
@@ -460,7 +460,7 @@ private slots:
         saveScenario(randomScenario(7), path.toStdString());
         Workspace workspace;
         workspace.openFile(path);
-        const WindowHolder holder(workspace, w.interaction, w.settings);
+        const MainWindowHost holder(workspace, w.interaction, w.settings);
         QCOMPARE(w.settings.value(u"files/recent"_s).toStringList().value(0), path);
     }
 

@@ -68,7 +68,7 @@ QByteArray commandLine(const QStringList& arguments)
     return program.readAllStandardOutput();
 }
 
-/** What the list of events says of the first one; empty: there is none. */
+/** Returns the text of the first event in the list; empty if there is none. */
 QString firstEvent(WindowFixture& w)
 {
     const auto& table = test::child<QTableView>(w.window(), u"eventTable"_s);
@@ -247,7 +247,7 @@ private slots:
         QVERIFY(!(w.scenario() == flown));
     }
 
-    /** One that was placed by mistake, or turned out to be none: the scenario keeps it. */
+    /** An iceberg removed in flight stays in the scenario. */
     void deleteInFlightRemovesAnIceberg()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -318,11 +318,11 @@ private slots:
             QTRY_COMPARE(shownUntil_s(*chart), last.time_s);
     }
 
-    /** The list tells the events of the mission shown, not of one before. */
+    /** The list shows the events of the present mission, not of an earlier one. */
     void eventsAreThoseOfTheMission()
     {
         Scenario scenario = test::emptySea();
-        test::addIceberg(scenario, 1500, 0, 5); // first for a short way
+        test::addIceberg(scenario, 1500, 0, 5); // only at first
         test::addIceberg(scenario, -6000, 0, 50);
         test::addIceberg(scenario, 2500, 0, 5);
         scenario.planner.tau = 5;
@@ -334,7 +334,7 @@ private slots:
         QTRY_VERIFY(firstEvent(w).endsWith(u"berg-2"_s));
     }
 
-    /** The same event of another scenario has the words of that one. */
+    /** An equal event of another scenario is shown with that scenario's names. */
     void eventsFollowTheNames()
     {
         WindowFixture w(randomScenario(27, {.icebergs = 1}));

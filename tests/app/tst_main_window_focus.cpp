@@ -51,7 +51,7 @@ private slots:
         QTest::newRow("map") << QString() << true;
     }
 
-    /** In flight, too, where nothing brings it back. */
+    /** In flight, too. */
     void deleteIsOfWhatHasTheFocus()
     {
         QFETCH(QString, name);
@@ -128,6 +128,7 @@ private slots:
         QVERIFY(inspector.isVisible() && !isSeen(inspector));
         choose(w, u"inspectorDockAction"_s);
         QTRY_VERIFY(isSeen(inspector));
+        QVERIFY(inspector.isAncestorOf(QApplication::focusWidget())); // one goes on by typing
         QVERIFY(w.action(u"inspectorDockAction"_s).isChecked());
         choose(w, u"inspectorDockAction"_s);
         QVERIFY(!inspector.isVisible());

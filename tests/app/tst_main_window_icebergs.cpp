@@ -126,7 +126,7 @@ private slots:
         QCOMPARE(table.model()->rowCount(), 4);
     }
 
-    /** What is cut on the map or here comes back here as it does on the map. */
+    /** Icebergs cut on the map or in the table can be pasted into both. */
     void pastesWhatTheMapHasCut()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

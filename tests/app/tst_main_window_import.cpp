@@ -62,7 +62,7 @@ void drop(QWidget& window, const QString& path)
 
 } // namespace
 
-/** What the window makes of an import. */
+/** Imports in the real window. */
 class TestMainWindowImport : public QObject
 {
     Q_OBJECT
@@ -110,7 +110,7 @@ private slots:
                  qPrintable(w.interaction.errors[0]));
     }
 
-    /** What was added is no error. */
+    /** A successful import shows no error. */
     void airspaceThatIsLeftOutInPartIsTold()
     {
         WindowFixture w(test::openSea());
@@ -302,7 +302,7 @@ private slots:
         button.click();
         QVERIFY(!w.window().startPageIsShown());
         QCOMPARE(w.scenario().name, std::string("metno"));
-        QCOMPARE(w.scenario().icebergs.size(), 3U);
+        QCOMPARE(w.scenario().icebergs.size(), 4U);
     }
 
     void recordedTrackCanBeCleared()

@@ -37,14 +37,14 @@ QList<QAction*> actionsOf(const QWidget& menu)
     return all;
 }
 
-/** The letter after the ampersand; null: none. */
+/** Returns the letter after the ampersand, or a null character without one. */
 QChar mnemonicOf(const QString& text)
 {
     const QKeySequence keys = QKeySequence::mnemonic(text);
     return keys.isEmpty() ? QChar() : QChar(keys[0].key()).toLower();
 }
 
-/** What is wrong with the letters of this menu; empty: nothing. */
+/** Returns the problem with the letters of this menu; empty if there is none. */
 QString mnemonicFault(const QWidget& menu)
 {
     std::map<QChar, QString> taken;
@@ -68,7 +68,7 @@ void raise(WindowFixture& w, const QString& dock)
     QTest::qWait(0);
 }
 
-/** What the keys change that are shortcuts by themselves. */
+/** State of the window that single-key shortcuts change. */
 auto stateOf(WindowFixture& w)
 {
     return std::tuple(w.scenario().icebergs.size(), w.workspace.selection().ids(), w.map().tool(),
@@ -143,8 +143,8 @@ private slots:
     void undoInAFieldIsOfItsTypingOrOfTheScenario_data()
     {
         QTest::addColumn<QString>("name");
-        QTest::newRow("line") << u"scenarioName"_s;
-        QTest::newRow("page") << u"scenarioNotes"_s;
+        QTest::newRow("line") << u"name"_s;
+        QTest::newRow("page") << u"notes"_s;
     }
 
     void undoInAFieldIsOfItsTypingOrOfTheScenario()
@@ -357,7 +357,7 @@ private slots:
                 }
             QVERIFY(seen.contains(&w.map()));
             QVERIFY(seen.size() > 10);
-            auto* field = &test::child<QWidget>(w.window(), u"icebergSigma0"_s);
+            auto* field = &test::child<QWidget>(w.window(), u"icebergs.sigma0_m2"_s);
             QCOMPARE(seen.contains(field), dock == u"inspectorDock"_s);
         }
     }
@@ -367,7 +367,7 @@ private slots:
         WindowFixture w(test::MapFixture::fourIcebergs());
         w.workspace.selection().set({"berg-1"});
         raise(w, u"inspectorDock"_s);
-        auto& field = test::child<QWidget>(w.window(), u"icebergSigma0"_s);
+        auto& field = test::child<QWidget>(w.window(), u"icebergs.sigma0_m2"_s);
         field.setFocus();
         QVERIFY(field.hasFocus());
         raise(w, u"planDock"_s);
@@ -401,7 +401,7 @@ private slots:
 
     void spaceFliesAfterAChoiceByMouse_data() { spaceOpensTheListWithTheFocus_data(); }
 
-    /** As the status bar says. */
+    /** The keys work as the status bar describes them. */
     void spaceFliesAfterAChoiceByMouse()
     {
         QFETCH(QString, name);

@@ -265,7 +265,7 @@ private slots:
         QCOMPARE(w.document().undoStack()->count(), 1);
     }
 
-    /** What the user has set in the window itself is there in the next one as well. */
+    /** Settings made in the window are in force in the next one as well. */
     void languageKeepsViewAndRate()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -323,7 +323,7 @@ private slots:
         QVERIFY(w.workspace.inFlight());
     }
 
-    /** Where the tool bar has no room for all of it. */
+    /** The tool bar is too narrow for all actions. */
     void toolBarsMoreIsInTheInkOfTheTheme()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -396,7 +396,7 @@ private slots:
         w.trigger(u"view/appearance-1"_s);
     }
 
-    /** What the next start takes, and that it does. */
+    /** The chosen text size is stored and used at the next start. */
     void textSizeIsChosenAndKept()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -404,7 +404,7 @@ private slots:
         w.trigger(u"view/scale-150"_s);
         w.settings.sync();
         QCOMPARE(RunSettings::savedScale_percent(w.settings.fileName()), 150);
-        QVERIFY(w.window().statusBar()->currentMessage().contains(u"started again"_s));
+        QVERIFY(w.window().statusBar()->currentMessage().contains(u"Restart Bergwatch"_s));
         w.settings.setValue(kScaleKey, 5000); // no file makes a window of which nothing is seen
         w.settings.sync();
         QCOMPARE(RunSettings::savedScale_percent(w.settings.fileName()), 200);
@@ -420,7 +420,7 @@ private slots:
         w.trigger(u"recoverAction"_s);
         w.trigger(u"copyPictureAction"_s); // takes the place of the first one in the status bar
         QCOMPARE(list->count(), 2);
-        QVERIFY(list->item(0)->text().endsWith(u"No unsaved work is left to recover"_s));
+        QVERIFY(list->item(0)->text().endsWith(u"There is no unsaved work to recover"_s));
         QVERIFY(list->item(1)->text().endsWith(u"Picture of the map copied"_s));
         const QString first = list->item(0)->text();
         const MainWindow* before = &w.window();

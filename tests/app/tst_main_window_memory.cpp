@@ -38,7 +38,7 @@ private:
 
 } // namespace
 
-/** Memory runs out in the middle of work: the user is told, and the window goes on. */
+/** Memory runs out during work: the window shows a message and continues. */
 class TestMainWindowMemory : public QObject
 {
     Q_OBJECT

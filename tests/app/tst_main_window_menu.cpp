@@ -85,7 +85,7 @@ private slots:
                  test::child<QDockWidget>(w.window(), dock).windowTitle());
     }
 
-    /** Where there is no menu key. */
+    /** Shift+F10 opens the menu on keyboards without a menu key. */
     void shiftF10OpensIt()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -327,7 +327,7 @@ private slots:
         WindowFixture w(withEverything());
         w.workspace.selection().set({"berg-1"});
         w.window().findChild<QWidget*>(u"inspectorDock"_s)->raise();
-        auto& name = test::child<QLineEdit>(w.window(), u"icebergName"_s);
+        auto& name = test::child<QLineEdit>(w.window(), u"icebergs.name"_s);
         name.setFocus();
         QTest::keyClicks(&name, u"Big"_s);
         name.selectAll();

@@ -19,7 +19,8 @@ const MapPanelState& stateOf(WindowFixture& w, MapPanel panel)
     return w.map().panels()[static_cast<std::size_t>(panel)];
 }
 
-/** Looks for it along the upper edge of the title; none: it did not fold. */
+/** Searches for the fold mark along the upper edge of the title; returns nullopt if the panel did
+ * not fold. */
 std::optional<int> foldTitle(WindowFixture& w)
 {
     for (int x = 60; x < w.map().width() / 2; x += 8) {
@@ -32,7 +33,7 @@ std::optional<int> foldTitle(WindowFixture& w)
 
 } // namespace
 
-/** Panels on the map are not in the way of what is below them. */
+/** Panels on the map do not cover the objects below them. */
 class TestMainWindowPanels : public QObject
 {
     Q_OBJECT
@@ -57,7 +58,7 @@ private slots:
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         const Theme theme = Theme::light();
-        // Of a place of the title without words.
+        // This is a place of the title without text.
         const auto isFaint = [&] {
             const QColor ground = w.map().grab().toImage().pixelColor(16, 88);
             return ground.red() < (theme.sea.red() + theme.panel.red()) / 2;
@@ -94,7 +95,7 @@ private slots:
         QCOMPARE(stateOf(w, MapPanel::Title).moved_px, QPointF(50, 30));
     }
 
-    /** What the mouse asked for beyond the edge is not kept: the way back begins at once. */
+    /** Movement of the mouse beyond the edge is ignored: moving back takes effect at once. */
     void isNotMovedBeyondTheMap()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

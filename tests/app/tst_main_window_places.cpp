@@ -2,6 +2,7 @@
 #include "core/scenario/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/map_fixture.h"
+#include "tests/support/panel_test.h"
 #include "tests/support/window_fixture.h"
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/panels/dialogs/find_box.h"
@@ -89,7 +90,7 @@ private slots:
         QVERIFY(w.action(u"overviewAction"_s).isChecked());
     }
 
-    /** What is typed as words are names: "bay" is a square of MGRS in Antarctica as well. */
+    /** Words are names first, although "bay" is also a square of MGRS in Antarctica. */
     void wordsFindNamesFirst()
     {
         WindowFixture w(fourIcebergs());
@@ -99,7 +100,8 @@ private slots:
             *test::child<FindBox>(w.window(), u"findBox"_s).findChild<QListWidget*>();
         QTest::keyClicks(&field, u"bay"_s);
         for (int row = 0; row < list.count(); ++row)
-            QVERIFY2(!list.item(row)->text().contains(u'°'), qPrintable(list.item(row)->text()));
+            QVERIFY2(!list.item(row)->text().section(u" – "_s, 0, 0).contains(u'°'),
+                     qPrintable(list.item(row)->text()));
         for (const QString& name : {u"Baffin Bay"_s, u"Disko Bay"_s, u"Melville Bay"_s})
             QCOMPARE(list.findItems(name, Qt::MatchStartsWith).size(), 1);
         field.clear();
@@ -187,7 +189,7 @@ private slots:
         QVERIFY(!(w.scenario().origin == there));
     }
 
-    /** Where to is asked of the new scenario, not of whatever is opened while it is asked. */
+    /** The question about the place belongs to the new scenario, not to one opened meanwhile. */
     void boxClosesWithWhatItWasOpenedFor()
     {
         WindowFixture w(fourIcebergs());
@@ -204,7 +206,7 @@ private slots:
         QVERIFY(box.isHidden());
     }
 
-    /** As one does who has seen enough; a press beside its own field is none on the map. */
+    /** Pressing beside the field closes the box and does not act on the map. */
     void boxClosesWithAPressOnTheMap()
     {
         WindowFixture w(fourIcebergs());
@@ -240,6 +242,53 @@ private slots:
         QVERIFY(shortcuts.contains(u"Layouts: Fly<"_s)); // beside Fly, which flies
     }
 
+    void fieldsAreFoundByName()
+    {
+        WindowFixture w(fourIcebergs());
+        w.workspace.selection().set({"berg-2"});
+        auto& box = test::child<FindBox>(w.window(), u"findBox"_s);
+        const auto find = [&](const QString& name) {
+            w.trigger(u"findAction"_s);
+            auto& field = test::child<QLineEdit>(box, u"findField"_s);
+            QTest::keyClicks(&field, name);
+            QTest::keyClick(&field, Qt::Key_Return);
+        };
+        const auto focusIn = [&] { return QApplication::focusWidget()->objectName(); };
+        find(u"UAV endurance"_s);
+        QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{"uav-1"});
+        QCOMPARE(focusIn(), u"uavs.endurance_s"_s);
+        QCoreApplication::processEvents();
+        QVERIFY(!QApplication::focusWidget()->visibleRegion().isEmpty()); // scrolled to
+        find(u"wind"_s); // not the switch of the same name
+        QCOMPARE(focusIn(), u"scenarioWindSpeed"_s);
+        find(u"seed"_s); // of the scenario, in a group that is folded
+        QVERIFY(w.workspace.selection().isEmpty());
+        QCOMPARE(focusIn(), u"seed"_s);
+        QVERIFY(!QApplication::focusWidget()->visibleRegion().isEmpty());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(QApplication::focusWidget(), u"7"_s);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCOMPARE(w.scenario().seed, 7U);
+    }
+
+    void originIsTypedInAnyForm()
+    {
+        WindowFixture w(fourIcebergs());
+        setShownUnits({.coordinates = CoordinateForm::DegreesMinutes});
+        auto& latitude = test::child<QLineEdit>(w.window(), u"scenarioLatitude"_s);
+        const double longitude_deg = w.scenario().origin.longitude_deg;
+        test::enter(latitude, u"49 12.5 N"_s);
+        COMPARE_NEAR(w.scenario().origin.latitude_deg, 49 + 12.5 / 60, 1e-9);
+        QCOMPARE(w.scenario().origin.longitude_deg, longitude_deg);
+        QCOMPARE(latitude.text(), latitudeText(49 + 12.5 / 60, kPlaceDecimals, QLocale::c()));
+        QVERIFY(latitude.text().contains(u"12.5"_s));
+        test::enter(test::child<QLineEdit>(w.window(), u"scenarioLongitude"_s), u"Bonavista"_s);
+        COMPARE_NEAR(w.scenario().origin.latitude_deg, 48.65, 0.1);
+        COMPARE_NEAR(w.scenario().origin.longitude_deg, -53.11, 0.1);
+        test::enter(latitude, u"91 N"_s); // is refused
+        COMPARE_NEAR(w.scenario().origin.latitude_deg, 48.65, 0.1);
+    }
+
     void newScenarioWhereOneLooks()
     {
         WindowFixture w(fourIcebergs());
@@ -272,7 +321,8 @@ private slots:
         w.trigger(u"units/distance-nautical"_s);
         w.trigger(u"units/speed-knots"_s);
         QVERIFY(w.until([&] {
-            return test::child<NumberField>(w.window(), u"uavAirspeed"_s).suffix() == u" kn"_s;
+            return test::child<NumberField>(w.window(), u"uavs.airspeed_mps"_s).suffix() ==
+                   u" kn"_s;
         }));
         QCOMPARE(test::child<NumberField>(w.window(), u"icebergEast"_s).suffix(), u" nmi"_s);
         QVERIFY(w.action(u"units/distance-nautical"_s).isChecked());
@@ -290,7 +340,7 @@ private slots:
         WindowFixture w(fourIcebergs());
         w.trigger(u"units/heights-feet"_s);
         QVERIFY(w.until([&] {
-            return test::child<NumberField>(w.window(), u"uavAltitude"_s).suffix() == u" ft"_s;
+            return test::child<NumberField>(w.window(), u"uavs.altitude_m"_s).suffix() == u" ft"_s;
         }));
         QVERIFY(w.action(u"units/heights-feet"_s).isChecked());
         QCOMPARE(test::child<NumberField>(w.window(), u"icebergEast"_s).suffix(), u" m"_s);

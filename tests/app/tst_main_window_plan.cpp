@@ -114,7 +114,7 @@ private slots:
         w.workspace.step();
         QVERIFY(w.until([&] {
             return predictions().filter(u"Predicted before take-off"_s).size() == 1 &&
-                   predictions().filter(u"without another plan"_s).size() == 1;
+                   predictions().filter(u"Expected ζ"_s).size() == 1;
         }));
         QCOMPARE(predictions().size(), 2);
     }
@@ -167,7 +167,7 @@ private slots:
         QVERIFY(planTable(w)
                     .model()
                     ->index(rowOf(w, iceberg), PlanModel::Name)
-                    .data(PlanModel::KeptRole)
+                    .data(PlanModel::AssignedRole)
                     .toBool());
         w.trigger(u"undoAction"_s);
         QVERIFY(w.untilReady());

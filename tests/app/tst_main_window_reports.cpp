@@ -64,7 +64,8 @@ class TestMainWindowReports : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    /** Who is known was seen at the time told, who is not appears where it was told to be. */
+    /** A known iceberg was seen at the reported time; an unknown one appears at the reported place.
+     */
     void arePastedIntoTheFlight()
     {
         WindowFixture w(started());
@@ -87,14 +88,16 @@ private slots:
         QCOMPARE(w.record().now.time_s, now_s);
     }
 
-    /** The dialog offers what can be done in flight, and a flight that goes on pauses for it. */
+    /** The dialog offers what can be done in flight, which pauses for it and then goes on. */
     void pauseTheFlight()
     {
         WindowFixture w(started());
         bool isNamed = false;
+        bool isPaused = false;
         w.interaction.importAnswer = [&](ImportRunner& runner, const ImportOffer& offer) {
             ImportDialog dialog(runner, offer);
             dialog.show();
+            isPaused = !w.workspace.isPlaying();
             isNamed = test::child<QPushButton>(dialog, u"importButton"_s).text() == u"Re&port"_s &&
                       !test::child<QComboBox>(dialog, u"importTarget"_s).isVisible();
             return std::optional<ImportChoice>();
@@ -104,7 +107,8 @@ private slots:
         QApplication::clipboard()->setText(kHeader + line(w.scenario(), "x", {0, 500}, 0));
         w.trigger(u"pasteAction"_s);
         QVERIFY(w.until([&] { return isNamed; }));
-        QVERIFY(!w.workspace.isPlaying());
+        QVERIFY(isPaused);
+        QVERIFY(w.until([&] { return w.workspace.isPlaying(); }));
         QCOMPARE(reportsTaken(w), std::size_t{0});
     }
 

@@ -65,11 +65,11 @@ struct ResultWindow : WindowFixture
         return until([&] { return workspace.isMidFlight(); });
     }
     [[nodiscard]] QString studies() const { return file(u"studies"_s); }
-    /** As a program leaves it that ends without a word. */
+    /** The folder is as a program that ends unexpectedly leaves it. */
     [[nodiscard]] bool leaveStudy() const
     {
         StudyRunner runner;
-        StudyKeeper keeper(runner);
+        StudyAutosaver keeper(runner);
         keeper.start(studies());
         runner.start(test::quickStudy());
         const bool isFlown =
@@ -85,7 +85,7 @@ struct ResultWindow : WindowFixture
 
 } // namespace
 
-/** What took long to compute, or to fly, does not go without a question, nor with a crash. */
+/** Long computations and flights are not lost without a question, nor by a crash. */
 class TestMainWindowResults : public QObject
 {
     Q_OBJECT
@@ -249,7 +249,7 @@ private slots:
         ResultWindow w;
         QVERIFY(w.leaveStudy());
         QCOMPARE(w.kept().size(), 1);
-        w.workspace.studyKeeper().start(w.studies());
+        w.workspace.studyAutosaver().start(w.studies());
         QVERIFY(!w.window().offerRecoveries()); // no question: it is simply there
         QVERIFY(w.until([&] { return w.workspace.study().result() != nullptr; }));
         QVERIFY(test::child<QDockWidget>(w.window(), u"studyDock"_s).isVisible());
@@ -277,7 +277,7 @@ private slots:
         QVERIFY(left.open(QIODevice::WriteOnly));
         left.write("{");
         left.close();
-        w.workspace.studyKeeper().start(w.studies());
+        w.workspace.studyAutosaver().start(w.studies());
         w.window().offerRecoveries();
         QVERIFY(w.until([&] { return w.interaction.errors.size() == 1; }));
         QVERIFY(w.interaction.errors[0].contains(name + u".damaged"_s));

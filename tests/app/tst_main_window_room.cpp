@@ -20,7 +20,7 @@ using test::WindowFixture;
 
 namespace {
 
-/** What does not fit into this widget; empty: nothing. */
+/** Returns the text that does not fit into this widget; empty if all fits. */
 QString clippedText(const QWidget& widget)
 {
     if (qobject_cast<const FigureLabel*>(&widget) != nullptr)
@@ -79,7 +79,7 @@ private slots:
         installLanguage(u"en"_s); // others choose another one
     }
 
-    /** As where everything is twice as large. */
+    /** The window is scaled to twice its size. */
     void panelsShareAPlaceOnALowScreen()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -184,7 +184,7 @@ private slots:
         QTest::newRow("40 % longer") << u"en"_s << 40;
     }
 
-    /** Planned, with things in the inspector and in flight: nothing is cut. */
+    /** Nothing is cut, neither with a plan, an object in the inspector, nor in flight. */
     void fitsTheDesignSize()
     {
         QFETCH(QString, language);
@@ -223,7 +223,7 @@ private slots:
         QVERIFY2(faults.isEmpty(), qPrintable(faults));
     }
 
-    /** What is wrong, however long, neither widens the window nor is cut without a mark. */
+    /** A long error message neither widens the window nor is cut without an ellipsis. */
     void longErrorFitsTheStatusBar()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

@@ -25,7 +25,7 @@ Scenario three(std::int64_t seed = 31)
     return randomScenario(seed, {.icebergs = 3});
 }
 
-/** As logging out does it once all programs have agreed. */
+/** Closes the window as logging out does after all programs have agreed. */
 void endProgram()
 {
     QEvent end(QEvent::Quit);
@@ -42,7 +42,7 @@ struct SafeWindow : WindowFixture
     }
     [[nodiscard]] QString recovery() const { return file(u"recovery"_s); }
 
-    /** As a program that was killed leaves it. */
+    /** The folder is as a killed program leaves it. */
     void leave(std::int64_t seed, const QString& path, const QDateTime& edited) const
     {
         const HeldRecovery held = RecoveryStore(recovery()).add();

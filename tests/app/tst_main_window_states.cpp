@@ -36,7 +36,7 @@ double luminance(const QColor& colour)
            0.0722 * linear(colour.blueF());
 }
 
-/** Of text on its ground, as WCAG has it. */
+/** Returns the contrast of text on its background, by the formula of WCAG. */
 double contrastOf(const QWidget& field)
 {
     const double text = luminance(field.palette().color(QPalette::Text));
@@ -52,7 +52,7 @@ QString plainWords(QString text)
     return text.trimmed().toLower();
 }
 
-/** What is to be read on a button or label, or beside a field; empty: pictures alone. */
+/** Returns the text on a button or label, or beside a field; empty if it has only a picture. */
 QString wordsOn(const QWidget& widget)
 {
     if (const auto* label = qobject_cast<const QLabel*>(&widget))
@@ -71,7 +71,7 @@ QString wordsOn(const QWidget& widget)
 
 } // namespace
 
-/** What the window shows of states that come and go. */
+/** Temporary states in the window. */
 class TestMainWindowStates : public QObject
 {
     Q_OBJECT
@@ -186,7 +186,7 @@ private slots:
         w.workspace.selection().set({"uav-1"});
         dock(w, u"inspectorDock"_s).raise();
         QTest::qWait(0);
-        const auto& row = test::child<QWidget>(w.window(), u"uavHeading"_s);
+        const auto& row = test::child<QWidget>(w.window(), u"uavs.heading_deg"_s);
         const auto& issues = test::child<QLabel>(w.window(), u"inspectorIssues"_s);
         const QWidget& panel = *dock(w, u"inspectorDock"_s).widget();
         const int before_px = row.mapTo(&panel, QPoint()).y();

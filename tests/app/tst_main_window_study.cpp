@@ -221,7 +221,7 @@ private slots:
         QVERIFY(w.study().result()->study == whole);
     }
 
-    /** As any other file: dropped, named on the command line, from the menu. */
+    /** A study opens like any other file: dropped, on the command line, from the menu. */
     void studyFileOpensItsDock()
     {
         WindowFixture w(test::quickScenario());
@@ -273,7 +273,7 @@ private slots:
         QVERIFY(w.until([&] { return &w.window() != before; }));
     }
 
-    /** What took long is not lost by closing the window. */
+    /** Closing the window does not lose a long study. */
     void unsavedStudyIsAskedAbout()
     {
         StudyWindow w;
@@ -294,7 +294,7 @@ private slots:
         QVERIFY(loadStudy(w.file(u"a.bergstudy"_s).toStdString()) == w.study().result()->study);
     }
 
-    /** What took long is not lost to another study, however that comes. */
+    /** Another study does not replace a long one without a question. */
     void anotherStudyIsAskedAbout_data()
     {
         QTest::addColumn<QString>("path");

@@ -26,7 +26,7 @@ Scenario atNoon()
     return scenario;
 }
 
-/** With an iceberg on its way into the inner ring of a platform. */
+/** Returns a scenario in which an iceberg drifts into the inner ring of a platform. */
 Scenario threatenedAtNoon()
 {
     Scenario scenario = test::emptySea(40);

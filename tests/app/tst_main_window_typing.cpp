@@ -38,7 +38,7 @@ struct TypingFixture : WindowFixture
 
 } // namespace
 
-/** What is typed in fields, as people write it. */
+/** Typed input in the usual notations. */
 class TestMainWindowTyping : public QObject
 {
     Q_OBJECT
@@ -65,20 +65,20 @@ private slots:
         QFETCH(double, endurance_s);
         QFETCH(QString, shown);
         TypingFixture w(u"uav-1"_s);
-        auto& endurance = w.input(u"uavEndurance"_s);
+        auto& endurance = w.input(u"uavs.endurance_s"_s);
         test::enter(endurance, typed);
         QCOMPARE(w.scenario().uavs.front().spec.endurance_s, endurance_s);
         QCOMPARE(endurance.text(), shown);
         QVERIFY(!w.workspace.inFlight());
         QCOMPARE(w.map().tool(), MapToolKind::Select);
-        QCOMPARE(w.remark(u"uavEndurance"_s), QString());
+        QCOMPARE(w.remark(u"uavs.endurance_s"_s), QString());
     }
 
     /** A number alone is in the unit that is shown. */
     void aNumberAloneKeepsTheUnit()
     {
         TypingFixture w(u"uav-1"_s);
-        auto& endurance = w.input(u"uavEndurance"_s);
+        auto& endurance = w.input(u"uavs.endurance_s"_s);
         test::enter(endurance, u"45 min"_s);
         test::enter(endurance, u"50"_s);
         QCOMPARE(w.scenario().uavs.front().spec.endurance_s, 3000.0);
@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(wind.text(), u"7.72 m/s"_s);
         QVERIFY(std::abs(w.scenario().wind_mps.norm() - 15 * 1852.0 / 3600) < 0.01); // rounded
         w.workspace.selection().set({"uav-1"});
-        test::enter(w.input(u"uavAltitude"_s), u"400 ft"_s);
+        test::enter(w.input(u"uavs.altitude_m"_s), u"400 ft"_s);
         QVERIFY(std::abs(w.scenario().uavs.front().spec.altitude_m - 121.92) < 0.05); // rounded
         test::enter(w.input(u"uavEast"_s), u"1.5 nmi"_s);
         QCOMPARE(w.scenario().uavs.front().position_m.x(), 2778.0);
@@ -104,28 +104,28 @@ private slots:
     void whatIsNotSetIsSaid()
     {
         TypingFixture w(u"uav-1"_s);
-        auto& bank = w.input(u"uavBank"_s);
+        auto& bank = w.input(u"uavs.max_bank_deg"_s);
         const QString before = bank.text();
         test::enter(bank, u"steep"_s);
         QCOMPARE(bank.text(), before);
-        QVERIFY(w.remark(u"uavBank"_s).contains(u"steep"_s));
+        QVERIFY(w.remark(u"uavs.max_bank_deg"_s).contains(u"steep"_s));
         test::enter(bank, u"500"_s);
         QVERIFY(bank.text() != before);
-        QVERIFY(w.remark(u"uavBank"_s).contains(u"500"_s) &&
-                w.remark(u"uavBank"_s).contains(bank.text()));
+        QVERIFY(w.remark(u"uavs.max_bank_deg"_s).contains(u"500"_s) &&
+                w.remark(u"uavs.max_bank_deg"_s).contains(bank.text()));
         QTest::keyClicks(&bank, u"2"_s); // it is read, and something else is typed
-        QCOMPARE(w.remark(u"uavBank"_s), QString());
+        QCOMPARE(w.remark(u"uavs.max_bank_deg"_s), QString());
         test::enter(bank, u"500"_s);
         w.workspace.selection().set({"berg-1"});
         w.workspace.selection().set({"uav-1"});
-        QCOMPARE(w.remark(u"uavBank"_s), QString());
+        QCOMPARE(w.remark(u"uavs.max_bank_deg"_s), QString());
     }
 
     /** In flight they are locked, and yet what is typed does not steer the flight. */
     void lockedFieldsKeepTheirKeys()
     {
         TypingFixture w(u"uav-1"_s);
-        auto& endurance = w.input(u"uavEndurance"_s);
+        auto& endurance = w.input(u"uavs.endurance_s"_s);
         endurance.setFocus();
         w.workspace.fly(1);
         QVERIFY(w.until([&] { return w.workspace.inFlight(); }));
@@ -139,7 +139,7 @@ private slots:
     void startsAreReadAsByTheImport_data()
     {
         QTest::addColumn<QString>("typed");
-        QTest::addColumn<QString>("start"); // empty: said why not
+        QTest::addColumn<QString>("start"); // empty if the input is rejected with a reason
         QTest::newRow("minutes") << u"2026-11-29 12:00"_s << u"2026-11-29T12:00:00Z"_s;
         QTest::newRow("name of the month") << u"29 Nov 2026 12:00"_s << u"2026-11-29T12:00:00Z"_s;
         QTest::newRow("time alone") << u"1200Z"_s << u"2026-05-01T12:00:00Z"_s;
@@ -153,13 +153,13 @@ private slots:
         QFETCH(QString, typed);
         QFETCH(QString, start);
         TypingFixture w;
-        auto& line = w.input<QLineEdit>(u"scenarioStart"_s);
+        auto& line = w.input<QLineEdit>(u"start_utc"_s);
         test::enter(line, u"1200Z"_s);
-        QVERIFY(w.remark(u"scenarioStart"_s).contains(u"1200Z"_s)); // of which day?
+        QVERIFY(w.remark(u"start_utc"_s).contains(u"1200Z"_s)); // of which day?
         test::enter(line, u"2026-05-01T06:00:00Z"_s);
-        QCOMPARE(w.remark(u"scenarioStart"_s), QString());
+        QCOMPARE(w.remark(u"start_utc"_s), QString());
         test::enter(line, typed);
-        QCOMPARE(w.remark(u"scenarioStart"_s).isEmpty(), !start.isEmpty());
+        QCOMPARE(w.remark(u"start_utc"_s).isEmpty(), !start.isEmpty());
         QCOMPARE(QString::fromStdString(w.scenario().startUtc),
                  start.isEmpty() ? u"2026-05-01T06:00:00Z"_s : start);
         QVERIFY(!w.workspace.inFlight());

@@ -75,7 +75,7 @@ private slots:
         w.workspace.selection().set({"berg-1"});
         test::enter(test::child<NumberField>(w.window(), u"icebergRadius95"_s), u"0.5 nmi"_s);
         QVERIFY(std::abs(radius95_m(w.scenario().icebergs[0].sigma0_m2) - 926) < 1e-6);
-        test::enter(test::child<NumberField>(w.window(), u"icebergSigma0"_s), u"100"_s);
+        test::enter(test::child<NumberField>(w.window(), u"icebergs.sigma0_m2"_s), u"100"_s);
         QCOMPARE(test::child<NumberField>(w.window(), u"icebergRadius95"_s).text(), u"24.48 m"_s);
     }
 
@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(source.currentText(), sourceName(SightingSource::Visual));
     }
 
-    /** What is chosen in the inspector is that of the next ones, too, and is kept. */
+    /** The source chosen in the inspector also applies to new icebergs, and is stored. */
     void theLastSourceIsUsed()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
@@ -109,7 +109,7 @@ private slots:
         QCOMPARE(place(w).sigma0_m2, 50.0 * 50.0);
     }
 
-    /** In flight as well: the flight is told of it as uncertain as its source. */
+    /** In flight as well: a new iceberg has the uncertainty of its source. */
     void inFlight()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());

@@ -56,7 +56,7 @@ Point windShown_mps(WindowFixture& w)
     return w.record().shown().motions.front().wind_mps;
 }
 
-/** So many seconds into the flight, paused. */
+/** Flies for some seconds and pauses. */
 bool flyTo(WindowFixture& w, double time_s)
 {
     w.workspace.stepTicks(qRound(time_s / w.scenario().dt_s));
@@ -176,13 +176,14 @@ private slots:
         const QPoint from = windTipOf(w);
         w.drag(from, from + QPoint(-22, 9)); // locked as everything else
         w.workspace.setWind({1, 1});
-        QVERIFY(w.window().statusBar()->currentMessage().startsWith(u"You are looking back"_s));
-        w.workspace.flyOnFromHere();
+        QVERIFY(w.window().statusBar()->currentMessage().startsWith(
+            u"You are viewing an earlier instant"_s));
+        w.workspace.continueFromHere();
         QVERIFY(w.until([&] { return w.record().now.time_s < 11; }));
         QVERIFY(windShown_mps(w) == windyScenario().wind_mps);
         QCOMPARE(changesOf(w, ChangedPart::Wind), 0);
         QVERIFY(flownRun(w)->interventions.empty());
-        QVERIFY(changeWind(w)); // and on in another way
+        QVERIFY(changeWind(w)); // and continue differently
     }
 
     void windIsAskedForByKey()
@@ -230,7 +231,7 @@ private slots:
         test::enter(speed, u"15.5"_s);
         test::enter(from, u"90"_s);
         QVERIFY(dialog.wind_mps() == windOf(15.5, 90));
-        QVERIFY(note.text().startsWith(u"The UAV will make little way"_s));
+        QVERIFY(note.text().startsWith(u"The UAV will make little headway"_s));
         test::enter(speed, u"99"_s); // always slower than the UAV
         QVERIFY(dialog.wind_mps().norm() < 22);
         speed.selectAll();
@@ -266,7 +267,7 @@ private slots:
         QVERIFY(w.action(u"icebergTool"_s).isEnabled());
         w.trigger(u"icebergTool"_s);
         w.click(w.pixelOf(kWater_m));
-        w.click(w.pixelOf(Point(2000, 1500))); // before the flight has told of the first
+        w.click(w.pixelOf(Point(2000, 1500))); // before the flight has reported the first
         QVERIFY(w.until([&] { return w.record().now.icebergs.size() == 6; }));
         QVERIFY(w.scenario() == windyScenario());
         const Iceberg& first = w.record().now.icebergs[4];
@@ -315,7 +316,8 @@ private slots:
         QVERIFY(w.until([&] { return w.record().now.icebergs.size() == 5; }));
         w.workspace.seek(5);
         w.map().edits().addIcebergAt(kWater_m);
-        QVERIFY(w.window().statusBar()->currentMessage().startsWith(u"You are looking back"_s));
+        QVERIFY(w.window().statusBar()->currentMessage().startsWith(
+            u"You are viewing an earlier instant"_s));
         w.workspace.seekLatest();
         QCOMPARE(w.record().now.icebergs.size(), std::size_t{5});
     }

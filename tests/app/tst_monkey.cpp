@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBurst = 50; ///< actions between two looks at everything
 
-/** What must hold after every action; empty: all does. */
+/** Returns the violated condition after an action; empty if all hold. */
 QString faultNow(MonkeyWindow& w)
 {
     const bool flies = w.workspace.inFlight();
@@ -23,7 +23,7 @@ QString faultNow(MonkeyWindow& w)
     return {};
 }
 
-/** What must hold of the scenario, whatever was done to it. */
+/** Conditions on the scenario that hold after every edit. */
 QString faultOf(const Scenario& scenario)
 {
     try {
@@ -94,7 +94,7 @@ public:
         });
     }
 
-    /** Everything up to the first fault; empty: none. */
+    /** Returns all actions up to the first fault; empty without a fault. */
     [[nodiscard]] QString go(int actions)
     {
         qInfo("actions are written to %s", qPrintable(m_monkey.logPath()));

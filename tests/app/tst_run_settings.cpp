@@ -9,7 +9,7 @@
 using namespace berg;
 using namespace Qt::StringLiterals;
 
-/** Where the settings of a run are, and what stays of them. */
+/** Location and lifetime of the settings of a run. */
 class TestRunSettings : public QObject
 {
     Q_OBJECT
@@ -25,7 +25,7 @@ private:
     }
 
 private slots:
-    /** Of a picture, and in place of what is no file: in a folder that goes with the run. */
+    /** Pictures, and settings files that are no ordinary files, use a temporary folder. */
     void settingsOfARunGoWithIt_data()
     {
         QTest::addColumn<QString>("config");

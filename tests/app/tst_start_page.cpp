@@ -1,7 +1,7 @@
 #include "app/start/start_items.h"
 #include "app/start/start_page.h"
 #include "app/start/tour.h"
-#include "app/window/start_guide.h"
+#include "app/window/start_page_controller.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
@@ -111,7 +111,7 @@ private slots:
         QVERIFY(w.isShown());
     }
 
-    /** Of the same name as the example that the program begins with. */
+    /** The file has the same name as the initial example. */
     void goesOnWithTheLastFile_data()
     {
         QTest::addColumn<int>("key");
@@ -160,7 +160,7 @@ private slots:
         QCOMPARE(rows()[0]->text(), u"here.berg"_s);
         QVERIFY(rows()[0]->accessibleDescription().contains(u"3 iceberg"_s));
         QVERIFY(rows()[0]->accessibleDescription().contains(QDir::toNativeSeparators(
-            QFileInfo(here).absolutePath()))); // two files of one name are told apart
+            QFileInfo(here).absolutePath()))); // two files of one name are distinguished
         QVERIFY(!rows()[1]->accessibleDescription().contains(u"iceberg"_s));
         QVERIFY(rows()[2]->accessibleDescription().contains(u"gone"_s));
 
@@ -220,7 +220,7 @@ private slots:
                 [&](int, const Example& example, const QColor& sea) {
                     pictures[sea == Theme::dark().sea].push_back(example.picture);
                 });
-        const ForbidSolving guard;
+        const NoBlockingScope guard;
         const auto count = static_cast<std::size_t>(examplePaths().size());
         content.paintExamples(Theme::light(), 1);
         QTRY_VERIFY_WITH_TIMEOUT(pictures[false].size() == count, 60000);
@@ -260,7 +260,7 @@ private slots:
         QCOMPARE(painted.load(), 0); // stopped: a picture without its plan is not shown
     }
 
-    /** Small as they are, of 40 icebergs each can be told from the next. */
+    /** Even in a small picture, 40 icebergs are distinguishable. */
     void recentPicturesAreOfDots()
     {
         const QTemporaryDir folder;
@@ -357,11 +357,11 @@ private slots:
     void isShownAtTheStartUnlessUnwanted()
     {
         StartWindow w;
-        QVERIFY(StartGuide::wantsStartPage(w.settings));
+        QVERIFY(StartPageController::wantsStartPage(w.settings));
         auto& box = test::child<QCheckBox>(*w.page(), u"showAtStartBox"_s);
         QVERIFY(box.isChecked());
         box.click();
-        QVERIFY(!StartGuide::wantsStartPage(w.settings));
+        QVERIFY(!StartPageController::wantsStartPage(w.settings));
         QVERIFY(w.isShown()); // for this time
     }
 

@@ -53,7 +53,7 @@ private slots:
         }
     }
 
-    /** What the program itself has set must not be taken for the desktop's. */
+    /** The program's own appearance is not mistaken for the desktop's. */
     void ownPaletteIsNotTheSystems()
     {
         const bool before = systemPaletteIsDark();

@@ -1,6 +1,6 @@
 #include "app/dialogs/interaction.h"
+#include "app/dialogs/screen_fit.h"
 #include "app/window/main_window.h"
-#include "app/window/screen_fit.h"
 #include "app/window/window_run.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/study/study_json.h"
@@ -63,7 +63,7 @@ void saveBrief(const QString& file)
     saveScenario(scenario, file.toStdString());
 }
 
-/** As soon as it is shown; keeps the texts of its buttons. */
+/** Answers a message box as soon as it is shown and stores the texts of its buttons. */
 void closeNextDialog(QStringList& texts)
 {
     texts.clear();
@@ -171,6 +171,25 @@ private slots:
         QVERIFY(fitsScreen(QSize(1280, 800), QSize(1366, 840)));
         QVERIFY(!fitsScreen(QSize(1280, 800), QSize(1366, 768)));
         QVERIFY(!fitsScreen(QSize(1280, 800), QSize(910, 512))); // of text at 150 %
+    }
+
+    /** Its buttons are on the screen: it is no larger than that, not even for its parts. */
+    void dialogsFitTheScreen()
+    {
+        const QSize large_px(1366, 768);
+        const QSize small_px(910, 512); // of text at 150 %
+        QCOMPARE(boundedDialog({1120, 700}, {600, 400}, large_px), QSize(1120, 700));
+        QCOMPARE(boundedDialog({1120, 700}, {600, 400}, small_px), QSize(910, 472));
+        QCOMPARE(boundedDialog({1120, 700}, {950, 500}, small_px), QSize(910, 472));
+        QCOMPARE(boundedDialog({300, 200}, {600, 400}, small_px), QSize(600, 400));
+        QDialog dialog;
+        auto* tall = new QWidget;
+        tall->setMinimumSize(dialog.screen()->availableSize() * 2);
+        (new QVBoxLayout(&dialog))->addWidget(tall);
+        dialog.resize(dialog.screen()->availableSize() * 3);
+        boundToScreen(dialog);
+        dialog.show();
+        QVERIFY(fitsScreen(dialog.size(), dialog.screen()->availableSize()));
     }
 
     /** All that Qt itself writes: buttons, the dialog for files. */

@@ -1,4 +1,4 @@
-// How far the bound is below the zeta that the policy coverage flies, and what it takes.
+// Distance of the lower bound from the zeta that the policy coverage flies, and the bound's cost.
 // bench_bound [ICEBERGS [SPEED [SCENARIOS [WIND [WORK]]]]]
 #include "core/bound/zeta_bound.h"
 #include "core/scenario/presets.h"
@@ -37,7 +37,7 @@ int main(int argc, char** argv)
         berg::Scenario scenario = berg::randomScenario(seed, field);
         scenario.wind_mps = {argument(argc, argv, 4, 0), 0};
         scenario.planner.policy = berg::PolicyKind::Coverage;
-        berg::BoundOptions options;
+        berg::ZetaBoundOptions options;
         options.workLimit = static_cast<std::int64_t>(
             argument(argc, argv, 5, static_cast<double>(options.workLimit)));
         const double flown_m2s = flownZeta_m2s(scenario);

@@ -1,4 +1,4 @@
-// What a refresh of a chart costs while a mission is flown: the record grows by a sample, the panel
+// Cost of refreshing a chart while a mission is flown: the record grows by a sample, the panel
 // takes it and is painted, without a display. "then" is the median of refreshes that lay everything
 // out, "live" the mean of those of a flight at 25 Hz and ten times real time, most of which change
 // less than the eye could see.
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kFrames = 40;
 constexpr int kLiveFrames = 100;
-constexpr double kLive_s = 0.4; ///< between frames at 25 Hz and ten times the speed
+constexpr double kLive_s = 0.4; ///< between frames at 25 Hz and ten times real time
 
 double elapsed_ms(const QElapsedTimer& clock)
 {

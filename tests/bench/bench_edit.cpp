@@ -1,8 +1,8 @@
-// How fluid the editor of a large scenario is, in the whole window at 1280 x 800 without a display.
+// Fluency of editing a large scenario, in the whole window at 1280 x 800 without a display.
 //
-// Each hand movement is real mouse and key events, one every 8 ms for 2 s. What is printed is work
-// of the thread of the window: of one event with all that it sets off at once ("event"), of a frame
-// of the window, and the longest turn of the event loop.
+// Each hand movement is real mouse and key events, one every 8 ms for 2 s. Printed is the CPU time
+// of the GUI thread: for one event with its immediate consequences ("event"), for a frame of the
+// window, and for the longest turn of the event loop.
 //
 // Use: bench_edit [icebergs...]      (40 500 when none are named)
 
@@ -27,9 +27,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kSettle_ms = 2500; ///< the plan and its curve
+constexpr int kSettle_ms = 2500; ///< for the plan and its curve
 constexpr int kMove_ms = 8;
-constexpr int kHand_ms = 2000; ///< of each movement
+constexpr int kHand_ms = 2000; ///< length of each movement
 constexpr double kReach_px = 60;
 
 class Bench
@@ -149,7 +149,7 @@ private:
         watchTurns(kSettle_ms);
     }
 
-    /** `move` is called with 0, 1, 2, ... for the length of a movement; prints what it cost. */
+    /** Calls `move` with 0, 1, 2, ... for the length of a movement and prints its cost. */
     void hold(const char* name, const std::function<void(int)>& move)
     {
         m_application.paints_ms.clear();

@@ -4,7 +4,7 @@
 // Rows: 2x12, 2x20, 3x30, 5x50, for which the back end `exact` gets 1.5, 3 and 10 s of the clock.
 // Times are CPU: until the first plan, until the plan is within 1 % of the best one found, until
 // the gap is within 2 % and within 0.3 %, until the end; each median and worst. "gap" is the worst
-// one left. Every row runs in a process of its own, so that its peak memory can be told.
+// gap left. Every row runs in a process of its own to measure its peak memory.
 
 #include "core/plan/fleet/fleet_solver.h"
 #include "tests/support/fleet_problems.h"
@@ -117,7 +117,7 @@ void run(const Row& row, int instances)
     std::fflush(stdout);
 }
 
-/** Runs a row in a process of its own and tells the most memory it used. */
+/** Runs a row in a process of its own and returns its peak memory. */
 void runApart(const Row& row, int instances)
 {
     const pid_t child = fork();

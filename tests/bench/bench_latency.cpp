@@ -3,7 +3,7 @@
 //
 // A paint counts when it is over and the picture shown is that of the mission with the new tau: the
 // first order found ("first") and the final plan ("final"). The drag moves the slider every 8 ms
-// for 2 s; each plan painted and the longest wait between two of them tell whether the picture
+// for 2 s; the number of plans painted and the longest wait between two show whether the picture
 // starves while the hand is moving.
 //
 // Use: bench_latency [icebergs...]      (12 20 40 when none are named)
@@ -32,11 +32,11 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kPositions = 60;
-constexpr int kPatience_ms = 4000; ///< for one final plan
+constexpr int kPatience_ms = 4000; ///< limit for one final plan
 constexpr int kMove_ms = 8;
 constexpr int kDrag_ms = 2000;
 
-/** Tells when a widget has been painted. */
+/** Records when a widget has been painted. */
 class PaintWatch final : public QApplication
 {
 public:
@@ -57,7 +57,7 @@ public:
 
     QObject* watched = nullptr;
     std::function<void()> onPainted;
-    std::vector<double> paints_ms; ///< how long each took
+    std::vector<double> paints_ms; ///< duration of each
 };
 
 class Bench
@@ -135,7 +135,7 @@ public:
         };
         int moves = 0;
         while (clock.elapsed() < kDrag_ms) {
-            // To and fro, so that every move is another tau.
+            // Moves back and forth, so that every move sets another tau.
             const double phase = static_cast<double>(++moves % 100) / 50;
             QTest::mouseMove(m_slider, at(phase <= 1 ? phase : 2 - phase));
             QTest::qWait(kMove_ms);
@@ -152,7 +152,7 @@ public:
 private:
     [[nodiscard]] const MissionSnapshot& present() const { return m_workspace.record().now; }
 
-    /** The picture is of the mission with the tau of the scenario, and has a plan. */
+    /** Returns whether the picture shows a plan for the scenario's tau. */
     [[nodiscard]] bool showsPlan()
     {
         return present().plan && present().generation == m_workspace.runner().generation();

@@ -1,4 +1,4 @@
-// How fluid the whole window is while a mission is flown, at 1280 x 800 without a display.
+// Fluency of the whole window while a mission is flown, at 1280 x 800 without a display.
 //
 // Each case flies for a few seconds of wall time and prints how much work a paint of the map and a
 // frame of the whole window were, how many frames a second came of it, and the longest turn of the
@@ -30,10 +30,10 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kSettle_ms = 2500; ///< the first plan and its curve
-constexpr int kFlight_ms = 5000; ///< of each case
+constexpr int kFlight_ms = 5000; ///< length of each case
 constexpr double kDay_s = 86400;
 
-/** "VmHWM:" or "VmRSS:", MB; -1 where the system does not tell. */
+/** Value of "VmHWM:" or "VmRSS:", MB; -1 if the system does not report it. */
 double memory_mb(const std::string& which)
 {
     std::ifstream status("/proc/self/status");
@@ -64,7 +64,7 @@ public:
     Bench(const Bench&) = delete;
     Bench& operator=(const Bench&) = delete;
 
-    /** `rate` as in `Workspace::fly`. */
+    /** Flies at `rate`, as in `Workspace::fly`. */
     void fly(const char* name, double rate)
     {
         m_workspace.reset();
@@ -136,7 +136,7 @@ Scenario fieldOf(int icebergs)
     return scenario;
 }
 
-/** A day with a policy that takes no time, so that it is the window that is measured. */
+/** Flies a day with a policy that takes no time, to measure the window alone. */
 Scenario dayOf(int icebergs)
 {
     Scenario scenario = fieldOf(icebergs);

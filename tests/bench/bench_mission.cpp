@@ -33,9 +33,9 @@ class PairedSolver final : public TvpSolver
 public:
     PairedSolver(Backend backend, Times& times) : m_solver(makeSolver(backend)), m_times(times) {}
     [[nodiscard]] AnswerSource source() const override { return m_solver->source(); }
-    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem& p) const override
+    [[nodiscard]] std::optional<IssueReason> unsupportedReason(const TvpProblem& p) const override
     {
-        return m_solver->whyNot(p);
+        return m_solver->unsupportedReason(p);
     }
 
 protected:

@@ -4,7 +4,7 @@
 // Rows: exact (takes some minutes), subsets, heuristic, large, cbc
 // (position-indexed MILP), latency (the policy's problem with real sigmas, exact),
 // latency-subsets; a size alone: exact:40.
-// Every size runs in a process of its own, so that its peak memory can be told. Times are CPU:
+// Every size runs in a process of its own to measure its peak memory. Times are CPU:
 // "1 %" until the order is within 1 % of the best one found, "0.2 %" until the bound is within
 // 0.2 % of the order, "total" until the end; each median and worst. "gap" is the worst one left.
 
@@ -43,8 +43,7 @@ std::unique_ptr<TvpSolver> subsets()
     return std::make_unique<SubsetSolver>();
 }
 
-/** The paper's instances with tau in turn; for latency, where tau says nothing, with real sigmas.
- */
+/** The paper's instances with tau in turn; for latency, which ignores tau, with real sigmas. */
 TvpProblem instance(int number, int n, Criterion criterion)
 {
     constexpr std::array kTaus{0.5, 1.0, 3.0};
@@ -66,7 +65,7 @@ double cpu_s()
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/** One time of every instance. */
+/** One time per instance. */
 class Times
 {
 public:
@@ -150,7 +149,7 @@ void runSize(const Row& row, int n, int instances)
     std::fflush(stdout);
 }
 
-/** Runs a size in a process of its own and tells the most memory it used. */
+/** Runs a size in a process of its own and returns its peak memory. */
 void runApart(const Row& row, int n, int instances)
 {
     const pid_t child = fork();

@@ -1,8 +1,8 @@
-// How soon solves return after a stop, in CPU time of the solving thread since the request:
+// Delay until solves return after a stop, in CPU time of the solving thread since the request:
 //   bench_stop [instants per shape, default 12] [shape ...]
 // The instants are random, from 1 ms to some seconds of CPU time, the same at each run. Shapes:
 // see kShapes; without any, all. A solve that was over before the stop does not count. What large
-// problems leave behind is freed on another thread, and not counted either.
+// problems leave behind is freed on another thread and not counted.
 
 #include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/policy/tau_curve.h"
@@ -37,8 +37,8 @@ double seconds(clockid_t clock)
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/** CPU time from the stop, after `instant_s` of CPU time, until the solve returned; none when it
- * was over before. */
+/** CPU time from the stop, after `instant_s` of CPU time, until the solve returned; nullopt if it
+ * had ended before. */
 std::optional<double> measure(const Solve& solve, double instant_s)
 {
     std::stop_source stop;
@@ -130,7 +130,7 @@ void run(const Shape& shape, int instants)
     Random random(7, 1);
     std::vector<double> times_ms;
     for (int k = 0; k < instants; ++k) {
-        // Uniform in the logarithm: what is done but once is done early.
+        // The logarithm is uniform, so that early phases, which are short, are hit as well.
         const double instant_s = 1e-3 * std::pow(shape.longest_s / 1e-3, random.uniform());
         if (const std::optional<double> time_s = measure(solve, instant_s))
             times_ms.push_back(1e3 * *time_s);

@@ -20,7 +20,7 @@
 
 namespace berg {
 
-/** Nobody is there to answer. */
+/** Answers every question at once, because a benchmark has no user. */
 class NoDialogs final : public Interaction
 {
 public:
@@ -51,6 +51,7 @@ public:
     Unsaved askUnsavedRun(QWidget*, bool) override { return Unsaved::Discard; }
     bool askEndFlight(QWidget*, FlightEnd) override { return true; }
     bool askRemove(QWidget*, const QStringList&) override { return false; }
+    bool askUndo(QWidget*, const QString&, const QString&) override { return false; }
     bool askReload(QWidget*, const QString&) override { return false; }
     RecoveryAnswer askRecovery(QWidget*, const std::vector<RecoveryOffer>&) override { return {}; }
     void waitUntil(QWidget*, const QString&, const std::function<bool()>&, bool) override {}
@@ -63,7 +64,7 @@ inline double elapsed_ms(const QElapsedTimer& clock)
     return static_cast<double>(clock.nsecsElapsed()) * 1e-6;
 }
 
-/** What this thread has worked. */
+/** CPU time of this thread, ms. */
 inline double worked_ms()
 {
     timespec time{};
@@ -71,7 +72,7 @@ inline double worked_ms()
     return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
 }
 
-/** Tells how much work paints of one widget, frames of its window and single events are. */
+/** Measures CPU time of paints of one widget, of frames of its window, and of single events. */
 class FrameWatch final : public QApplication
 {
 public:
@@ -123,7 +124,7 @@ struct LongestTurn
 };
 
 /**
- * Lets the windows live for so long, or until `mayEnd`; returns the longest turn of the event loop.
+ * Runs the event loop for `length_ms`, or until `mayEnd`; returns its longest turn.
  */
 inline LongestTurn watchTurns(
     int length_ms, const std::function<bool()>& mayEnd = [] { return false; })

@@ -10,7 +10,7 @@ namespace berg::bench {
 
 namespace {
 
-/** zeta, visits, plans, ms of solving, legs to a cluster and those of them ended without it. */
+/** Values: zeta, visits, plans, ms of solving, legs to a cluster, such legs ended early. */
 Row flown(const Scenario& scenario)
 {
     Mission mission(scenario, {.record = false});
@@ -18,7 +18,7 @@ Row flown(const Scenario& scenario)
     double solving_s = 0;
     double legs = 0;
     double missed = 0;
-    bool isCluster = false; // the leg that a plan ends
+    bool isCluster = false; // type of the leg that a plan ends
     for (const PlanEvent& plan : mission.plans()) {
         solving_s += plan.elapsed_s;
         missed += isCluster && plan.reason == PlanReason::Overdue ? 1 : 0;

@@ -1,8 +1,8 @@
 // Several UAVs.
 
 #include "core/plan/policy/policy.h"
-#include "core/scenario/advice.h"
 #include "core/scenario/presets.h"
+#include "core/scenario/scenario_warnings.h"
 #include "tests/bench/world_parts.h"
 
 #include <cmath>
@@ -11,8 +11,8 @@ namespace berg::bench {
 
 namespace {
 
-/** Each iceberg kept for the UAV that the plan of least waiting gives it to at the start: that one
- * shares the work evenly. */
+/** Assigns each iceberg to the UAV that the latency policy assigns it to at the start, because that
+ * policy shares the work evenly. */
 Scenario partitioned(Scenario scenario)
 {
     Scenario start = scenario;
@@ -33,7 +33,7 @@ Row fly(const Scenario& scenario)
             static_cast<double>(metrics.replans), metrics.flown_m / 1000};
 }
 
-/** Each UAV flown by itself with the icebergs kept for it: what it sees of others is lost. */
+/** Flies each UAV separately with its assigned icebergs; it does not share its sightings. */
 Row flyApart(const Scenario& scenario)
 {
     Row sum(4, 0.0);
@@ -54,7 +54,7 @@ void compare(int icebergs, int uavs, PolicyKind policy, int scenarios, std::vect
     std::vector<Row> kept;
     std::vector<Row> apart;
     for (int seed = 1; seed <= scenarios; ++seed) {
-        // As dense with 40 as with 12.
+        // The field with 40 icebergs has the density of that with 12.
         const double stretch = std::sqrt(icebergs / 12.0);
         FieldSpec field{.icebergs = icebergs};
         field.size_m *= stretch;

@@ -36,7 +36,7 @@ void believe(Scenario& scenario, double sd_mps)
         iceberg.velocitySd_mps = sd_mps;
 }
 
-/** zeta, error of the estimates (root mean square over time and icebergs), lost, found, visits. */
+/** Values: zeta, estimate error (root mean square over time and icebergs), lost, found, visits. */
 Row flown(const Scenario& scenario)
 {
     Mission mission(scenario);
@@ -96,9 +96,9 @@ void lost(int scenarios)
             std::printf("%g m/s, detection %g, 2000 s\n", sd_mps, detection);
             std::vector<Row> none;
             for (const auto& [search, name] : searches) {
-                const auto rows = fly(scenarios, sd_mps, 2000, [&](Scenario& s) {
+                const auto rows = fly(scenarios, sd_mps, 2000, [&, pattern = search](Scenario& s) {
                     believe(s, sd_mps);
-                    s.observer.search = search;
+                    s.observer.search = pattern;
                     s.observer.detection = detection;
                 });
                 printMeans(name, rows);

@@ -1,21 +1,23 @@
 #pragma once
 
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/sim/mission.h"
 #include "core/study/statistics.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <string>
 #include <string_view>
 #include <vector>
 
-// One function for each part of the world as it is: flies scenarios 1 ... `scenarios` with and
-// without it and prints what came of them.
+// One function per realistic condition: it flies scenarios 1 ... `scenarios` with and
+// without the condition and prints the results.
 
 namespace berg::bench {
 
 void observer(int scenarios);
-/** `only`: the name of a regime; empty: all. */
+/** Runs the regime named `only`, or all of them if it is empty. */
 void observerFrom(std::int64_t firstSeed, int scenarios, std::string_view only);
 void filter(int scenarios);
 void lost(int scenarios);
@@ -31,6 +33,18 @@ void fleetCoverage(int scenarios);
 void separation(int scenarios);
 void pads(int scenarios);
 void tau(int scenarios);
+
+/** Selects a part of the table of sparse fields and long runs. */
+struct SparseOptions
+{
+    int fields = 12; ///< number of fields per row
+    std::string row; ///< name of the row, or empty for all rows
+    std::int64_t firstSeed = 501;
+    std::string against = "latency,visitation"; ///< policies flown besides coverage
+    bool bound = false;                         ///< lower bound of each field
+};
+/** Flies the table; returns false if no row has that name. */
+bool sparse(const SparseOptions& options);
 
 /** UAVs along the western edge, evenly, heading as the first; each in an altitude layer. */
 inline Scenario withUavs(Scenario scenario, int uavs)
@@ -54,10 +68,10 @@ inline int countOf(const Mission& mission, EventKind kind)
                       [kind](const MissionEvent& e) { return e.kind == kind; }));
 }
 
-/** What is measured of one flight, by column. */
+/** Measured values of one flight, by column. */
 using Row = std::vector<double>;
 
-/** A line: the mean of each column. */
+/** Prints a line with the mean of each column. */
 inline void printMeans(const char* name, const std::vector<Row>& flights)
 {
     std::printf("%-24s", name);
@@ -71,7 +85,8 @@ inline void printMeans(const char* name, const std::vector<Row>& flights)
     std::fflush(stdout);
 }
 
-/** A line: `with` against `without` in one column, in % of the mean without, pair by pair. */
+/** Prints the paired difference of `with` from `without` in one column, in % of the mean without.
+ */
 inline void printDifference(const char* name, const std::vector<Row>& without,
                             const std::vector<Row>& with, std::size_t column = 0)
 {

@@ -8,10 +8,10 @@ namespace berg::bench {
 
 namespace {
 
-/** Seeds that nothing was tuned on. */
+/** Seeds that were not used for tuning. */
 constexpr std::int64_t kFirstSeed = 70000;
 
-/** What is known of the icebergs, and how many there are. */
+/** Knowledge about the icebergs, and their number. */
 struct Regime
 {
     const char* name;
@@ -39,15 +39,15 @@ const std::array kRegimes{
     Regime{.name = "fitted drift, 1 h", .drift = FieldRegime::FittedDrift, .duration_s = 3600},
     Regime{.name = "fitted drift, 8 h", .drift = FieldRegime::FittedDrift, .duration_s = 8 * 3600}};
 
-/** Those compared with visitation at tau = 1; the last one is what is looked at. */
-struct Contestant
+/** Policies compared with visitation at tau = 1; the last one is under test. */
+struct BenchmarkEntry
 {
     PolicyKind policy;
     double tau = 1;
 };
-constexpr std::array kContestants{Contestant{PolicyKind::Visitation, 0.5},
-                                  Contestant{PolicyKind::Latency}, Contestant{PolicyKind::Tour},
-                                  Contestant{PolicyKind::Coverage}};
+constexpr std::array kBenchmarkEntries{
+    BenchmarkEntry{PolicyKind::Visitation, 0.5}, BenchmarkEntry{PolicyKind::Latency},
+    BenchmarkEntry{PolicyKind::Tour}, BenchmarkEntry{PolicyKind::Coverage}};
 
 Scenario scenarioOf(const Regime& regime, std::int64_t seed)
 {
@@ -60,7 +60,7 @@ Scenario scenarioOf(const Regime& regime, std::int64_t seed)
     return withUavs(std::move(scenario), regime.uavs);
 }
 
-Mission flown(Scenario scenario, const Contestant& contestant)
+Mission flown(Scenario scenario, const BenchmarkEntry& contestant)
 {
     scenario.planner.policy = contestant.policy;
     scenario.planner.tau = contestant.tau;
@@ -69,12 +69,12 @@ Mission flown(Scenario scenario, const Contestant& contestant)
     return mission;
 }
 
-/** All flights of one field: changes of zeta in %, and how good the first plan foresaw it. */
+/** Flights of one field: changes of zeta in %, and accuracy of the first plan's prediction. */
 struct Field
 {
-    std::array<double, kContestants.size()> change{};
-    double againstBest = 0; ///< coverage against the best of all others
-    double foreseen = 0;    ///< flown by what the first plan predicted
+    std::array<double, kBenchmarkEntries.size()> change{};
+    double againstBest = 0; ///< coverage relative to the best of all others
+    double foreseen = 0;    ///< flown zeta relative to the first plan's prediction
     double plans = 0;
 };
 
@@ -83,11 +83,11 @@ Field fieldOf(const Scenario& scenario)
     const double base_m2s = flown(scenario, {PolicyKind::Visitation}).metrics().zeta_m2s;
     Field field;
     double best_m2s = base_m2s;
-    for (std::size_t k = 0; k < kContestants.size(); ++k) {
-        const Mission mission = flown(scenario, kContestants[k]);
+    for (std::size_t k = 0; k < kBenchmarkEntries.size(); ++k) {
+        const Mission mission = flown(scenario, kBenchmarkEntries[k]);
         const double zeta_m2s = mission.metrics().zeta_m2s;
         field.change[k] = 100 * (zeta_m2s / base_m2s - 1);
-        if (k + 1 < kContestants.size()) {
+        if (k + 1 < kBenchmarkEntries.size()) {
             best_m2s = std::min(best_m2s, zeta_m2s);
             continue;
         }
@@ -110,7 +110,7 @@ MeanInterval meanOf(const std::vector<Field>& fields, const Get& get)
 void print(const Regime& regime, const std::vector<Field>& fields)
 {
     std::printf("%-20s", regime.name);
-    for (std::size_t k = 0; k < kContestants.size(); ++k) {
+    for (std::size_t k = 0; k < kBenchmarkEntries.size(); ++k) {
         const MeanInterval mean = meanOf(fields, [k](const Field& f) { return f.change[k]; });
         std::printf(" %+6.1f +-%4.1f", mean.mean, mean.high - mean.mean);
     }

@@ -1,4 +1,4 @@
-// UAVs of one altitude layer kept apart.
+// Separation of UAVs in one altitude layer.
 
 #include "core/scenario/validate.h"
 #include "tests/bench/world_parts.h"
@@ -36,7 +36,7 @@ Row rowOf(const test::FleetOutcome& flight, double separation_m)
             flight.least_m < separation_m ? 1.0 : 0.0};
 }
 
-/** The same flights with and without. */
+/** Flies the same scenarios with and without separation. */
 class Pairs
 {
 public:
@@ -78,7 +78,8 @@ public:
 private:
     std::vector<Row> m_apart;
     std::vector<Row> m_free;
-    std::map<std::size_t, std::vector<double>> m_waits_s; ///< of landings, by number of UAVs
+    /** Waiting times before landing, by number of UAVs. */
+    std::map<std::size_t, std::vector<double>> m_waits_s;
 };
 
 } // namespace
@@ -104,7 +105,7 @@ void separation(int scenarios)
     pairs.print("random fleets");
 }
 
-/** Fleets that share pads: what came of each that went wrong, then the counts of all. */
+/** Flies fleets that share pads; prints each failure, then the counts of all. */
 void pads(int scenarios)
 {
     int landings = 0;

@@ -17,8 +17,8 @@ struct Flight
     double zeta_m2s = 0;
     double visits = 0;
     double sorties = 0;
-    double outside = 0;                                        ///< samples, ten a second
-    double margin_s = std::numeric_limits<double>::infinity(); ///< least at a landing
+    double outside = 0; ///< number of samples outside the area, ten per second
+    double margin_s = std::numeric_limits<double>::infinity(); ///< smallest margin at a landing
 };
 
 Flight fly(const Scenario& scenario)
@@ -43,7 +43,7 @@ Flight fly(const Scenario& scenario)
     return flight;
 }
 
-/** `make` draws a scenario, `change` is what the part does to it. */
+/** `make` draws a scenario, `change` applies the condition to it. */
 template <class Make, class Change>
 void compare(const char* title, int scenarios, const Make& make, const Change& change)
 {

@@ -9,12 +9,12 @@ namespace berg::bench {
 
 namespace {
 
-/** Plans as if the wind helped and hindered alike: what a planner without the wind would do. */
+/** Plans as if tailwind and headwind cancelled, like a planner that ignores the wind. */
 class WindlessSolver : public TvpSolver
 {
 public:
     [[nodiscard]] AnswerSource source() const override { return AnswerSource::Exact; }
-    [[nodiscard]] std::optional<IssueReason> whyNot(const TvpProblem&) const override
+    [[nodiscard]] std::optional<IssueReason> unsupportedReason(const TvpProblem&) const override
     {
         return std::nullopt;
     }
@@ -80,7 +80,7 @@ void asset(int scenarios)
             Scenario scenario = randomScenario(seed);
             scenario.asset = Asset{.position_m = {1000, 1000}, .range_m = kRange_m, .gain = gain};
             const Mission mission = flown(scenario);
-            // Near: within the range of the asset, by the truth.
+            // Near means inside the asset's range, by true position.
             const Recorder& recorder = mission.recorder();
             double near_m2 = 0;
             int nearCount = 0;
@@ -122,15 +122,15 @@ void area(int scenarios)
         Scenario scenario = randomScenario(seed);
         scenario.duration_s = 2000;
         for (Iceberg& iceberg : scenario.icebergs)
-            iceberg.velocity_mps *= 4; // up to 1.6 m/s: some leave, most stay
+            iceberg.velocity_mps *= 4; // up to 1.6 m/s, so that some icebergs leave
         const std::vector<Point> area_m{{0, 0}, {5000, 0}, {5000, 4000}, {0, 4000}};
-        // Both are judged by the icebergs that are truly inside.
+        // Both are judged by the icebergs truly inside.
         const auto row = [&](const Mission& mission) {
             double zeta_m2s = 0;
             for (std::size_t k = 0; k < mission.recorder().samples().size(); ++k)
                 for (const IcebergSample& iceberg : mission.recorder().icebergs(k))
                     if (insidePolygon(area_m, iceberg.truth_m))
-                        zeta_m2s += iceberg.sigma_m2; // a sample each second
+                        zeta_m2s += iceberg.sigma_m2; // one sample per second
             return Row{zeta_m2s, static_cast<double>(mission.metrics().visits)};
         };
         kept.push_back(row(flown(scenario)));

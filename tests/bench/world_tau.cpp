@@ -1,4 +1,4 @@
-// Whether tau means the same for any number of UAVs.
+// Tests whether tau has the same meaning for any number of UAVs.
 
 #include "core/scenario/presets.h"
 #include "tests/bench/world_parts.h"
@@ -9,7 +9,7 @@ namespace berg::bench {
 
 namespace {
 
-constexpr std::array kTaus{1.0, 0.25, 0.5, 0.7, 1.4, 2.0}; ///< the others against the first
+constexpr std::array kTaus{1.0, 0.25, 0.5, 0.7, 1.4, 2.0}; ///< the first is the reference
 
 double zetaOf(Scenario scenario, double tau)
 {
@@ -19,8 +19,8 @@ double zetaOf(Scenario scenario, double tau)
     return mission.metrics().zeta_m2s;
 }
 
-/** A line: of each tau the mean zeta against that of tau = 1, in %, with the standard error of the
- * difference. */
+/** Prints a line with the mean zeta for each tau relative to that for tau = 1, in %, with the
+ * standard error of the difference. */
 void compareTaus(int icebergs, int uavs, int fields)
 {
     std::array<std::vector<double>, kTaus.size()> zetas;

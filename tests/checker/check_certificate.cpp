@@ -105,7 +105,7 @@ struct Problem
         const Low once = Low{mu} * Low{distance[uav][from][to]};
         return latency ? ahead * once : once;
     }
-    /** Of a visit as number `position`, from 1: t is one more. */
+    /** Cost of a visit at `position`, from 1; t is one more. */
     [[nodiscard]] Low visit(Index i, Index position) const
     {
         return latency ? Low{} : Low{sigma[i]} * Low{static_cast<double>(position + 1)};
@@ -119,7 +119,7 @@ struct Problem
     }
 };
 
-/** What orders cost at most, within 1e-13: that they cost so little is all that is claimed. */
+/** Checks that the orders cost at most the claimed amount, within 1e-13. */
 double costOf(const Problem& problem, const std::vector<std::vector<Index>>& orders)
 {
     expect(orders.size() == problem.distance.size(), "not one order for each UAV");
@@ -199,7 +199,7 @@ Low boundBySorting(const Problem& problem)
 struct Step
 {
     std::vector<double> lambda;         ///< by node, [0] is 0
-    std::vector<std::vector<Set>> sets; ///< by band and iceberg, from 1; empty: none
+    std::vector<std::vector<Set>> sets; ///< by band and iceberg, from 1
     Low sum;                            ///< of lambda
     Step(const Json& json, Index size) : lambda(numbersOf(json.at("lambda"), size, -kMost))
     {

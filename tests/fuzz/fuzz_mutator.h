@@ -10,11 +10,11 @@
 
 namespace berg::fuzz {
 
-/** Breaks texts in the ways that files break, and in those that nobody has thought of. */
+/** Damages texts in common and uncommon ways. */
 class Mutator
 {
 public:
-    /** `corpus`: what is broken; its words are what is put in elsewhere. */
+    /** `corpus` holds the texts to damage; their words are inserted elsewhere. */
     Mutator(std::uint64_t seed, const std::vector<std::string>& corpus)
         : m_random(seed, 77), m_corpus(corpus)
     {
@@ -35,7 +35,10 @@ public:
 private:
     static constexpr std::size_t kLongest = 1U << 16U;
 
-    /** Words between quotes and of tags; not so many of one text that others have no place. */
+    /**
+     * Collects words between quotes and of tags, limited per text so that other texts contribute
+     * too.
+     */
     void learn(std::string_view text)
     {
         const std::size_t mostWords = m_words.size() + 200;
@@ -125,7 +128,7 @@ private:
         return std::string(kTokens[below(kTokens.size())]);
     }
 
-    /** One of the numbers in the text becomes another. */
+    /** Replaces one of the numbers in the text by another. */
     void changeNumber(std::string& text)
     {
         constexpr std::string_view kDigits = "0123456789.-+eE";
@@ -136,6 +139,7 @@ private:
         text.replace(from, end - from, token());
     }
 
+    /** Applies one random change. */
     void change(std::string& text)
     {
         const std::size_t at = place(text);

@@ -1,10 +1,11 @@
-// Every reader of files from elsewhere, fed with mutated files in one process: see usage().
+// Feeds mutated files to every reader of foreign files in one process; see usage().
 
 #include "core/base/coordinates.h"
 #include "core/io/files/iceberg_json.h"
 #include "core/io/files/problem_json.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
+#include "core/io/files/tsplib.h"
 #include "core/io/import/import_airspace.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_scenario.h"
@@ -12,6 +13,7 @@
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
+#include "core/plan/solve/latency_problem.h"
 #include "core/scenario/presets.h"
 #include "core/scenario/validate.h"
 #include "tests/fuzz/fuzz_mutator.h"
@@ -43,7 +45,7 @@ const std::string kSubject = "mutated";
     std::abort();
 }
 
-/** Says the file, and the field or the line unless it is about the whole. */
+/** Returns the file, with the field or the line unless the issue concerns the whole file. */
 void checkMessage(const Error& error)
 {
     const bool isWhole = error.code() == ErrorCode::WrongFormat ||
@@ -66,7 +68,7 @@ void checkMessage(const Error& error)
         fail("a raw escape in a message");
 }
 
-/** What was read is written, and read again, the same. */
+/** Writes what was read, and checks that it is read again unchanged. */
 template <class Read, class Write>
 void readTwice(const std::string& text, const Read& read, const Write& write)
 {
@@ -133,6 +135,13 @@ void readAsProblem(const std::string& text)
     static_cast<void>(problemFromJson(text, kSubject));
 }
 
+void readAsTsplib(const std::string& text)
+{
+    const TvpProblem problem = problemFromTsplib(text, kSubject).problem;
+    if (!validate(problem).empty() || !validate(latencyProblem(problem)).empty())
+        fail("a problem that nobody can solve");
+}
+
 void readAsIcebergs(const std::string& text)
 {
     static_cast<void>(icebergsFromJson(text, kSubject));
@@ -149,20 +158,19 @@ void readAsFormat(const std::string& text)
     static_cast<void>(formatOf(text, kSubject));
 }
 
-/** The other readers of text now and then, whatever the file is called. */
+/** Sometimes also tries the other readers of text, whatever the file is called. */
 constexpr std::array kReaders{readAsScenario, readAsRun,       readAsProblem,  readAsStudy,
                               readAsFormat,   readAsSightings, readAsIcebergs, readAsPlace,
-                              readAsAirspace, readAsMap};
+                              readAsAirspace, readAsMap,       readAsTsplib};
 
 using Reader = void (*)(const std::string&);
 
 Reader readerOf(const std::filesystem::path& file)
 {
-    static const std::map<std::string, Reader> kByEnding{{".berg", readAsScenario},
-                                                         {".bergrun", readAsRun},
-                                                         {".bergstudy", readAsStudy},
-                                                         {".json", readAsProblem},
-                                                         {".openair", readAsAirspace}};
+    static const std::map<std::string, Reader> kByEnding{
+        {".berg", readAsScenario},   {".bergrun", readAsRun}, {".bergstudy", readAsStudy},
+        {".json", readAsProblem},    {".tsp", readAsTsplib},  {".atsp", readAsTsplib},
+        {".openair", readAsAirspace}};
     const auto it = kByEnding.find(file.extension().string());
     return it == kByEnding.end() ? readAsSightings : it->second;
 }
@@ -171,7 +179,7 @@ struct Corpus
 {
     std::vector<std::string> texts;
     std::vector<Reader> readers;
-    std::vector<bool> packed; ///< is a KMZ whose text is here
+    std::vector<bool> packed; ///< whether the input is a KMZ with the text
 
     void add(const std::filesystem::path& file)
     {
@@ -194,7 +202,7 @@ struct Corpus
         packed.push_back(isPacked);
     }
 
-    /** What no folder holds: icebergs of the clipboard, studies and their reports, places. */
+    /** Adds inputs without files: icebergs of the clipboard, studies and their reports, places. */
     void addOthers()
     {
         const Scenario field = randomScenario(1, {.icebergs = 4});
@@ -215,7 +223,7 @@ struct Corpus
     }
 };
 
-/** The input in work, in a file that survives whatever becomes of this process. */
+/** The current input, stored in a file that survives a crash of this process. */
 class Keeper
 {
 public:
@@ -244,7 +252,7 @@ private:
     char* m_map = nullptr;
 };
 
-/** Whether it was taken. */
+/** Returns whether the input was accepted. */
 bool feed(Reader reader, const std::string& text)
 {
     try {
@@ -267,8 +275,8 @@ struct Options
     std::uint64_t inputs = 10'000'000;
     std::uint64_t seed = 1;
     std::string keep = "fuzz-input";
-    std::string again; ///< a kept file
-    std::string map;   ///< a file for the background
+    std::string again; ///< a stored input to repeat
+    std::string map;   ///< a file for the map background
     std::vector<std::string> folders;
 };
 
@@ -292,9 +300,9 @@ int feedMap(const std::string& path)
 
 int feedMany(const Options& options)
 {
-    constexpr double kLongest_s = 20; // 80 ms as a rule: longer is without end
+    constexpr double kLongest_s = 20; // usually 80 ms; longer means an endless loop
     Corpus corpus;
-    std::set<std::filesystem::path> files; // in an order that is not the file system's
+    std::set<std::filesystem::path> files; // a set, for a fixed order
     for (const std::string& folder : options.folders)
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
             if (entry.is_regular_file())
@@ -323,7 +331,7 @@ int feedMany(const Options& options)
         }
         Reader reader = corpus.readers[which];
         if (reader == readAsSightings && mutator.below(4) == 0)
-            reader = readAsMap; // of the same files
+            reader = readAsMap; // for the same files
         if (mutator.below(8) == 0)
             reader = kReaders[mutator.below(kReaders.size())];
         keeper.keep(

@@ -4,7 +4,7 @@
 
 using namespace berg;
 
-/** What the policy coverage is for: less zeta than the paper's strategy at tau = 1. */
+/** Policy coverage achieves less zeta than the paper's strategy at tau = 1. */
 class TestCoverageGain : public QObject
 {
     Q_OBJECT

@@ -117,7 +117,7 @@ QString firstDifference(const std::set<QString>& a, const std::set<QString>& b)
 
 } // namespace
 
-/** Of the languages the program speaks; English is that of the sources. */
+/** Translations of the program's languages except English, the language of the sources. */
 const QStringList kLanguages{u"da"_s, u"fr"_s, u"nb"_s};
 
 QString pathOf(const QString& language)
@@ -125,7 +125,9 @@ QString pathOf(const QString& language)
     return kTranslations + u"/bergwatch_%1.ts"_s.arg(language);
 }
 
-/** What lupdate collects of the sources, as the file of a language without words. */
+/**
+ * The texts that lupdate collects from the sources, as the file of a language without translations.
+ */
 std::vector<Message> textsOfTheProgram(const QStringList& options)
 {
     const QTemporaryDir folder;
@@ -133,7 +135,9 @@ std::vector<Message> textsOfTheProgram(const QStringList& options)
     QProcess lupdate;
     const QString root = QStringLiteral(BERG_SOURCE_DIR);
     lupdate.start(QStringLiteral(BERG_LUPDATE),
-                  QStringList{u"-no-obsolete"_s, u"-locations"_s, u"none"_s} + options +
+                  QStringList{u"-no-obsolete"_s, u"-locations"_s, u"none"_s,
+                              u"-tr-function-alias"_s, u"QT_TR_NOOP+=en"_s} +
+                      options +
                       QStringList{u"-I"_s, root, root + u"/widgets"_s, root + u"/app"_s,
                                   root + u"/core"_s, u"-ts"_s, fresh});
     if (!lupdate.waitForFinished(60000) || lupdate.exitCode() != 0)
@@ -189,7 +193,7 @@ private slots:
         QCOMPARE(firstDifference(known, same), QString());
     }
 
-    /** But for one thing "%n" need not be said: "Delete iceberg". */
+    /** A singular form may leave out "%n", as in "Delete iceberg". */
     void placeholdersAreKept_data() { languages(); }
     void placeholdersAreKept()
     {

@@ -11,19 +11,19 @@
 
 namespace berg {
 
-/** What a line stands for; decides colour and width. */
+/** Meaning of a line; decides its colour and width. */
 enum class LineRole
 {
     Accumulated, ///< zeta, distance flown, means over the mission
-    Momentary,   ///< sum of sigma, with a light area below; >= 0
-    Weighted,    ///< the same with weights, dashed
-    Signed,      ///< a reading with sign, such as the turn rate
+    Momentary,   ///< sum of sigma, with a light area below it; >= 0
+    Weighted,    ///< weighted sum of sigma, dashed
+    Signed,      ///< a signed reading such as the turn rate
     Sigma,       ///< sigma of one iceberg, coloured by its value
-    Bound,       ///< what no other line gets below
-    Uav          ///< one of several, in its colour
+    Bound,       ///< lower bound; no line falls below it
+    Uav          ///< line of one UAV of a fleet, in its colour
 };
 
-/** Beside the other lines. */
+/** Emphasis relative to the other lines. */
 enum class LineEmphasis
 {
     None,
@@ -31,48 +31,50 @@ enum class LineEmphasis
     Faint
 };
 
+/** One line of a chart over time. */
 struct TimeLine
 {
-    QString label;         ///< written beside the line
-    QList<QPointF> points; ///< x seconds, ascending, y in the unit of its axis
+    QString label;         ///< name written beside the line
+    QList<QPointF> points; ///< x in seconds, ascending; y in the unit of its axis
     LineRole role = LineRole::Momentary;
     bool onRightAxis = false;
-    QString name{}; ///< in lists and read-outs; empty: `label`
-    QString unit{}; ///< of its values, for read-outs
-    QString key{};  ///< tells lines apart whatever the language: id of the iceberg, column
-    int uav = 0;    ///< place in the scenario, for `LineRole::Uav`
+    QString name{}; ///< name in lists and readouts; empty if it equals `label`
+    QString unit{}; ///< unit of the values in readouts
+    QString key{};  ///< identifies the line in every language: id of the iceberg, column
+    int uav = 0;    ///< index in the scenario, for `LineRole::Uav`
     LineEmphasis emphasis = LineEmphasis::None;
     bool hidden = false;
 
+    /** Name in lists and readouts. */
     [[nodiscard]] const QString& shownName() const { return name.isEmpty() ? label : name; }
-    /** Visible, and with points. */
+    /** Returns whether the line is visible and has points. */
     [[nodiscard]] bool isShown() const { return !hidden && !points.isEmpty(); }
 };
 
-/** A dashed line across the chart, on the left axis. */
+/** A dashed horizontal line across the chart, with a value of the left axis. */
 struct ReferenceLine
 {
     double value = 0;
     QString label;
 };
 
-/** Everything a chart over time shows, as plain values. */
+/** Content of a chart over time, as plain values. */
 struct TimeChartContent
 {
     QString title;
     QString leftTitle;  ///< quantity and unit
-    QString rightTitle; ///< empty: no right axis
+    QString rightTitle; ///< with %1 for the unit of zeta; empty without a right axis
     double duration_s = 1000;
-    MissionClock clock; ///< writes the instants
+    MissionClock clock; ///< formats the times
     std::vector<TimeLine> lines;
-    bool isThinned = false; ///< at most two points for each column of the view already, all finite
+    bool isThinned = false; ///< lines have at most two points per pixel column, all finite
     std::vector<ReferenceLine> references;
-    std::vector<double> marks_s; ///< small ticks below the plot, e.g. visits
+    std::vector<double> marks_s; ///< times of small ticks below the plot, e.g. visits
     QString marksTitle;
     double sigmaFull_m2 = 10;       ///< end of the colour scale for `LineRole::Sigma`
-    std::optional<double> cursor_s; ///< the instant looked back at
-    QString emptyText;              ///< shown when no line has a point
-    QString summary;                ///< the newest values in a sentence, for screen readers
+    std::optional<double> cursor_s; ///< past instant being viewed
+    QString emptyText;              ///< shown if no line has a point
+    QString summary;                ///< newest values in a sentence, for screen readers
 };
 
 } // namespace berg

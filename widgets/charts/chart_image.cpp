@@ -10,8 +10,8 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-/** Lays the chart out without a window on the screen: a widget gets its size only when shown. */
-void showUnseen(TimeChart& chart, const TimeChartContent& content, const QSize& size_px)
+/** Lays out the chart offscreen, because a widget gets its size only when shown. */
+void showOffscreen(TimeChart& chart, const TimeChartContent& content, const QSize& size_px)
 {
     chart.resize(size_px);
     chart.setContent(content);
@@ -20,7 +20,7 @@ void showUnseen(TimeChart& chart, const TimeChartContent& content, const QSize& 
     chart.show();
 }
 
-/** All of the chart, over `target`. */
+/** Renders the whole chart into `target`. */
 void paintChart(TimeChart& chart, QPainter& painter, const QRectF& target)
 {
     chart.render(&painter, target, QRect(QPoint(0, 0), chart.size()));
@@ -37,12 +37,12 @@ QImage chartImage(const TimeChartContent& content, const Theme& theme, const QSi
                   double scale)
 {
     TimeChart chart(theme);
-    showUnseen(chart, content, (QSizeF(size_px) / scale).toSize());
+    showOffscreen(chart, content, (QSizeF(size_px) / scale).toSize());
     QImage image(size_px, QImage::Format_RGB32);
     image.setDevicePixelRatio(scale);
     image.fill(theme.chart);
     QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing); // `render` takes the painter's hints
+    painter.setRenderHint(QPainter::Antialiasing); // `render` uses the painter's hints
     paintChart(chart, painter, QRectF(QPointF(0, 0), QSizeF(size_px) / scale));
     return image;
 }
@@ -51,8 +51,8 @@ void writeChartPicture(const TimeChartContent& content, const Theme& theme, cons
                        const QString& path)
 {
     TimeChart chart(theme);
-    chart.setGradients(endingOf(path) == u"png"_s); // neither SVG nor PDF of Qt has such pens
-    showUnseen(chart, content, page.size_px);
+    chart.setGradients(endingOf(path) == u"png"_s); // Qt's SVG and PDF do not support gradient pens
+    showOffscreen(chart, content, page.size_px);
     if (page.window)
         chart.setWindow(*page.window);
     writePicture(

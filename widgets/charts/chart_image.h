@@ -6,20 +6,20 @@
 
 namespace berg {
 
-/** The chart as an image of `size_px`; `scale` device pixels for each unit of the layout. */
+/** Renders the chart to an image of `size_px`, with `scale` device pixels per layout unit. */
 [[nodiscard]] QImage chartImage(const TimeChartContent& content, const Theme& theme,
                                 const QSize& size_px, double scale);
 
-/** A stretch of a chart on a page. */
+/** Size and time range of a chart on a page. */
 struct ChartPage
 {
-    QSize size_px{1120, 490};         ///< of the layout, at 96 to the inch; PNG has twice as many
-    std::optional<TimeWindow> window; ///< none: everything
+    QSize size_px{1120, 490};         ///< layout size at 96 per inch; PNG has twice as many pixels
+    std::optional<TimeWindow> window; ///< part in view; nullopt shows all
 };
 
 /**
- * Writes the chart as the picture that the end of `path` names. Throws `Error`: Unsupported for
- * another end than `kPictureEndings`, FileUnwritable.
+ * Writes the chart to `path` in the format given by its file name extension. Throws `Error`:
+ * Unsupported for an extension other than `kPictureEndings`, FileUnwritable.
  */
 void writeChartPicture(const TimeChartContent& content, const Theme& theme, const ChartPage& page,
                        const QString& path);

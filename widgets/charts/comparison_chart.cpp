@@ -2,6 +2,7 @@
 
 #include "widgets/charts/decimate.h"
 #include "widgets/charts/figure_text.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
 
@@ -13,18 +14,18 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kPlain = 0.16;    // part of the reference's colour in its shade
-constexpr double kAtMargin = 0.9;  // part of the time axis from which a line ends at the margin
-constexpr int kItems = 20;         // that can be read one after the other
-constexpr int kColumns = 1500;     // worth having points for
-constexpr double kSimplify = 2e-4; // of the largest zeta
+constexpr double kPlain = 0.16;    // colour share of the reference in plain shading
+constexpr double kAtMargin = 0.9;  // lines that end beyond this share are named in the margin
+constexpr int kItems = 20;         // number of readable items
+constexpr int kColumns = 1500;     // columns of pixels that a line is decimated to
+constexpr double kSimplify = 2e-4; // tolerance relative to the final zeta
 
 struct ComparisonChartText
 {
     Q_DECLARE_TR_FUNCTIONS(ComparisonChartText)
 };
 
-/** Ordinate of a line at `x` inside it. */
+/** Ordinate of a line at an abscissa `x` that it reaches. */
 double ordinateAt(const QList<QPointF>& line, double x)
 {
     const auto after = std::lower_bound(line.begin(), line.end(), x,
@@ -37,7 +38,7 @@ double ordinateAt(const QList<QPointF>& line, double x)
     return std::lerp(from.y(), after->y(), (x - from.x()) / (after->x() - from.x()));
 }
 
-/** Where the lines cross or bend, ascending, up to `end`. */
+/** Abscissas where the lines bend or cross, ascending, up to `end`. */
 std::vector<double> breaksOf(const QList<QPointF>& a, const QList<QPointF>& b, double end)
 {
     std::vector<double> at{end};
@@ -60,7 +61,7 @@ std::vector<double> breaksOf(const QList<QPointF>& a, const QList<QPointF>& b, d
     return breaks;
 }
 
-/** Its zeta over time, as much of it as can be seen. */
+/** Zeta of a run over time, decimated to what is visible. */
 QList<QPointF> lineOf(const ComparedRun& run)
 {
     std::vector<QPointF> points;
@@ -72,7 +73,7 @@ QList<QPointF> lineOf(const ComparedRun& run)
         kSimplify * run.metrics.zeta_m2s);
 }
 
-/** What can be read: zeta of both at even times, and at the instant up to which both have flown. */
+/** Adds readable items: zeta of both runs at equally spaced times up to their common end. */
 void addItems(Figure& figure, const RunComparison& comparison, const QList<QPointF>& reference,
               const QList<QPointF>& other, const QLocale& locale)
 {
@@ -95,7 +96,7 @@ void addItems(Figure& figure, const RunComparison& comparison, const QList<QPoin
     }
 }
 
-/** Shades the difference up to `until_s`: stretches in which one and the same run has less. */
+/** Shades the difference up to `until_s`, one area per interval with the same run ahead. */
 void addDifference(Figure& figure, const QList<QPointF>& a, const QList<QPointF>& b, double until_s)
 {
     if (a.isEmpty() || b.isEmpty())
@@ -125,7 +126,7 @@ void addDifference(Figure& figure, const QList<QPointF>& a, const QList<QPointF>
     }
 }
 
-/** By how many per cent of the reference's zeta the other one has more; 0: it would read 0.0. */
+/** Percentage by which the other run has more zeta; zero if it would be displayed as 0.0. */
 double percentMore(const RunComparison& comparison)
 {
     const double a = figuresAt(*comparison.reference, comparison.until_s).zeta_m2s;
@@ -195,21 +196,24 @@ Figure ComparisonChart::figure() const
     Figure figure{.name = utf8(tr("Comparison of accumulated uncertainty"))};
     figure.title = figure.name;
     if (!m_comparison) {
-        figure.emptyText = utf8(tr("The comparison of runs of one scenario is shown here."));
+        figure.emptyText = utf8(tr("This chart compares runs of one scenario."));
         return figure;
     }
     const ComparedRun& reference = *m_comparison->reference;
     const ComparedRun& other = *m_comparison->other;
     figure.description = utf8(verdictText(*m_comparison, locale()));
-    figure.leftTitles = {utf8(tr("Zeta ζ, m² s"))};
     figure.rightTitles = {figure.description, utf8(shortVerdict(*m_comparison, locale()))};
     figure.rightInk = {};
     const double duration_s = std::max({1.0, reference.flown_s, other.flown_s});
     figure.x = timeAxis(clockOf(reference.scenario), 0, duration_s, tr("Time, UTC"),
                         duration_s >= 3600 ? tr("Time, h:mm:ss") : tr("Time, mm:ss"));
+    const double largest_m2s = std::max(reference.metrics.zeta_m2s, other.metrics.zeta_m2s);
+    const ShownUnit unit = zetaUnit(largest_m2s);
+    figure.leftTitles = {utf8(tr("Zeta ζ, %1").arg(unit.name))};
     figure.y = {.ends = AxisEnds::Around0,
-                .largest = std::max(reference.metrics.zeta_m2s, other.metrics.zeta_m2s),
-                .text = numberText(locale())};
+                .largest = largest_m2s,
+                .text = numberText(locale()),
+                .inUnit = unit.inSi};
     const QList<QPointF> a = lineOf(reference);
     const QList<QPointF> b = lineOf(other);
     addDifference(figure, a, b, m_comparison->until_s);
@@ -224,8 +228,7 @@ Figure ComparisonChart::figure() const
     return figure;
 }
 
-/** A line that reaches the right end is named in the margin, one that ends earlier beside its end.
- */
+/** Adds a run: its name is in the margin if it reaches the right end, otherwise beside its end. */
 void ComparisonChart::addRun(Figure& figure, const ComparedRun& run, const QList<QPointF>& line,
                              InkOf ink) const
 {

@@ -6,9 +6,9 @@
 namespace berg {
 
 /**
- * Zeta of two runs over time, as Figure 5 of the paper: the reference in the colour of zeta, the
- * other one in that of comparisons, named where they end; between them the difference is shaded,
- * plain where the reference has less and hatched where the other one has. Less is better.
+ * Zeta of two runs over time, as in Figure 5 of the paper: the reference in the colour of zeta, the
+ * other run in that of comparisons, named at their ends. The difference is shaded: plain where the
+ * reference has less, hatched where the other run has less. Less is better.
  */
 class ComparisonChart : public FigureView
 {
@@ -17,9 +17,9 @@ class ComparisonChart : public FigureView
 public:
     explicit ComparisonChart(const Theme& theme, QWidget* parent = nullptr);
 
-    /** None: says how to get two runs. */
+    /** Shows a comparison; nullopt shows a hint instead. */
     void setComparison(const std::optional<RunComparison>& comparison);
-    /** The instant shown on the map; none: no cursor. */
+    /** Sets the cursor to the time shown on the map; nullopt removes it. */
     void setCursor_s(std::optional<double> time_s);
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 130}; }
@@ -35,7 +35,7 @@ private:
     std::optional<double> m_cursor_s;
 };
 
-/** "Tour has 8.0 % more than τ 1.00": the other run beside the reference at the common time. */
+/** "Tour has 8.0 % more than τ 1.00": compares the runs at their common end. */
 [[nodiscard]] QString verdictText(const RunComparison& comparison, const QLocale& locale);
 
 } // namespace berg

@@ -11,7 +11,7 @@
 namespace berg {
 namespace {
 
-/** Adds a point after the others unless it is the last one again. */
+/** Appends a point unless it equals the last one. */
 void append(QList<QPointF>& out, const QPointF& p)
 {
     if (out.isEmpty() || out.back() != p)
@@ -81,24 +81,24 @@ QList<QPointF> simplified(const QList<QPointF>& points, double tolerance)
 {
     if (points.size() < 3)
         return points;
-    // The slopes from the last point kept that pass all points since then closely enough.
+    // Range of slopes from the last kept point that pass all later points within the tolerance.
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     QList<QPointF> out{points.front()};
     double lowest = -kInfinity;
     double highest = kInfinity;
     for (qsizetype i = 1; i < points.size(); ++i) {
-        QPointF path = points[i] - out.back();
+        QPointF step = points[i] - out.back();
         const bool reachable =
-            path.x() > 0 && path.y() >= lowest * path.x() && path.y() <= highest * path.x();
+            step.x() > 0 && step.y() >= lowest * step.x() && step.y() <= highest * step.x();
         if (!reachable && points[i - 1] != out.back()) {
             out.push_back(points[i - 1]);
-            path = points[i] - out.back();
+            step = points[i] - out.back();
             lowest = -kInfinity;
             highest = kInfinity;
         }
-        if (path.x() > 0) {
-            lowest = std::max(lowest, (path.y() - tolerance) / path.x());
-            highest = std::min(highest, (path.y() + tolerance) / path.x());
+        if (step.x() > 0) {
+            lowest = std::max(lowest, (step.y() - tolerance) / step.x());
+            highest = std::min(highest, (step.y() + tolerance) / step.x());
         }
     }
     out.push_back(points.back());

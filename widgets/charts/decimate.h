@@ -8,7 +8,7 @@
 
 namespace berg {
 
-/** The part of the x axis on screen and how many pixel columns show it. */
+/** Visible part of the x axis and its width in pixel columns. */
 struct DecimationWindow
 {
     double from = 0;
@@ -16,12 +16,13 @@ struct DecimationWindow
     int columns = 1;
 };
 
-/** Lowest and highest of some points. */
+/** Lowest and highest of a set of points. */
 struct Extremes
 {
     QPointF lowest;
     QPointF highest;
 
+    /** Adds a point to the set. */
     void include(const QPointF& p)
     {
         if (p.y() < lowest.y())
@@ -32,21 +33,20 @@ struct Extremes
 };
 
 /**
- * At most two points for each pixel column, the lowest and the highest in the order of time, so
- * that no peak is lost; the first and last points in view are kept, and so is the nearest point on
- * either side of the view, so that lines run to its edges. Points that are not finite are dropped.
- * `points` ascending in x. Cost: linear.
+ * Reduces `points`, ascending in x, to at most two per pixel column: the lowest and the highest in
+ * time order, so that no peak is lost. The first and last points in view and the nearest point on
+ * either side are kept, so that lines reach the edges. Drops non-finite points. Cost: linear.
  */
 [[nodiscard]] QList<QPointF> decimate(std::span<const QPointF> points,
                                       const DecimationWindow& window);
 
 /**
- * Leaves out points that lie within `tolerance` (in y) of the straight line between those kept, so
- * that long ramps become one segment. First and last point are kept. Cost: linear.
+ * Drops points within `tolerance` (in y) of the straight line between kept points, so that long
+ * ramps become one segment. The first and last points are kept. Cost: linear.
  */
 [[nodiscard]] QList<QPointF> simplified(const QList<QPointF>& points, double tolerance);
 
-/** The polyline at an abscissa it reaches; `points` ascending in x. */
+/** Interpolates a polyline ascending in x; nullopt if it does not reach `x`. */
 [[nodiscard]] std::optional<QPointF> pointAt(const QList<QPointF>& points, double x);
 
 } // namespace berg

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kRow_px = 20;
 constexpr double kMark_px = 4.6;
-constexpr double kCap_px = 4; ///< half of the ends of an interval
+constexpr double kCap_px = 4; // half length of the end caps of an interval
 
 } // namespace
 
-DifferenceChart::DifferenceChart(const Theme& theme, QWidget* parent) : StudyPicture(theme, parent)
+DifferenceChart::DifferenceChart(const Theme& theme, QWidget* parent) : StudyFigure(theme, parent)
 {
     refresh();
 }
@@ -25,7 +25,7 @@ DifferenceChart::DifferenceChart(const Theme& theme, QWidget* parent) : StudyPic
 Figure DifferenceChart::figure() const
 {
     Figure figure = titled(tr("Differences vs the reference"),
-                           tr("Here each setting is compared with a reference, case by case."));
+                           tr("This chart compares each setting with a reference, case by case."));
     if (!hasCases())
         return figure;
     figure.leftTitles = {utf8(tr("Less ζ is better: to the left")), {}};
@@ -49,7 +49,7 @@ Figure DifferenceChart::figure() const
          differenceRows(summary(), static_cast<std::size_t>(room_px / kRow_px), locale()))
         addRow(figure, row);
     if (figure.x.least == figure.x.largest)
-        figure.x.largest = 1; // nothing differs
+        figure.x.largest = 1; // no differences
     return figure;
 }
 
@@ -59,7 +59,7 @@ void DifferenceChart::addRow(Figure& figure, const DifferenceRow& row) const
     const double low = 100 * row.relative.low;
     const double high = 100 * row.relative.high;
     figure.y.rows.push_back(utf8(row.name));
-    if (!std::isfinite(low) || !std::isfinite(high)) { // zeta of the reference can be 0
+    if (!std::isfinite(low) || !std::isfinite(high)) { // the reference may have zero zeta
         figure.y.rowEnds.push_back(utf8(u"–"_s));
         return;
     }

@@ -5,10 +5,10 @@
 namespace berg {
 
 /**
- * How each setting compares with the reference, case by case: mean difference with its 95 %
- * confidence interval, a row for each policy and as many values of tau as there is room for.
+ * Paired comparison of each setting with the reference: mean difference with its 95 % confidence
+ * interval. It has a row per policy and as many values of tau as fit.
  */
-class DifferenceChart : public StudyPicture
+class DifferenceChart : public StudyFigure
 {
     Q_OBJECT
 

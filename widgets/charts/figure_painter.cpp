@@ -14,10 +14,10 @@
 namespace berg {
 namespace {
 
-constexpr double kGap_px = 1.2; ///< of the ground's colour round a mark
+constexpr double kGap_px = 1.2; // rim around a mark in the background colour
 constexpr double kOutline_px = 1.6;
-constexpr double kTint = 0.12; ///< of a hatched area, between the lines
-constexpr double kHatch = 0.5; ///< of these
+constexpr double kTint = 0.12; // strength of a hatched area between the lines
+constexpr double kHatch = 0.5; // strength of the hatch lines
 
 QFont fontOf(FigureFont font, const Theme& theme)
 {
@@ -67,7 +67,7 @@ QColor fullColour(const Ink& ink, const Theme& theme)
     return {};
 }
 
-/** A regular polygon, its first corner `turn_rad` from straight up; `inner` < 1: a star. */
+/** Regular polygon, first corner `turn_rad` clockwise from the top; `inner` < 1 makes a star. */
 QPolygonF corners(const QPointF& at, double radius_px, int count, double turn_rad = 0,
                   double inner = 1)
 {
@@ -95,7 +95,7 @@ void paintLine(QPainter& painter, const DrawnLine& line, const Theme& theme)
     const Qt::PenCapStyle cap = line.width_px < 2 ? Qt::FlatCap : Qt::RoundCap;
     QPen pen(inkColour(line.ink, theme), line.width_px, Qt::SolidLine, cap, Qt::RoundJoin);
     if (!line.dash_px.empty()) {
-        QList<qreal> dashes; // in widths of the pen
+        QList<qreal> dashes; // in units of the pen width
         for (const double dash_px : line.dash_px)
             dashes << dash_px / line.width_px;
         pen.setDashPattern(dashes);
@@ -123,7 +123,7 @@ void paintArea(QPainter& painter, const DrawnArea& area, const Theme& theme)
 
 void paintText(QPainter& painter, const DrawnText& text, const Theme& theme)
 {
-    const bool isLong = text.font == FigureFont::Body; // what there is in place of a picture
+    const bool isLong = text.font == FigureFont::Body; // the message of an empty figure
     painter.setFont(fontOf(text.font, theme));
     painter.setPen(inkColour(text.ink, theme));
     const Qt::AlignmentFlag align = text.align == TextAlign::Left    ? Qt::AlignLeft
@@ -231,7 +231,7 @@ void paintFrame(QPainter& painter, const Drawing& drawing, const Theme& theme)
     const PainterState saved(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    if (!drawing.grid.empty()) // the axis
+    if (!drawing.grid.empty()) // the last grid line is the axis
         paintLine(painter, drawing.grid.back(), theme);
     for (const DrawnLine& line : drawing.over)
         paintLine(painter, line, theme);

@@ -7,21 +7,24 @@
 
 namespace berg {
 
-// Figures on screen and paper, in the colours and fonts of a theme.
+// Paints figures on screen and paper in the colours and fonts of a theme.
 
+/** Colour of an ink, faded towards the chart's background by its strength. */
 [[nodiscard]] QColor inkColour(const Ink& ink, const Theme& theme);
 
-/** Sizes of texts in the theme's fonts. The theme is copied. */
+/** Text measurement in the theme's fonts. The theme is copied. */
 [[nodiscard]] FigureFonts figureFonts(const Theme& theme);
 
+/** Qt values of figure coordinates, which are pixels as well. */
 [[nodiscard]] QPointF toQt(const Pixel& pixel);
 [[nodiscard]] QRectF toQt(const PixelRect& rect);
 
+/** Paints a plot mark at a point. */
 void paintMark(QPainter& painter, const QPointF& at, const PlotMark& mark, const Theme& theme);
 
-/** All of it but the ground; the painter is left as it was. */
+/** Paints the drawing without its background; restores the painter. */
 void paintDrawing(QPainter& painter, const Drawing& drawing, const Theme& theme);
-/** What is round and over the lines, which something else has painted. */
+/** Paints texts and lines around and above data lines that were painted otherwise. */
 void paintFrame(QPainter& painter, const Drawing& drawing, const Theme& theme);
 
 } // namespace berg

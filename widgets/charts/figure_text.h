@@ -12,13 +12,15 @@
 
 namespace berg {
 
-// Texts of the window for figures.
+// Texts for figures, formatted as in the window.
 
+/** UTF-8 text of a figure. */
 [[nodiscard]] inline std::string utf8(const QString& text)
 {
     return text.toStdString();
 }
 
+/** UTF-8 lines of a figure. */
 [[nodiscard]] inline std::vector<std::string> utf8(const QStringList& lines)
 {
     std::vector<std::string> out;
@@ -27,14 +29,14 @@ namespace berg {
     return out;
 }
 
-/** How the numbers of an axis are written. */
+/** Number format of an axis. */
 [[nodiscard]] inline std::function<std::string(double, int)> numberText(const QLocale& locale)
 {
     return
         [locale](double value, int decimals) { return utf8(fixedText(value, decimals, locale)); };
 }
 
-/** Along the instants of a run, with `title` if they are UTC and `elapsedTitle` if they are not. */
+/** Time axis of a run, with `title` for UTC and `elapsedTitle` for elapsed time. */
 [[nodiscard]] inline PlotAxis timeAxis(const MissionClock& clock, double from_s, double to_s,
                                        const QString& title, const QString& elapsedTitle)
 {

@@ -16,9 +16,9 @@
 namespace berg {
 namespace {
 
-constexpr double kReach_px = 16; ///< of the pointer
+constexpr double kReach_px = 16; // reach of the pointer
 const PlotMark kChosenMark{.at = {}, .radius_px = 8, .shape = MarkShape::Ring};
-constexpr double kBoxGap_px = 14; ///< between a point and its read-out
+constexpr double kBoxGap_px = 14; // distance of a readout from its point
 constexpr double kBoxMargin_px = 7;
 constexpr double kLine_px = 16;
 
@@ -185,7 +185,7 @@ void FigureView::contextMenuEvent(QContextMenuEvent* event)
     menu->popup(event->globalPos());
 }
 
-/** What is read at each of its items, in the order of the arrow keys. */
+/** Shows the readouts of all items as a table, in the order of the arrow keys. */
 void FigureView::showValues()
 {
     std::vector<std::pair<QString, QString>> rows;
@@ -202,12 +202,11 @@ void FigureView::showValues()
                           [rows = std::move(rows)](int row, int column) {
                               const auto& [point, values] = rows[static_cast<std::size_t>(row)];
                               return column == 0 ? point : values;
-                          },
-                      .sortKey = {}},
+                          }},
                      this);
 }
 
-/** Beside the point, on the side where there is room. */
+/** Paints the readout beside its point, on the side with room. */
 void FigureView::paintReadout(QPainter& painter, const DrawnItem& item) const
 {
     const FigureFonts fonts = figureFonts(m_theme);

@@ -7,8 +7,8 @@
 namespace berg {
 
 /**
- * A figure on the screen: laid out for the size there is, its items are read under the pointer,
- * clicked, and walked through with the arrow keys.
+ * A figure on the screen, laid out for the widget's size. Its items show their values under the
+ * pointer, can be clicked, and are selected with the arrow keys.
  */
 class FigureView : public QWidget
 {
@@ -19,28 +19,28 @@ public:
 
     void setTheme(const Theme& theme);
     [[nodiscard]] const Theme& theme() const { return m_theme; }
-    /** Title in a row of its own: for figures that stand alone. */
+    /** Shows the title in a row of its own, for figures that stand alone. */
     void setTitleShown(bool shown);
-    /** The item that stands out. */
+    /** Highlights an item; nullopt highlights none. */
     void setChosen(std::optional<std::size_t> item);
     [[nodiscard]] std::optional<std::size_t> chosen() const { return m_chosen; }
 
-    /** As laid out. */
+    /** Present layout. */
     [[nodiscard]] const Drawing& drawing() const { return m_drawing; }
-    /** Everything but focus and pointer, as on the screen. */
+    /** Paints the figure as on the screen, without focus frame and hover readout. */
     void paintPicture(QPainter& painter) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {480, 240}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 150}; }
 
 signals:
-    /** By the arrow keys. */
+    /** An item was selected by the arrow keys. */
     void itemChosen(std::size_t item);
-    /** Clicked, or Return. */
+    /** An item was clicked, or confirmed by Return. */
     void itemActivated(std::size_t item);
 
 protected:
-    /** What is shown; the title goes when it is not to be shown. */
+    /** Content of the figure; the view drops its title if titles are not shown. */
     [[nodiscard]] virtual Figure figure() const = 0;
 
     bool event(QEvent* event) override;
@@ -51,9 +51,9 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
-    /** After anything that the figure depends on has changed. */
+    /** Call it after a change of anything that the figure depends on. */
     void refresh();
-    /** An item that there may be no longer is neither chosen nor hovered. */
+    /** Clears selection and hover of items with an id of `from` or more, which may be gone. */
     void forgetItems(std::size_t from);
     [[nodiscard]] std::optional<std::size_t> hovered() const { return m_hovered; }
 
@@ -69,7 +69,7 @@ private:
     bool m_titleShown = false;
     std::optional<std::size_t> m_chosen;
     std::optional<std::size_t> m_hovered;
-    QAction* m_values; ///< shows them as a table
+    QAction* m_values; ///< action that shows the values as a table
 };
 
 } // namespace berg

@@ -21,12 +21,12 @@ struct MissionCharts
 
 struct ChartKindNames
 {
-    const char* inLists; ///< English
+    const char* inLists; ///< English text
     const char* inFiles;
 };
 
 constexpr std::array<ChartKindNames, kChartKinds.size()> kKindNames{{
-    // as `ChartKind`
+    // in the order of `ChartKind`
     {QT_TRANSLATE_NOOP("MissionCharts", "Zeta and sum of σ"), "zeta"},
     {QT_TRANSLATE_NOOP("MissionCharts", "Rate of zeta"), "zeta-rate"},
     {QT_TRANSLATE_NOOP("MissionCharts", "σ of each iceberg"), "sigma"},
@@ -49,7 +49,7 @@ QString squareMetres()
     return MissionCharts::tr("m²");
 }
 
-QString zetaUnit()
+QString squareMetreSeconds()
 {
     return MissionCharts::tr("m² s");
 }
@@ -63,14 +63,14 @@ TimeLine sumOfSigma()
             .key = u"sigma_sum_m2"_s};
 }
 
-constexpr std::size_t kWeightedLine = 2; // of the chart of zeta, with an asset
+constexpr std::size_t kWeightedLine = 2; // index in the chart of zeta, with an asset
 
 bool hasAsset(const FlightRecord& record)
 {
     return record.now.asset.has_value();
 }
 
-/** What is planned by; zeta stays that of the sum without weights. */
+/** Line of the planning objective; zeta remains the integral of the unweighted sum. */
 TimeLine weightedSum()
 {
     return {.label = MissionCharts::tr("Weighted"),
@@ -94,7 +94,7 @@ std::optional<TimeLine> boundOfZeta(const FlightRecord& record)
                   .points = {},
                   .role = LineRole::Bound,
                   .onRightAxis = true,
-                  .unit = zetaUnit(),
+                  .unit = squareMetreSeconds(),
                   .key = u"zeta_bound_m2s"_s};
     for (const BoundPoint& point : bound.whole->curve)
         line.points.emplace_back(point.time_s, point.zeta_m2s);
@@ -110,7 +110,7 @@ void fillZeta(TimeChartContent& content, const FlightRecord& record, const QLoca
 {
     content.title = MissionCharts::tr("Uncertainty now and accumulated");
     content.leftTitle = MissionCharts::tr("Sum of σ, m²");
-    content.rightTitle = MissionCharts::tr("Zeta ζ, m² s");
+    content.rightTitle = MissionCharts::tr("Zeta ζ, %1");
     if (!hasFlown(record))
         return;
     const QString zeta = zetaText(record.shown().metrics.zeta_m2s, locale);
@@ -119,7 +119,7 @@ void fillZeta(TimeChartContent& content, const FlightRecord& record, const QLoca
                              .role = LineRole::Accumulated,
                              .onRightAxis = true,
                              .name = MissionCharts::tr("Zeta"),
-                             .unit = zetaUnit(),
+                             .unit = squareMetreSeconds(),
                              .key = u"zeta_m2s"_s});
     content.lines.push_back(sumOfSigma());
     if (hasAsset(record))
@@ -155,8 +155,8 @@ void fillMeanSigma(TimeChartContent& content, const FlightRecord& record, const 
     content.lines.push_back(sumOfSigma());
     content.lines.back().label = MissionCharts::tr("Now");
     const Sample& last = record.history.samples.back();
-    content.summary = MissionCharts::tr("At %1 zeta grows by %2 m² s each second, since take-off "
-                                        "by %3 on average.")
+    content.summary = MissionCharts::tr("At %1 zeta grows by %2 m² s per second; the mean since "
+                                        "take-off is %3.")
                           .arg(atTime(record), significantText(last.sigmaSum_m2, 3, locale),
                                significantText(meanSigma_m2(last), 3, locale));
 }
@@ -214,8 +214,8 @@ TimeChartContent emptyChart(ChartKind kind, const FlightRecord& record, const QL
     content.clock = clockOf(record.scenario);
     if (record.instant)
         content.cursor_s = record.instant->time_s;
-    content.emptyText = MissionCharts::tr("Nothing flown yet: Space flies the plan");
-    // Sigma drops to 0 at each visit of an iceberg: the marks would say it again.
+    content.emptyText = MissionCharts::tr("Nothing flown yet. Press Space to fly the plan");
+    // Sigma drops to zero at each visit, so marks would repeat that.
     if (kind != ChartKind::Sigma) {
         content.marks_s = visitTimes_s(record);
         content.marksTitle = MissionCharts::tr("iceberg reached");
@@ -252,7 +252,7 @@ std::optional<double> chartValue(ChartKind kind, const FlightRecord& record, std
     case ChartKind::Zeta:
         if (line == kWeightedLine && hasAsset(record))
             return sample.weightedSum_m2;
-        if (line > 1) // the bound has points of its own
+        if (line > 1) // the bound has its own points
             return std::nullopt;
         return isFirst ? sample.zeta_m2s : sample.sigmaSum_m2;
     case ChartKind::MeanSigma:

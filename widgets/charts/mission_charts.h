@@ -9,41 +9,42 @@
 
 namespace berg {
 
-/** What of a mission a chart shows over time. */
+/** Quantity of a mission shown over time. */
 enum class ChartKind
 {
-    Zeta,       ///< zeta and the sum of sigma, with an asset that by priority too
-    MeanSigma,  ///< sum of sigma, which is the rate of zeta (Eq. (24)), and its mean since take-off
-    Sigma,      ///< of each iceberg
-    Distance,   ///< through the air; of several UAVs in all, and of each
-    TurnRate,   ///< of each UAV, with its limits
-    CrossTrack, ///< error of the path following, of each UAV
+    Zeta,       ///< zeta and the sum of sigma; with an asset also the weighted sum
+    MeanSigma,  ///< sum of sigma, the rate of zeta (Eq. (24)), and its mean since take-off
+    Sigma,      ///< sigma of each iceberg
+    Distance,   ///< distance through the air, total and per UAV
+    TurnRate,   ///< turn rate of each UAV, with its limits
+    CrossTrack, ///< path following error of each UAV
 };
+/** All kinds, in their order. */
 inline constexpr std::array kChartKinds = {ChartKind::Zeta,     ChartKind::MeanSigma,
                                            ChartKind::Sigma,    ChartKind::Distance,
                                            ChartKind::TurnRate, ChartKind::CrossTrack};
 
-/** The instant of take-off alone is no line yet. */
+/** Returns whether the record has more than the instant of take-off. */
 [[nodiscard]] bool hasFlown(const FlightRecord& record);
 
-/** In lists of charts. */
+/** Translated name of a chart. */
 [[nodiscard]] QString chartKindName(ChartKind kind);
-/** In names of files, ASCII: "zeta". */
+/** ASCII part of file names, for example "zeta". */
 [[nodiscard]] QString chartFileStem(ChartKind kind);
 
 /**
- * Everything but the points, which `chartValue` has: titles, lines with their names and columns,
- * limits, visits as marks. No lines when nothing has been flown. The bound of zeta, the last line
- * of its chart when it is known, comes with its points, over the whole run.
+ * Chart without points, which `chartValue` supplies: titles, lines with names and columns, limits,
+ * visits as marks. There are no lines before the flight. The lower bound on zeta, if known, is the
+ * last line and has its points, over the whole run.
  */
 [[nodiscard]] TimeChartContent emptyChart(ChartKind kind, const FlightRecord& record,
                                           const QLocale& locale);
 
-/** What line `line` of `emptyChart` shows at sample `row`, unit of its axis; none: no point. */
+/** Value of line `line` of `emptyChart` at sample `row`, unit of its axis; nullopt if none. */
 [[nodiscard]] std::optional<double> chartValue(ChartKind kind, const FlightRecord& record,
                                                std::size_t row, std::size_t line);
 
-/** The whole chart with a point for every sample. Cost: linear in the record. */
+/** Complete chart with a point for every sample. Cost: linear in the record. */
 [[nodiscard]] TimeChartContent missionChart(ChartKind kind, const FlightRecord& record,
                                             const QLocale& locale);
 

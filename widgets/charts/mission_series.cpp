@@ -18,7 +18,7 @@ struct MissionSeriesText
     Q_DECLARE_TR_FUNCTIONS(MissionSeriesText)
 };
 
-/** What a column is called where its line cannot be seen. */
+/** Column title with name and unit. */
 QString headerOf(const TimeLine& line)
 {
     return line.unit.isEmpty() ? line.shownName() : u"%1, %2"_s.arg(line.shownName(), line.unit);
@@ -45,7 +45,7 @@ void MissionSeries::update(const FlightRecord& record, std::size_t lines)
     m_rewrites = record.history.rewrites;
     m_lines.resize(std::max(m_lines.size(), lines));
     if (lines == 0)
-        return; // nothing flown: the first sample comes with the second
+        return; // before the flight: the first sample is added with the second
     for (std::size_t row = m_times_s.size(); row < samples.size(); ++row) {
         m_times_s.push_back(samples[row].time_s);
         for (std::size_t i = 0; i < lines; ++i)
@@ -94,8 +94,7 @@ CellSheet MissionSeries::values(const TimeChartContent& content, const QLocale& 
     constexpr int kDigits = 4;
     CellSheet values{.titles = {MissionSeriesText::tr("Time")},
                      .rows = static_cast<int>(m_times_s.size()),
-                     .text = {},
-                     .sortKey = {}};
+                     .text = {}};
     std::vector<std::vector<QPointF>> lines;
     std::vector<QList<QPointF>> own;
     for (std::size_t i = 0; i < content.lines.size(); ++i) {

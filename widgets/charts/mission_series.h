@@ -9,8 +9,8 @@
 namespace berg {
 
 /**
- * The points of one chart of a mission that is being flown: takes from the record what is new, and
- * starts anew when the record does or when an end that was known is given up.
+ * Points of one chart of a mission in progress. It only adds new samples of the record, and starts
+ * again if the record was replaced or its known end was revised.
  */
 class MissionSeries
 {
@@ -19,22 +19,22 @@ public:
 
     [[nodiscard]] ChartKind kind() const { return m_kind; }
 
-    /** Whether the record holds what was taken and perhaps more. */
+    /** Returns whether the record extends the samples added so far. */
     [[nodiscard]] bool isContinuedBy(const FlightRecord& record) const;
 
-    /** For `lines` lines, those of `emptyChart`. Cost: linear in the samples that are new. */
+    /** Adds new samples for `lines` lines of `emptyChart`. Cost: linear in new samples. */
     void update(const FlightRecord& record, std::size_t lines);
 
-    /** `content` of `emptyChart` with all points of that stretch of time, thinned. */
+    /** Sets the points of `content`, from `emptyChart`, in this window, thinned. */
     void fill(TimeChartContent& content, const DecimationWindow& window) const;
 
     /**
-     * Every sample as a table: RFC 4180, UTF-8, '.' decimals, a header row with units, the time
-     * first; no value: an empty field. `content` names the columns.
+     * Table of all samples as CSV: RFC 4180, UTF-8, '.' decimals, a header row with units, time
+     * first; a missing value is an empty field. `content` names the columns.
      */
     [[nodiscard]] std::string csv(const TimeChartContent& content) const;
 
-    /** The same to be read on screen. */
+    /** Table of all samples for display. */
     [[nodiscard]] CellSheet values(const TimeChartContent& content, const QLocale& locale) const;
 
 private:

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kPlan_px = 3.6;
 constexpr double kPresent_px = 7;
-constexpr int kRoomForEnds_px = 310; ///< to name the ends of the front
-constexpr double kEndGap_px = 12;    ///< between a name and its end
-constexpr double kTopGap_px = 15;    ///< between the upper end and the middle of its name
+constexpr int kRoomForEnds_px = 310; // width required to name the ends of the front
+constexpr double kEndGap_px = 12;    // distance of a name from its end
+constexpr double kTopGap_px = 15;    // distance of the upper end from the middle of its name
 
 PlotPoint placeOf(const CurveInterval& interval)
 {
@@ -24,7 +24,7 @@ PlotPoint placeOf(const CurveInterval& interval)
 ParetoChart::ParetoChart(const Theme& theme, QWidget* parent) : FigureView(theme, parent)
 {
     connect(this, &FigureView::itemActivated, this, [this](std::size_t plan) {
-        setChosen({}); // the present plan stands out by itself
+        setChosen({}); // the present plan is already highlighted
         choose(shortTau(m_curve.intervals[plan]));
     });
     setTitleShown(true);
@@ -56,7 +56,7 @@ Figure ParetoChart::figure() const
         figure.emptyText = m_curve.complete ? utf8(tr("No icebergs to plan for")) : computing;
         return figure;
     }
-    // Along the curve both go down.
+    // Distance and reward both decrease along the curve.
     const PlotPoint least = placeOf(plans.back());
     const PlotPoint largest = placeOf(plans.front());
     figure.x = {.least = least.x,
@@ -77,7 +77,7 @@ Figure ParetoChart::figure() const
 
 void ParetoChart::addPlans(Figure& figure) const
 {
-    // The plans of an unfinished curve are not yet those that are flown.
+    // The plans of an incomplete curve are not yet used in flight.
     const int present = m_curve.complete ? presentInterval(m_curve, m_tau) : -1;
     PlotLine front{.points = {}, .ink = {.of = InkOf::Plan, .strength = 0.6}, .width_px = 1.2};
     for (const CurveInterval& plan : m_curve.intervals) {
@@ -101,7 +101,7 @@ void ParetoChart::addPlans(Figure& figure) const
     figure.lines.push_back(std::move(front));
 }
 
-/** What the two ends of the front are; above and right of it there is room. */
+/** Names the two ends of the front, where there is room above and to the right. */
 void ParetoChart::addEnds(Figure& figure) const
 {
     if (m_curve.intervals.size() < 2 || width() < kRoomForEnds_px)
@@ -124,7 +124,7 @@ void ParetoChart::addEnds(Figure& figure) const
 
 void ParetoChart::keyPressEvent(QKeyEvent* event)
 {
-    // To the right paths get longer.
+    // Paths get longer to the right.
     switch (event->key()) {
     case Qt::Key_Left:
     case Qt::Key_Down:
@@ -132,7 +132,7 @@ void ParetoChart::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Right:
     case Qt::Key_Up:
         return choose(tauOfPreviousPlan(m_curve, m_tau));
-    default:                           // not the marks, which the keys of a figure walk through
+    default:                           // skips the item selection of `FigureView`
         QWidget::keyPressEvent(event); // NOLINT(bugprone-parent-virtual-call)
     }
 }

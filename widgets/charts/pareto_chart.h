@@ -6,9 +6,9 @@
 namespace berg {
 
 /**
- * What can be had for what: distance of every optimal plan against its uncertainty reward, the
- * supported Pareto front of Eq. (1). The present plan stands out, unproven ones are hollow; a click
- * or an arrow key chooses another one. Holds nothing of its own.
+ * Trade-off of all optimal plans: distance against uncertainty reward, the supported Pareto front
+ * of Eq. (1). The present plan stands out, unproven plans are hollow; a click or an arrow key
+ * chooses another one, which only emits a signal.
  */
 class ParetoChart : public FigureView
 {
@@ -17,12 +17,13 @@ class ParetoChart : public FigureView
 public:
     explicit ParetoChart(const Theme& theme, QWidget* parent = nullptr);
 
-    /** Its plans are the items, in its order. */
+    /** Sets the curve, whose plans are the items, in its order. */
     void setCurve(const TauCurve& curve);
+    /** Sets the present tau, whose plan stands out. */
     void setTau(double tau);
 
 signals:
-    /** The user wants the plan that is best for this tau. */
+    /** The user chose the plan that is optimal for this tau. */
     void tauChosen(double tau);
 
 protected:

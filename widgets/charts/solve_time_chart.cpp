@@ -12,16 +12,16 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kShortest_s = 1e-6; ///< what is shorter is drawn there
+constexpr double kShortest_s = 1e-6; // shorter times are drawn here
 constexpr double kMarker_px = 3.4;
 
-/** Context of the texts of free functions, which lupdate would leave out. */
+/** Translation context of free functions, which lupdate would otherwise omit. */
 struct SolveTimeText
 {
     Q_DECLARE_TR_FUNCTIONS(SolveTimeText)
 };
 
-/** Three digits, in the unit that suits. */
+/** Time with three digits in a suitable unit. */
 QString timeText(double time_s, const QLocale& locale)
 {
     if (time_s < 1e-3)
@@ -31,7 +31,7 @@ QString timeText(double time_s, const QLocale& locale)
     return SolveTimeText::tr("%1 s").arg(significantText(time_s, 3, locale));
 }
 
-/** A power of ten, without digits that say nothing. */
+/** Power of ten without redundant digits. */
 QString powerText(double time_s, const QLocale& locale)
 {
     const double power = std::round(std::log10(time_s));

@@ -8,37 +8,37 @@
 
 namespace berg {
 
-/** Times of one size, seconds. */
+/** Solution times for one number of icebergs, seconds. */
 struct SolveTimePoint
 {
     int icebergs = 0;
-    double middle_s = 0; ///< median; the paper's are averages
+    double middle_s = 0; ///< median; the paper's values are averages
     double worst_s = 0;
-    int instances = 0; ///< 0: unknown (the paper)
+    int instances = 0; ///< zero if unknown (the paper)
     int proven = 0;
-    bool complete = true; ///< none was cut by the budget
+    bool complete = true; ///< no run was stopped by the time budget
 };
 
-/** One contestant; without a `solver` the paper's CPLEX. */
+/** Line of one solver; without a `solver` it is the paper's CPLEX. */
 struct SolveTimeLine
 {
     std::optional<BenchmarkSolver> solver;
     std::vector<SolveTimePoint> points; ///< ascending sizes
 };
 
-/** The paper's times first, then a line for each solver that has times, in order of appearance. */
+/** The paper's times first, then a line per solver with times, in order of appearance. */
 [[nodiscard]] std::vector<SolveTimeLine> solveTimeLines(const std::vector<BenchmarkRow>& rows);
 
-/** Name of a contestant in the user's words. */
+/** Translated name of a solver. */
 [[nodiscard]] QString benchmarkSolverName(const BenchmarkSolver& solver);
-/** Colour of its line; of the paper's without a solver. At least 3 : 1 on the chart. */
+/** Colour of a solver's line, without a solver that of the paper; contrast at least 3 : 1. */
 [[nodiscard]] QColor benchmarkSolverColour(const std::optional<BenchmarkSolver>& solver,
                                            const Theme& theme);
 
 /**
- * Solution time against the number of icebergs on a logarithmic axis, as Figure 3 of the paper:
- * the median of each solver with a marker at each size, hollow where the budget cut some, the worst
- * dashed; average and worst of the paper's CPLEX in grey. Lines are labelled where they end.
+ * Solution time against the number of icebergs on a logarithmic axis, as in Figure 3 of the paper:
+ * the median of each solver with a marker per size, hollow if the budget stopped a run, the worst
+ * time dashed; average and worst of the paper's CPLEX in grey. Lines are labelled at their ends.
  */
 class SolveTimeChart : public FigureView
 {

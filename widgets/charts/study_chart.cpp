@@ -11,16 +11,16 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kColumnGap_px = 36; ///< between the largest tau and the policies
-constexpr double kSlot_px = 14;      ///< for each policy
+constexpr double kColumnGap_px = 36; // distance of the policies from the largest tau
+constexpr double kSlot_px = 14;      // width per policy
 constexpr double kPoint_px = 3.2;
 constexpr double kLowest_px = 5.5;
 constexpr double kMark_px = 5;
 constexpr double kReference_px = 7.5;
-constexpr double kBand = 0.16;          ///< part of the curve's colour in the band
-constexpr double kFaint = 0.55;         ///< of a policy's in its line
-constexpr double kRoomForPoints_px = 7; ///< between two of them
-constexpr double kBeside_px = 250;      ///< numbers, names
+constexpr double kBand = 0.16;          // colour strength of the band
+constexpr double kFaint = 0.55;         // colour strength of policy lines
+constexpr double kRoomForPoints_px = 7; // smallest distance of two marks
+constexpr double kBeside_px = 250;      // width taken by numbers and names
 
 std::vector<PlotPoint> curveOf(const ZetaContent& content, double Summary::*value)
 {
@@ -47,7 +47,7 @@ void includeAll(PlotAxis& axis, const ZetaContent& content)
         include(axis, *content.bestTau_m2s);
 }
 
-/** A ring round the reference, and where it is on the axis. */
+/** Marks the reference by a ring, and its place on the axis by a line. */
 void addReference(Figure& figure, const PlotPoint& at)
 {
     PlotPoint foot = at;
@@ -63,19 +63,19 @@ void addReference(Figure& figure, const PlotPoint& at)
 
 } // namespace
 
-void StudyPicture::setResult(const StudyPointer& result)
+void StudyFigure::setResult(const StudyPointer& result)
 {
     m_result = result;
     forgetItems(result ? result->summary.settings.size() : 0);
     refresh();
 }
 
-QString StudyPicture::nameOfSetting(std::size_t setting) const
+QString StudyFigure::nameOfSetting(std::size_t setting) const
 {
     return settingText(summary().settings[setting].setting, locale());
 }
 
-Figure StudyPicture::titled(const QString& name, const QString& emptyText) const
+Figure StudyFigure::titled(const QString& name, const QString& emptyText) const
 {
     Figure figure{.name = utf8(name)};
     if (!hasCases()) {
@@ -92,7 +92,7 @@ Figure StudyPicture::titled(const QString& name, const QString& emptyText) const
     return figure;
 }
 
-StudyChart::StudyChart(const Theme& theme, QWidget* parent) : StudyPicture(theme, parent)
+StudyChart::StudyChart(const Theme& theme, QWidget* parent) : StudyFigure(theme, parent)
 {
     refresh();
 }
@@ -101,7 +101,7 @@ Figure StudyChart::figure() const
 {
     Figure figure =
         titled(tr("Accumulated uncertainty ζ against the trade-off τ"),
-               tr("Choose what to fly and press Start, or take a figure of the paper."));
+               tr("Choose what to fly and press Start, or load a figure from the paper."));
     if (!hasCases())
         return figure;
     const ZetaContent content = zetaContent(summary(), locale());
@@ -110,6 +110,9 @@ Figure StudyChart::figure() const
     figure.y = {
         .least = lowest_m2s, .largest = lowest_m2s, .spacing_px = 36, .text = numberText(locale())};
     includeAll(figure.y, content);
+    const ShownUnit unit = zetaUnit(figure.y.largest);
+    figure.y.inUnit = unit.inSi;
+    figure.leftTitles = {utf8((hasSpread() ? tr("Mean ζ, %1") : tr("Zeta ζ, %1")).arg(unit.name))};
     addCurve(figure, content);
     addPolicies(figure, content);
     return figure;
@@ -117,7 +120,6 @@ Figure StudyChart::figure() const
 
 void StudyChart::addTitles(Figure& figure, const ZetaContent& content) const
 {
-    figure.leftTitles = {utf8(hasSpread() ? tr("Mean ζ, m² s") : tr("Zeta ζ, m² s"))};
     const bool isTau = !content.lowestTau || content.lowestTau == content.lowest;
     const QString lowest =
         isTau ? tr("Lowest: %1.").arg(nameOfSetting(content.lowest))
@@ -173,7 +175,7 @@ void StudyChart::addCurve(Figure& figure, const ZetaContent& content) const
     }
 }
 
-/** Lines across, with their marks right of the curve and their names in the margin. */
+/** Adds horizontal lines of the policies, marks right of the curve, and names in the margin. */
 void StudyChart::addPolicies(Figure& figure, const ZetaContent& content) const
 {
     const auto count = static_cast<double>(content.policies.size());
@@ -185,7 +187,7 @@ void StudyChart::addPolicies(Figure& figure, const ZetaContent& content) const
                       .width_px = 1.2};
         if (ink.of == InkOf::Plan)
             line = {.points = line.points, .ink = ink, .width_px = 1.4, .dash_px = {1.4, 4.2}};
-        figure.lines.insert(figure.lines.begin(), std::move(line)); // below the curve
+        figure.lines.insert(figure.lines.begin(), std::move(line)); // drawn below the curve
         figure.labels.push_back({.text = utf8(name), .end = {kPlotEdge, zeta_m2s}, .ink = ink});
     };
     double slot_px = -kSlot_px * (count - 0.5);
@@ -227,7 +229,7 @@ std::vector<std::string> StudyChart::readout(std::size_t setting) const
         lines << (hasSpread() ? tr("stuck in %1 of %2 cases")
                                     .arg(std::lround(of.stuckShare * cases))
                                     .arg(summary().cases.size())
-                              : tr("stuck: flies to two icebergs at most in the second half"));
+                              : tr("stuck: visits at most two icebergs in the second half"));
     }
     return utf8(lines);
 }

@@ -6,15 +6,15 @@
 
 namespace berg {
 
-/** What the figures of a study have in common: their items are its settings. */
-class StudyPicture : public FigureView
+/** Base of the figures of a study, whose items are the study's settings. */
+class StudyFigure : public FigureView
 {
     Q_OBJECT
 
 public:
     using FigureView::FigureView;
 
-    /** Null: none yet. */
+    /** Sets the result; null if there is none yet. */
     void setResult(const StudyPointer& result);
     [[nodiscard]] QSize sizeHint() const override { return {720, 320}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {360, 190}; }
@@ -25,7 +25,7 @@ protected:
     [[nodiscard]] bool hasSpread() const { return summary().cases.size() > 1; }
     [[nodiscard]] QString nameOfSetting(std::size_t setting) const;
     [[nodiscard]] QString nameOfReference() const { return nameOfSetting(summary().reference); }
-    /** With "Grand Banks, 100 cases", what was flown, as title; without cases with `emptyText`. */
+    /** Figure with title such as "Grand Banks, 100 cases", or with `emptyText` without cases. */
     [[nodiscard]] Figure titled(const QString& name, const QString& emptyText) const;
 
 private:
@@ -33,11 +33,11 @@ private:
 };
 
 /**
- * zeta against tau, as Figure 4 of the paper: mean with a band between the quartiles, median
- * dashed; of a single case the points alone. The other policies are horizontal lines with their
- * marks right of the largest tau, the shortest path marked TSP as there. Less is better.
+ * zeta against tau, as in Figure 4 of the paper: mean with a band between the quartiles, median
+ * dashed; points only for a single case. The other policies are horizontal lines with marks right
+ * of the largest tau; the shortest path is labelled TSP as in the paper. Less is better.
  */
-class StudyChart : public StudyPicture
+class StudyChart : public StudyFigure
 {
     Q_OBJECT
 

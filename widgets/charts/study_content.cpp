@@ -29,7 +29,7 @@ DifferenceRow rowOf(const StudySummary& summary, std::size_t setting, const QLoc
             .isReference = setting == summary.reference};
 }
 
-/** Evenly spread ones of `all`, at most `most`, those that are `kept` always. */
+/** Thins `all` evenly to at most `most` rows; rows accepted by `kept` always remain. */
 template <class Kept>
 std::vector<DifferenceRow> thinned(const std::vector<DifferenceRow>& all, std::size_t most,
                                    const Kept& kept)
@@ -83,7 +83,7 @@ ZetaContent zetaContent(const StudySummary& summary, const QLocale& locale)
         content.policies.begin(), content.policies.end(),
         [](const ZetaPoint& a, const ZetaPoint& b) { return a.zeta_m2s.mean < b.zeta_m2s.mean; });
     if (summary.bestTau &&
-        summary.cases.size() > 1) // of one case it is the lowest point of the curve
+        summary.cases.size() > 1) // for a single case it is the lowest point of the curve
         content.bestTau_m2s = summary.bestTau->zeta_m2s.mean;
     return content;
 }

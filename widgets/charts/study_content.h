@@ -13,30 +13,31 @@
 
 namespace berg {
 
-/** The mark of a policy on nothing, for lists; sharp on screens of high density. */
+/** Mark of a policy on a transparent pixmap, for lists; sharp on high-density screens. */
 [[nodiscard]] QPixmap policyMark(PolicyKind policy, const Theme& theme, int size_px);
 
-/** One setting as a picture shows it. */
+/** Result of one setting for a figure. */
 struct ZetaPoint
 {
-    std::size_t setting = 0; ///< index, as `settingsOf`
+    std::size_t setting = 0; ///< index as in `settingsOf`
     StudySetting of;
     QString name;
     Summary zeta_m2s;
 };
 
-/** zeta against tau and policy, as plain values. */
+/** zeta by tau and by policy, as plain values. */
 struct ZetaContent
 {
     std::vector<ZetaPoint> curve;         ///< ascending tau
     std::vector<ZetaPoint> policies;      ///< ascending mean
-    std::size_t lowest = 0;               ///< setting of the least mean
-    std::optional<std::size_t> lowestTau; ///< of those with a tau
-    std::optional<double> bestTau_m2s;    ///< mean with the best tau of each case, in hindsight
+    std::size_t lowest = 0;               ///< setting with the smallest mean
+    std::optional<std::size_t> lowestTau; ///< setting with the smallest mean among those with a tau
+    std::optional<double> bestTau_m2s; ///< mean with the best tau of each case, chosen in hindsight
 };
+/** Content of the chart of zeta; empty if the study has no cases. */
 [[nodiscard]] ZetaContent zetaContent(const StudySummary& summary, const QLocale& locale);
 
-/** A setting against the reference, shares of its zeta. */
+/** Difference of a setting from the reference, relative to the reference's zeta. */
 struct DifferenceRow
 {
     std::size_t setting = 0;
@@ -47,8 +48,8 @@ struct DifferenceRow
 };
 
 /**
- * Paired differences, policies by their mean, then values of tau: at most `most` rows, tau thinned
- * evenly, with the reference and the lowest.
+ * Paired differences: policies by mean, then values of tau. At most `most` rows: tau is thinned
+ * evenly, but the reference and the lowest are kept.
  */
 [[nodiscard]] std::vector<DifferenceRow> differenceRows(const StudySummary& summary,
                                                         std::size_t most, const QLocale& locale);

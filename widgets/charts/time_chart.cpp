@@ -1,7 +1,7 @@
 #include "widgets/charts/time_chart.h"
 
 #include "widgets/charts/figure_painter.h"
-#include "widgets/charts/line_look.h"
+#include "widgets/charts/line_style.h"
 #include "widgets/theme/accessible_roles.h"
 
 #include <QAreaSeries>
@@ -17,14 +17,14 @@
 namespace berg {
 namespace {
 
-constexpr qsizetype kRoundSegments = 700; // more have flat ends, or painting takes too long
+constexpr qsizetype kRoundSegments = 700; // with more, lines have flat ends for speed
 constexpr int kGradientStops = 24;
-constexpr std::size_t kSeriesAtOnce = 100; // each takes Qt 0.1 to 0.2 ms
+constexpr std::size_t kSeriesAtOnce = 100; // Qt takes 0.1 to 0.2 ms per series
 
 QValueAxis* makeAxis(QChart& chart, Qt::Alignment alignment)
 {
     auto* axis = new QValueAxis(&chart);
-    axis->setLabelsVisible(false); // ours are localised, grouped and times are mm:ss
+    axis->setLabelsVisible(false); // the chart draws localised labels itself
     axis->setLineVisible(false);
     axis->setTickType(QValueAxis::TicksDynamic);
     axis->setTickAnchor(0);
@@ -90,8 +90,8 @@ void TimeChart::setContent(const TimeChartContent& content)
     const QString text = content.summary.isEmpty() ? content.leftTitle : content.summary;
     setAccessibleDescription(hasPoints(m_content) ? text : content.emptyText);
     if (m_zoom && m_zoom->from_s >= content.duration_s && !m_following)
-        m_zoom.reset(); // another mission, which has not come that far
-    // Else the series there are get new points.
+        m_zoom.reset(); // another mission has not reached the zoomed range
+    // Existing series are reused for the new points.
     if (!hasSeriesOfKinds()) {
         chart()->removeAllSeries(); // deletes them
         m_series.clear();
@@ -100,7 +100,7 @@ void TimeChart::setContent(const TimeChartContent& content)
     layOut();
 }
 
-/** Those beyond the lines are kept without points, for the next flight. */
+/** Compares the kinds of common series; surplus series are kept without points for later. */
 bool TimeChart::hasSeriesOfKinds() const
 {
     const std::size_t both = std::min(m_content.lines.size(), m_series.size());
@@ -122,13 +122,13 @@ void TimeChart::finishSeries()
     layOut();
 }
 
-/** Of hundreds of lines a part in each turn of the event loop. */
+/** Adds a part of hundreds of series in each turn of the event loop. */
 void TimeChart::addMissingSeries()
 {
     const std::vector<TimeLine>& lines = m_content.lines;
     const std::size_t first = m_series.size();
     const std::size_t end = std::min(lines.size(), first + kSeriesAtOnce);
-    // Areas first: lines must not disappear below them.
+    // Areas are added first, so that they do not cover lines.
     for (std::size_t i = first; i < end; ++i) {
         LineSeries made{.role = lines[i].role, .onRightAxis = lines[i].onRightAxis};
         if (made.role == LineRole::Momentary) {
@@ -178,18 +178,18 @@ void TimeChart::layOut()
                                       .hasLines = false});
     chart()->setPlotArea(plot());
     for (const LineSeries& series : m_series) {
-        // Each change of an axis would lay out the points that are about to be replaced.
+        // With points, each change of an axis would lay out points that are about to be replaced.
         series.line->clear();
         if (series.area != nullptr)
             series.area->upperSeries()->clear();
     }
     setAxes();
-    chart()->layout()->invalidate(); // or the grid stays where the old plot was
+    chart()->layout()->invalidate(); // otherwise the grid stays at the old plot
     chart()->layout()->activate();
     styleLines();
     showPoints();
     placeLabels(m_figure.figure, figureFonts(m_theme), m_figure.drawing, flagsAtCursor());
-    m_picture = {};
+    m_pixmap = {};
     viewport()->update();
 }
 
@@ -208,7 +208,7 @@ void TimeChart::setAxes()
 
 void TimeChart::showPoints()
 {
-    // Qt draws each segment by itself: fewer of them are faster and join without seams.
+    // Qt draws each segment separately: fewer segments are faster and join without seams.
     for (std::size_t i = 0; i < drawnSeries(); ++i) {
         m_series[i].line->replace(m_figure.drawn[i]);
         if (m_series[i].area != nullptr)
@@ -218,7 +218,7 @@ void TimeChart::showPoints()
 
 void TimeChart::styleLines()
 {
-    // Series draw in the coordinates of the plot: the colour of sigma follows the height.
+    // Series use the coordinates of the plot, so the colour of sigma follows the height.
     QLinearGradient gradient(0, m_figure.drawing.plot.height(), 0, 0);
     QLinearGradient faint = gradient;
     for (int k = 0; k <= kGradientStops; ++k) {
@@ -229,13 +229,13 @@ void TimeChart::styleLines()
         faint.setColorAt(t, colour);
     }
     qsizetype segments = 0;
-    for (std::size_t i = 0; i < drawnSeries(); ++i) // an area costs as much as its line
+    for (std::size_t i = 0; i < drawnSeries(); ++i) // an area is as expensive as its line
         segments += m_figure.drawn[i].size() * (m_series[i].area != nullptr ? 2 : 1);
     m_plain = isCrowded(segments);
-    // Round ends join the segments, at several times the cost; where those are short, all is one.
+    // Round ends join the segments at several times the cost; many short segments do without.
     const Qt::PenCapStyle cap = segments > kRoundSegments ? Qt::FlatCap : Qt::RoundCap;
     for (std::size_t i = 0; i < drawnSeries(); ++i) {
-        // Where lines are that dense, single ones can only be told through one another.
+        // Lines that dense are translucent, so that single ones remain visible.
         const LineEmphasis emphasis = m_content.lines[i].emphasis;
         const bool isFaint =
             emphasis == LineEmphasis::Faint || (m_plain && emphasis == LineEmphasis::None);
@@ -270,15 +270,15 @@ void TimeChart::resizeEvent(QResizeEvent* event)
 void TimeChart::paintEvent(QPaintEvent* /*event*/)
 {
     const QRect rect = viewport()->rect();
-    if (m_picture.isNull() || m_picture.devicePixelRatio() != devicePixelRatioF()) {
-        m_picture = QPixmap(rect.size() * devicePixelRatioF());
-        m_picture.setDevicePixelRatio(devicePixelRatioF());
-        QPainter painter(&m_picture);
+    if (m_pixmap.isNull() || m_pixmap.devicePixelRatio() != devicePixelRatioF()) {
+        m_pixmap = QPixmap(rect.size() * devicePixelRatioF());
+        m_pixmap.setDevicePixelRatio(devicePixelRatioF());
+        QPainter painter(&m_pixmap);
         painter.setRenderHint(QPainter::Antialiasing, !m_plain);
         render(&painter, rect, rect);
     }
     QPainter painter(viewport());
-    painter.drawPixmap(0, 0, m_picture);
+    painter.drawPixmap(0, 0, m_pixmap);
     paintReadout(painter);
     if (hasFocus()) {
         painter.setPen(QPen(m_theme.plan, 1));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/charts/time_figure.h"
+#include "widgets/theme/quantity_text.h"
 #include "widgets/theme/theme.h"
 
 #include <QChartView>
@@ -18,49 +19,49 @@ class QValueAxis;
 
 namespace berg {
 
-/** The value of one line at the instant read. */
+/** Value of one line at the instant read. */
 struct ReadoutFlag
 {
     QRectF rect{};
-    QPointF at; ///< on the line
+    QPointF at; ///< point on the line
     QString text;
-    QColor colour; ///< of the line
+    QColor colour; ///< colour of the line
     QString name{};
     QString value{};
-    QString key{};         ///< of the line
-    bool isStrong = false; ///< stands out, or is the one the pointer is at
+    QString key{};         ///< key of the line
+    bool isStrong = false; ///< emphasised, or nearest to the pointer
 };
 
-/** Beside the plot: a row for each line, in one or more columns. */
+/** Layout of the values beside the plot: a row per line, in one or more columns. */
 struct ValueColumn
 {
-    double left_px = 0; ///< of the first one
+    double left_px = 0; ///< left edge of the first column
     double top_px = 0;
-    double width_px = 0; ///< of one of them
+    double width_px = 0; ///< width per column
     double row_px = 0;
-    std::size_t rows = 0;    ///< in each of them
-    std::size_t columns = 0; ///< 0: values are flags over the plot
-    bool hasUnits = false;   ///< the value, with its unit, below the name
+    std::size_t rows = 0;    ///< rows per column
+    std::size_t columns = 0; ///< zero if values are flags over the plot
+    bool hasUnits = false;   ///< value and unit are below the name
 };
 
-/** What all lines say at one instant. */
+/** Values of all lines at one instant. */
 struct ChartReadout
 {
-    std::optional<double> hover_px; ///< abscissa of the thin line; none: the cursor is there
+    std::optional<double> hover_px; ///< abscissa of the hover line; nullopt at the cursor
     QRectF timeRect;
-    QString time; ///< empty: neither pointer nor cursor, the newest values in the column
+    QString time; ///< empty without pointer and cursor: the column shows the newest values
     std::vector<ReadoutFlag> flags;
-    std::size_t more = 0; ///< for which the column has no room
+    std::size_t more = 0; ///< number of lines without room in the column
 };
 
 /**
- * Chart over time in the look of the program: no frame, light grid, times as mm:ss, the unit above
- * each axis, labels at the lines in place of a legend. Lines are decimated to the pixels there are;
+ * Chart over time in the style of the program: no frame, light grid, times as mm:ss, units above
+ * the axes, labels at the lines instead of a legend. Lines are decimated to the available pixels;
  * nothing is animated.
  *
- * The wheel zooms the time axis at the pointer; the right or middle button, or the left one with
- * Shift, pans; a double click shows all. Keys: + and -, left and right, Home for all, End for the
- * live end. What is zoomed to stays while the chart grows, or moves along when following.
+ * The wheel zooms the time axis at the pointer; the right or middle button, or Shift with the left
+ * one, pans; a double click shows all. Keys: + and - zoom, left and right pan, Home shows all, End
+ * follows the end. A zoomed window stays while the chart grows, or moves along when following.
  */
 class TimeChart : public QChartView
 {
@@ -69,52 +70,56 @@ class TimeChart : public QChartView
 public:
     explicit TimeChart(const Theme& theme, QWidget* parent = nullptr);
 
+    /** Shows this content; keeps the zoom unless it is beyond the end. */
     void setContent(const TimeChartContent& content);
-    /** Makes at once what is made in turns of the event loop: for pictures without one. */
+    /** Creates all series at once rather than over several event loop turns: for image export. */
     void finishSeries();
     void setTheme(const Theme& theme);
-    /** Without it the plot has its room: for a chart inside something that has a title. */
+    /** Shows the chart's title; without it the plot is larger. */
     void setTitleShown(bool shown);
     /**
-     * Names and values of the lines stand in a column beside the plot where the chart is wide
-     * enough for it: those at the pointer, at the cursor or the newest.
+     * Shows names and values of the lines in a column beside the plot if the chart is wide enough:
+     * values at the pointer, at the cursor, or the newest ones.
      */
     void setColumnWanted(bool wanted);
-    /** False: lines in one colour each, for files that cannot hold pens with a gradient. */
+    /** Disables gradient pens: lines get one colour each, for formats without gradients. */
     void setGradients(bool wanted);
     [[nodiscard]] const TimeChartContent& content() const { return m_content; }
 
-    /** What is in view. */
+    /** Time range in view. */
     [[nodiscard]] TimeWindow window() const { return windowFor(m_content.duration_s); }
-    /** What would be in view of a content of that length. */
+    /** Time range that would be in view for a content of that length. */
     [[nodiscard]] TimeWindow windowFor(double duration_s) const;
-    /** Number of columns for which lines are worth having points. */
+    /** Number of pixel columns that lines should be decimated to. */
     [[nodiscard]] int columns() const;
     [[nodiscard]] bool isZoomed() const { return m_zoom.has_value(); }
     [[nodiscard]] bool isFollowing() const { return m_zoom && m_following; }
+    /** Zooms to a time range and stops following. */
     void setWindow(const TimeWindow& window);
+    /** Shows the whole time range. */
     void showAll();
-    /** Shows the stretch that another chart of the same time shows, and follows as it does. */
+    /** Takes over the time range and following of another chart with the same time axis. */
     void shareWindow(const TimeChart& other);
-    /** On: the newest stretch, as long as the window is, at most 5 min when all was in view. */
+    /** Keeps the end in view with the present window length, 5 min if all was in view. */
     void setFollowing(bool on);
 
-    /** Series as drawn, after decimation, in the order of `content().lines`. */
+    /** Points as drawn, after decimation, in the order of `content().lines`. */
     [[nodiscard]] const std::vector<QList<QPointF>>& drawnPoints() const { return m_figure.drawn; }
-    /** Everything around the lines as drawn, for tests. */
+    /** Drawing around the lines, for tests. */
     [[nodiscard]] const Drawing& drawing() const { return m_figure.drawing; }
+    /** Rectangle of the plot in the widget. */
     [[nodiscard]] QRectF plot() const;
-    /** Values at the pointer, or at the cursor; without flags where there is nothing to read. */
+    /** Values at the pointer, or at the cursor; without flags if there is no value. */
     [[nodiscard]] ChartReadout readout() const;
 
 signals:
-    /** Pressed or dragged in the plot: the user wants to see this instant. */
+    /** The plot was pressed or dragged at this time. */
     void timePicked(double time_s);
-    /** The label in the margin, or the row, of the line of that key was pressed. */
+    /** The label in the margin, or the row, of the line with this key was pressed. */
     void linePicked(const QString& key);
-    /** The right button was let go where it was pressed, or the menu key was pressed. */
+    /** The right button was clicked without panning, or the menu key was pressed. */
     void menuRequested(const QPoint& globalPos);
-    /** Zoomed, panned, resized, or began or ceased to follow: other points may be wanted. */
+    /** Time range, size or following changed: other points may be needed. */
     void windowChanged();
 
 protected:
@@ -134,13 +139,13 @@ protected:
     void drawForeground(QPainter* painter, const QRectF& rect) override;
 
 private:
-    /** What Qt Charts draws a line with. */
+    /** Qt Charts series of a line. */
     struct LineSeries
     {
         LineRole role = LineRole::Momentary;
         bool onRightAxis = false;
         QLineSeries* line = nullptr;
-        QAreaSeries* area = nullptr; ///< below a momentary one
+        QAreaSeries* area = nullptr; ///< below a momentary line
     };
     [[nodiscard]] bool hasSeriesOfKinds() const;
     [[nodiscard]] std::size_t drawnSeries() const;
@@ -158,6 +163,8 @@ private:
                                                   ChartReadout& readout) const;
     void fillColumn(ChartReadout& readout, double time_s) const;
     void paintColumn(QPainter& painter, const ChartReadout& readout) const;
+    /** Unit of the values of a line in readouts. */
+    [[nodiscard]] ShownUnit unitOf(const TimeLine& line) const;
     [[nodiscard]] QString valueText(const TimeLine& line, double value) const;
     [[nodiscard]] ReadoutFlag flagOf(std::size_t index, const QPointF& value,
                                      double middle_px) const;
@@ -165,7 +172,7 @@ private:
     void paintReadout(QPainter& painter) const;
     void pick(const QMouseEvent& event);
     void hoverAt(std::optional<QPointF> position);
-    /** Key of the line whose label or row is there; empty: none. */
+    /** Key of the line whose label or row is at a position; empty if there is none. */
     [[nodiscard]] QString lineAt(const QPointF& position) const;
     void zoom(double factor, double anchor_s);
     void pan(double by_s);
@@ -178,20 +185,20 @@ private:
     bool m_isColumnWanted = false;
     ValueColumn m_column;
     bool m_plain = false; ///< so many segments that they are drawn thin and without smoothing
-    std::optional<TimeWindow> m_zoom; ///< none: everything; its length when following
+    std::optional<TimeWindow> m_zoom; ///< nullopt shows all; when following only its length counts
     bool m_following = false;
-    std::optional<QPointF> m_hover; ///< the pointer in the plot
+    std::optional<QPointF> m_hover; ///< position of the pointer in the plot
     bool m_picking = false;
     bool m_hasPanned = false;
-    std::optional<QPointF> m_panFrom; ///< the press, then the last place of the pointer that pans
+    std::optional<QPointF> m_panFrom; ///< position of the press, then of the last pan
     QValueAxis* m_time = nullptr;
     QValueAxis* m_left = nullptr;
     QValueAxis* m_right = nullptr;
-    std::vector<LineSeries> m_series; ///< of as many lines as have one yet
+    std::vector<LineSeries> m_series; ///< series created so far, by line
     QTimer m_nextSeries;
     TimeFigure m_figure;
-    bool m_isLaidOut = false; ///< since the window was changed
-    QPixmap m_picture;        ///< everything but the read-out; null: to be painted anew
+    bool m_isLaidOut = false; ///< since the last change of the window
+    QPixmap m_pixmap;         ///< cache of all but the readout; null if it must be painted
 };
 
 } // namespace berg

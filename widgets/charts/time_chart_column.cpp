@@ -1,5 +1,5 @@
 #include "widgets/charts/decimate.h"
-#include "widgets/charts/line_look.h"
+#include "widgets/charts/line_style.h"
 #include "widgets/charts/time_chart.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/quantity_text.h"
@@ -15,17 +15,18 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kNarrowest_px = 420; // chart with a column
-constexpr double kMostShare = 0.4;    // of its width, for one column
-constexpr double kMostOfAll = 0.5;    // for all of them
-constexpr double kEdge_px = 8;        // above, below and right of the rows
+constexpr double kNarrowest_px = 420; // smallest width of a chart with a column
+constexpr double kMostShare = 0.4;    // largest share of the width for one column
+constexpr double kMostOfAll = 0.5;    // and for all columns
+constexpr double kEdge_px = 8;        // margin above, below and right of the rows
 constexpr double kRow_px = 14;
-constexpr double kTallRow_px = 33; // of name and value
-constexpr double kMark_px = 10;    // of the colour of the line
+constexpr double kTallRow_px = 33; // row with name and value on two lines
+constexpr double kMark_px = 10;    // length of the line's colour mark
 constexpr double kMarkGap_px = 5;
-constexpr double kGap_px = 8;       // between name and value
-constexpr double kNear_px = 24;     // of the pointer to a line
-constexpr double kWidthStep_px = 4; // the plot stands while numbers get longer by less
+constexpr double kGap_px = 8;   // distance between name and value
+constexpr double kNear_px = 24; // reach of the pointer
+constexpr double kWidthStep_px =
+    4; // width steps, so that the plot keeps its width while numbers grow
 
 QFont boldSmall(const Theme& theme)
 {
@@ -36,7 +37,7 @@ QFont boldSmall(const Theme& theme)
 
 } // namespace
 
-/** Name above value with its unit where there is room for that, else one line for each. */
+/** Rows have two lines, the name above value and unit, if there is room; otherwise one. */
 ValueColumn TimeChart::columnFor(const QSizeF& size_px) const
 {
     ValueColumn column{.top_px = kEdge_px, .row_px = kRow_px};
@@ -55,9 +56,10 @@ ValueColumn TimeChart::columnFor(const QSizeF& size_px) const
         for (const QPointF& p : line.points)
             largest = std::max(largest, std::abs(p.y()));
         name_px = std::max(name_px, metrics.horizontalAdvance(line.shownName()));
-        value_px =
-            std::max(value_px, metrics.horizontalAdvance(significantText(largest, 4, locale())));
-        unit_px = std::max(unit_px, metrics.horizontalAdvance(u' ' + line.unit));
+        const ShownUnit unit = line.onRightAxis ? zetaUnit(largest) : ShownUnit{.name = line.unit};
+        const QString value = significantText(unit.fromSi(largest), 4, locale());
+        value_px = std::max(value_px, metrics.horizontalAdvance(value));
+        unit_px = std::max(unit_px, metrics.horizontalAdvance(u' ' + unit.name));
     }
     if (count == 0)
         return column;
@@ -79,7 +81,7 @@ ValueColumn TimeChart::columnFor(const QSizeF& size_px) const
     return column;
 }
 
-/** Those that have a row, in the order of the lines; of too many the ones that matter most. */
+/** Lines that get a row, in order; if there are too many, the most important ones. */
 std::vector<std::size_t> TimeChart::rowsAt(const std::vector<std::optional<QPointF>>& values,
                                            ChartReadout& readout) const
 {
@@ -87,11 +89,11 @@ std::vector<std::size_t> TimeChart::rowsAt(const std::vector<std::optional<QPoin
     const auto away_px = [&](std::size_t i) {
         return std::abs(m_figure.toView(m_content.lines[i], *values[i]).y - m_hover->y());
     };
-    if (m_hover) // those near the pointer
+    if (m_hover) // lines near the pointer first
         std::ranges::stable_sort(rows, {}, away_px);
     const std::size_t room = m_column.rows * m_column.columns;
     if (rows.size() > room) {
-        readout.more = rows.size() - (room - 1); // the last row says how many there are
+        readout.more = rows.size() - (room - 1); // the last row shows the number of hidden ones
         rows.resize(room - 1);
     }
     std::ranges::sort(rows);
@@ -104,7 +106,7 @@ void TimeChart::fillColumn(ChartReadout& readout, double time_s) const
     for (const TimeLine& line : m_content.lines) {
         values.push_back(line.isShown() ? pointAt(line.points, time_s) : std::nullopt);
         if (readout.time.isEmpty() && line.isShown() && !values.back())
-            values.back() = line.points.back(); // it ends before
+            values.back() = line.points.back(); // the line ends earlier
     }
     double nearest_px = kNear_px;
     std::optional<std::size_t> nearest;
@@ -117,7 +119,7 @@ void TimeChart::fillColumn(ChartReadout& readout, double time_s) const
                     m_column.width_px, m_column.row_px};
         row.isStrong = m_content.lines[i].emphasis == LineEmphasis::Strong;
         if (m_column.hasUnits && !m_content.lines[i].unit.isEmpty())
-            row.value += u' ' + m_content.lines[i].unit;
+            row.value += u' ' + unitOf(m_content.lines[i]).name;
         if (m_hover && std::abs(row.at.y() - m_hover->y()) < nearest_px) {
             nearest_px = std::abs(row.at.y() - m_hover->y());
             nearest = k;

@@ -13,12 +13,12 @@
 namespace berg {
 namespace {
 
-constexpr double kNotch = 1.25; // zoom of one notch of the wheel or one key
+constexpr double kNotch = 1.25; // zoom per notch of the wheel or key press
 constexpr int kNotchAngle = 120;
-constexpr double kKeyPan = 0.1;      // of the window
-constexpr double kFollow_s = 300;    // window when following begins with everything in view
-constexpr double kShortest_s = 1e-3; // an axis has to have a length
-constexpr double kPlotEdge_px = 4;   // beside the plot, still meant for it
+constexpr double kKeyPan = 0.1;      // share of the window
+constexpr double kFollow_s = 300;    // window length when following starts with all in view
+constexpr double kShortest_s = 1e-3; // smallest length of an axis
+constexpr double kPlotEdge_px = 4;   // tolerance for presses beside the plot
 
 } // namespace
 
@@ -36,7 +36,7 @@ void TimeChart::changeWindow()
 {
     m_isLaidOut = false;
     emit windowChanged();
-    if (!m_isLaidOut) // nobody has given new content, which does it as well
+    if (!m_isLaidOut) // no receiver set new content, which also lays out
         layOut();
 }
 
@@ -131,7 +131,7 @@ void TimeChart::mousePressEvent(QMouseEvent* event)
     const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->button() != Qt::LeftButton || shifted) {
         m_panFrom = event->position();
-        m_hasPanned = false; // until the pointer has gone as far as a drag begins
+        m_hasPanned = false; // becomes true after the drag distance
         hoverAt({});
         return;
     }
@@ -188,7 +188,7 @@ void TimeChart::wheelEvent(QWheelEvent* event)
     if (angle.y() != 0)
         zoom(std::pow(kNotch, -static_cast<double>(angle.y()) / kNotchAngle),
              m_figure.viewToTime(event->position().x()));
-    event->accept(); // nothing behind the chart scrolls
+    event->accept(); // keeps widgets behind the chart from scrolling
 }
 
 void TimeChart::keyPressEvent(QKeyEvent* event)
@@ -216,7 +216,7 @@ void TimeChart::keyPressEvent(QKeyEvent* event)
 
 void TimeChart::contextMenuEvent(QContextMenuEvent* event)
 {
-    event->accept(); // the right button pans, unless it is let go where it was
+    event->accept(); // the right button pans unless it is a click
     if (event->reason() == QContextMenuEvent::Keyboard)
         emit menuRequested(mapToGlobal(rect().center()));
 }

@@ -1,7 +1,7 @@
 #include "core/base/label_column.h"
 #include "widgets/charts/decimate.h"
 #include "widgets/charts/figure_painter.h"
-#include "widgets/charts/line_look.h"
+#include "widgets/charts/line_style.h"
 #include "widgets/charts/time_chart.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/quantity_text.h"
@@ -19,10 +19,10 @@ namespace {
 
 constexpr double kFlagHeight_px = 17;
 constexpr double kFlagSpacing_px = 19;
-constexpr double kFlagGap_px = 10;      // between the line of the instant and the flags
-constexpr double kFlagEdge_px = 4;      // between the flags and the edge of the plot
-constexpr double kFarthestJoin_px = 60; // from the value, of a flag that a line joins to it
-constexpr double kFarthestFlag_px = 48; // from the value
+constexpr double kFlagGap_px = 10;      // distance of the flags from the hover line
+constexpr double kFlagEdge_px = 4;      // distance of the flags from the plot's edge
+constexpr double kFarthestJoin_px = 60; // largest length of the line from a value to its flag
+constexpr double kFarthestFlag_px = 48; // largest distance of a flag from its value
 constexpr std::size_t kMostFlags = 8;
 
 } // namespace
@@ -32,7 +32,7 @@ QRectF TimeChart::plot() const
     return toQt(m_figure.drawing.plot);
 }
 
-/** They stay while there is no pointer: names keep off them. */
+/** Flags shown without a pointer, which names of lines avoid. */
 std::vector<PixelRect> TimeChart::flagsAtCursor() const
 {
     std::vector<PixelRect> rects;
@@ -77,7 +77,7 @@ ChartReadout TimeChart::readout() const
     const auto height = [&](std::size_t i) {
         return m_figure.toView(m_content.lines[i], *values[i]).y;
     };
-    if (m_hover) // those near the pointer
+    if (m_hover) // lines near the pointer first
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return std::abs(height(a) - m_hover->y()) < std::abs(height(b) - m_hover->y());
         });
@@ -96,17 +96,24 @@ ChartReadout TimeChart::readout() const
     return readout;
 }
 
+ShownUnit TimeChart::unitOf(const TimeLine& line) const
+{
+    return line.onRightAxis ? zetaUnit(m_figure.axisOf(line).to) : ShownUnit{.name = line.unit};
+}
+
 QString TimeChart::valueText(const TimeLine& line, double value) const
 {
-    // As fine as the eye could read the axis, and no finer.
+    // Precision matches what can be read from the axis.
     const PlotScale& axis = m_figure.axisOf(line);
-    const double finest = (axis.to - axis.from) / 1000;
+    const ShownUnit unit = unitOf(line);
+    value = unit.fromSi(value);
+    const double finest = unit.fromSi(axis.to - axis.from) / 1000;
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 0, 6);
     if (decimals == 0)
         return significantText(value, 4, locale());
-    const double unit = std::pow(10.0, -decimals);
-    const double rounded = std::round(value / unit) * unit;
-    return fixedText(rounded == 0 ? 0 : rounded, decimals, locale()); // never -0
+    const double step = std::pow(10.0, -decimals);
+    const double rounded = std::round(value / step) * step;
+    return fixedText(rounded == 0 ? 0 : rounded, decimals, locale()); // avoids -0
 }
 
 ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double middle_px) const
@@ -122,19 +129,19 @@ ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double mi
         flag.colour = inkColour(sigmaInk(value.y(), m_content.sigmaFull_m2), m_theme);
     flag.text = flag.name + u' ' + flag.value;
     if (!line.unit.isEmpty())
-        flag.text += u' ' + line.unit;
+        flag.text += u' ' + unitOf(line).name;
     const double width_px = QFontMetricsF(m_theme.small()).horizontalAdvance(flag.text) + 10;
     flag.rect = QRectF(0, middle_px - kFlagHeight_px / 2, width_px, kFlagHeight_px);
     return flag;
 }
 
-/** In a column at the right, or at the left where the instant is in its way. */
+/** Aligns the flags in a column at the right, or at the left if the hover line is in its place. */
 void TimeChart::alignFlags(ChartReadout& readout, double at_px) const
 {
     double widest_px = 0;
     for (const ReadoutFlag& flag : readout.flags)
         widest_px = std::max(widest_px, flag.rect.width());
-    const bool hasRightAxis = m_figure.figure.right.has_value(); // whose numbers stay in sight
+    const bool hasRightAxis = m_figure.figure.right.has_value(); // its numbers stay visible
     const double right = hasRightAxis ? plot().right() - kFlagEdge_px : viewport()->width() - 2;
     const bool isRight = at_px + kFlagGap_px <= right - widest_px;
     const double left = isRight ? right - widest_px : plot().left() + kFlagEdge_px;
@@ -172,8 +179,8 @@ void TimeChart::paintReadout(QPainter& painter) const
         const bool isRight = one.rect.left() > one.at.x();
         painter.setPen(QPen(one.colour, 1));
         const QPointF edge(isRight ? one.rect.left() : one.rect.right(), one.rect.center().y());
-        if (std::abs(edge.x() - one.at.x()) <=
-            kFarthestJoin_px) // others are told by colour and name
+        // Farther flags are recognised by colour and name.
+        if (std::abs(edge.x() - one.at.x()) <= kFarthestJoin_px)
             painter.drawLine(one.at, edge);
         painter.setBrush(one.colour);
         painter.drawEllipse(one.at, 3, 3);

@@ -3,7 +3,8 @@
 #include "widgets/charts/decimate.h"
 #include "widgets/charts/figure_painter.h"
 #include "widgets/charts/figure_text.h"
-#include "widgets/charts/line_look.h"
+#include "widgets/charts/line_style.h"
+#include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
 
@@ -13,10 +14,10 @@ namespace berg {
 namespace {
 
 constexpr double kSimplify_px = 0.1;
-constexpr double kReferenceGap_px = 6; // between its name and the end of the plot
-constexpr double kReferenceUp_px = 9;  // from it to the middle of its name
+constexpr double kReferenceGap_px = 6; // distance of its name from the plot's end
+constexpr double kReferenceUp_px = 9;  // distance of its name's middle above the line
 
-/** Context of the texts: that of the class would have its namespace, which lupdate leaves out. */
+/** Translation context; lupdate would omit the namespace of the class's own context. */
 struct TimeChartText
 {
     Q_DECLARE_TR_FUNCTIONS(TimeChartText)
@@ -30,7 +31,7 @@ bool hasRightAxis(const TimeChartContent& content)
                        [](const TimeLine& line) { return line.onRightAxis && line.isShown(); });
 }
 
-/** Cuts lines at the edges of the view: not every paint device clips, SVG does not. */
+/** Cuts lines at the edges of the view, because SVG, for one, does not clip. */
 void cutToView(QList<QPointF>& points, const TimeWindow& view)
 {
     const auto at = [](const QPointF& a, const QPointF& b, double x) {
@@ -66,7 +67,7 @@ std::vector<QList<QPointF>> linesInView(const TimeChartContent& content, const T
     return drawn;
 }
 
-/** Has its name in the margin, and a colour that is not that of the axis. */
+/** Returns whether the line is named in the margin and has a colour other than the axis. */
 bool isOneOfMany(const TimeLine& line)
 {
     return line.role == LineRole::Sigma || line.role == LineRole::Uav;
@@ -105,7 +106,9 @@ void addAxes(TimeFigure& time, const TimeChartContent& content, const TimeFigure
     figure.leftTitles = {utf8(content.leftTitle)};
     if (hasRightAxis(content)) {
         figure.right = valueAxis(time, content, style.locale, true);
-        figure.rightTitles = {utf8(content.rightTitle)};
+        const ShownUnit unit = zetaUnit(figure.right->largest);
+        figure.right->inUnit = unit.inSi;
+        figure.rightTitles = {utf8(content.rightTitle.arg(unit.name))};
     }
     const auto inkOf = [&](bool onRightAxis) {
         for (const TimeLine& line : content.lines)
@@ -151,7 +154,7 @@ void addLine(Figure& figure, const TimeLine& line, const QList<QPointF>& drawn, 
     figure.lines.push_back(std::move(out));
 }
 
-/** Where the polyline ends within a view that ends at `to`. */
+/** Last visible point of a polyline; nullopt if it ends before the view. */
 std::optional<QPointF> endOf(const QList<QPointF>& points, const TimeWindow& view)
 {
     if (points.empty() || points.back().x() > view.to_s)
@@ -165,7 +168,8 @@ void addNames(TimeFigure& time, const TimeChartContent& content)
     std::vector<std::optional<QPointF>> ends;
     for (const QList<QPointF>& points : time.drawn)
         ends.push_back(endOf(points, time.window));
-    std::vector<std::size_t> order = byImportance(content, ends); // where lines crowd
+    std::vector<std::size_t> order =
+        byImportance(content, ends); // important names first if lines crowd
     if (!areMany)
         std::sort(order.begin(), order.end());
     for (const std::size_t i : order) {
@@ -184,7 +188,7 @@ void addNames(TimeFigure& time, const TimeChartContent& content)
     }
 }
 
-/** Visits at the foot, limits across, the instant looked at. */
+/** Adds visits at the bottom, limits across, and the cursor. */
 void addMarks(TimeFigure& time, const TimeChartContent& content)
 {
     const auto inView = [&time](double time_s) {

@@ -10,56 +10,59 @@
 
 namespace berg {
 
-/** What a chart over time is laid out for. Borrowed theme. */
+/** Layout parameters of a chart over time. The theme is borrowed. */
 struct TimeFigureStyle
 {
     const Theme& theme;
     QLocale locale;
     QSizeF size_px;
-    TimeWindow window; ///< in view; longer than 0
+    TimeWindow window; ///< part in view; its length is positive
     bool hasTitle = true;
-    bool hasNames = true;     ///< false: of lines; something beside the chart says them
-    bool hasLines = true;     ///< false: of many lines the chart shows them itself
-    double leastLeft_px = 0;  ///< of the plot from the edges, so that charts one below the other
-    double leastRight_px = 0; ///< have one time axis
+    bool hasNames = true; ///< false if names of lines are shown beside the chart
+    bool hasLines = true; ///< false if the caller draws the lines of fleets and icebergs itself
+    /** Smallest margins of the plot, which align the time axes of charts above each other. */
+    double leastLeft_px = 0;
+    double leastRight_px = 0;
 };
 
-/** A chart over time as a figure, laid out. */
+/** Laid-out figure of a chart over time. */
 struct TimeFigure
 {
     TimeWindow window;
     Figure figure;
     Drawing drawing;
-    /** By line of the content: what is in view of it as at most two points for each column of
-     * pixels, seconds and the unit of its axis. */
+    /** Visible part of each line, at most two points per pixel column; seconds, unit of its axis.
+     */
     std::vector<QList<QPointF>> drawn;
 
-    [[nodiscard]] double viewToTime(double x_px) const; ///< within the window
+    /** Time at an abscissa, clamped to the window. */
+    [[nodiscard]] double viewToTime(double x_px) const;
+    /** Scale of the axis of a line. */
     [[nodiscard]] const PlotScale& axisOf(const TimeLine& line) const
     {
         return line.onRightAxis ? drawing.right : drawing.y;
     }
+    /** Position of a point of a line on the screen. */
     [[nodiscard]] Pixel toView(const TimeLine& line, const QPointF& p) const
     {
         return drawing.at({p.x(), p.y()}, line.onRightAxis);
     }
 };
 
-/** There are lines with points to see. */
+/** Returns whether any line is shown and has points. */
 [[nodiscard]] bool hasPoints(const TimeChartContent& content);
 
-/** Number of columns for which lines in a chart of this width are worth having points. */
+/** Number of pixel columns that lines should be decimated to in a chart of this width. */
 [[nodiscard]] int chartColumns(double width_px);
 
 /**
- * Layout of a chart without the names beside the lines, which `placeLabels` of
- * its figure adds: in the right margin where there are many, as far as there is
- * room, those of the largest values first; else in the plot, clear of all
- * lines. Thread: any with a QGuiApplication.
+ * Lays out a chart. The names of lines are added by `placeLabels` of its figure: in the right
+ * margin if there are many lines, as far as there is room, largest values first; otherwise in the
+ * plot, clear of all lines. Runs on any thread with a QGuiApplication.
  */
 [[nodiscard]] TimeFigure timeFigure(const TimeChartContent& content, const TimeFigureStyle& style);
 
-/** Lines by importance for names: emphasised first, then by the value at `points`. */
+/** Indices of lines with a point, by importance of their names: emphasised first, then by value. */
 [[nodiscard]] std::vector<std::size_t>
 byImportance(const TimeChartContent& content, const std::vector<std::optional<QPointF>>& points);
 

@@ -21,7 +21,7 @@ QList<QPointF> TimeSeries::thinned(const DecimationWindow& window) const
     const auto begin = std::lower_bound(m_points.begin(), m_points.end(), window.from, byTime);
     const auto end = std::upper_bound(begin, m_points.end(), window.to,
                                       [](double time, const QPointF& p) { return time < p.x(); });
-    // With a neighbour on either side: lines run to the edges of the view.
+    // One neighbour on either side is included, so that lines reach the edges of the view.
     const auto first = static_cast<std::size_t>(std::max(begin - m_points.begin() - 1, {}));
     const auto last = std::min(static_cast<std::size_t>(end - m_points.begin()) + 1, //
                                m_points.size());
@@ -38,7 +38,7 @@ QList<QPointF> TimeSeries::thinned(const DecimationWindow& window) const
     std::vector<QPointF> some;
     some.reserve(2 * (last - first) / run + 2 * run);
     for (std::size_t i = first; i < last;) {
-        // The ends of the view are given point by point.
+        // The ends of the view are added point by point.
         if (i % run != 0 || i == first || i + run >= last) {
             some.push_back(all[i++]);
             continue;

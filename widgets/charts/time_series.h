@@ -8,20 +8,21 @@
 namespace berg {
 
 /**
- * Points ascending in time that grow at their end, with the lowest and the highest of every run of
- * 8, 64 and 512 of them, so that a long series is thinned for a chart without looking at each point
- * of it. Numbers must be finite. About 1.3 times the memory of the points alone.
+ * Growing series of points ascending in time, with the extremes of every run of 8, 64 and 512
+ * points, so that a long series is thinned for a chart without visiting each point. Values must be
+ * finite. Memory: about 1.3 times that of the points.
  */
 class TimeSeries
 {
 public:
+    /** Appends a point, not earlier than the last one. */
     void append(const QPointF& p);
 
     [[nodiscard]] const std::vector<QPointF>& points() const { return m_points; }
 
     /**
-     * As `decimate`: at most two points for each column and every peak kept, but by way of the
-     * runs. Cost: linear in the columns, not in the points.
+     * Thins as `decimate` does (at most two points per column, every peak kept), but by the runs'
+     * extremes. Cost: linear in the columns, not in the points.
      */
     [[nodiscard]] QList<QPointF> thinned(const DecimationWindow& window) const;
 

@@ -4,7 +4,7 @@
 
 namespace berg {
 
-/** The stretch of time a chart shows, seconds. */
+/** Time range of a chart, seconds. */
 struct TimeWindow
 {
     double from_s = 0;
@@ -13,10 +13,10 @@ struct TimeWindow
     bool operator==(const TimeWindow&) const = default;
 };
 
-/** Nothing shorter can be zoomed to. */
+/** Smallest range that can be zoomed to. */
 inline constexpr double kLeastWindow_s = 5;
 
-/** The window moved by `by_s` as far as [0, duration] lets it. */
+/** Range moved by `by_s`, limited to [0, duration]. */
 [[nodiscard]] inline TimeWindow shifted(const TimeWindow& window, double by_s, double duration_s)
 {
     const double length_s = window.length_s();
@@ -26,8 +26,8 @@ inline constexpr double kLeastWindow_s = 5;
 }
 
 /**
- * The window `factor` times as long that shows `anchor_s` where it was; within [0, duration] and
- * no shorter than `kLeastWindow_s`.
+ * Range scaled by `factor` with `anchor_s` at an unchanged place; limited to [0, duration] and to
+ * at least `kLeastWindow_s`.
  */
 [[nodiscard]] inline TimeWindow zoomed(const TimeWindow& window, double factor, double anchor_s,
                                        double duration_s)

@@ -34,11 +34,11 @@ void addUavLines(TimeChartContent& content, const FlightRecord& record, const QS
     }
 }
 
-/** One line of the reading, or one for each of several UAVs. */
+/** Adds one line for a single UAV, or a line per UAV of a fleet. */
 void addReadings(TimeChartContent& content, const FlightRecord& record, const QString& unit,
                  const QString& column)
 {
-    if (areToldApart(record.scenario.uavs))
+    if (areDistinguished(record.scenario.uavs))
         return addUavLines(content, record, unit, column);
     content.lines.push_back({.label = content.title,
                              .points = {},
@@ -47,7 +47,7 @@ void addReadings(TimeChartContent& content, const FlightRecord& record, const QS
                              .key = column});
 }
 
-/** "Osprey 12.3 km, Gannet 11.9 km" of the newest sample; "12.3 km" of the only UAV. */
+/** "Osprey 12.3 km, Gannet 11.9 km" of the newest sample; "12.3 km" for a single UAV. */
 QString readings(const FlightRecord& record, const std::function<QString(const UavSample&)>& text)
 {
     QStringList all;
@@ -58,7 +58,7 @@ QString readings(const FlightRecord& record, const std::function<QString(const U
     return all.join(u", "_s);
 }
 
-/** Of the turn rates, the same one once. */
+/** Distinct turn rate limits. */
 std::set<double> limits_degps(const FlightRecord& record)
 {
     std::set<double> limits_degps;
@@ -85,9 +85,9 @@ void fillDistance(TimeChartContent& content, const FlightRecord& record, const Q
                              .name = MissionCharts::tr("Flown"),
                              .unit = unit,
                              .key = column});
-    content.summary = MissionCharts::tr("Distance flown by %1: %2.")
+    content.summary = MissionCharts::tr("Distance flown until %1: %2.")
                           .arg(content.clock.text(record.now.time_s), flown);
-    if (!areToldApart(record.scenario.uavs))
+    if (!areDistinguished(record.scenario.uavs))
         return;
     content.lines.back().label = MissionCharts::tr("All %1").arg(flown);
     content.lines.back().name = MissionCharts::tr("All");

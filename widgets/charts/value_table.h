@@ -9,22 +9,22 @@ class QAction;
 namespace berg {
 
 /**
- * A chart as a table in a window of its own, for those who read rather than see it. Shows what was
- * so when it was opened; a copy is tab-separated.
+ * A chart as a table in a window of its own, for users who cannot see it. It shows the values at
+ * the time it was opened; copies are tab-separated.
  */
 class ValueTable : public QDialog
 {
     Q_OBJECT
 
 public:
-    /** The numbers of the chart of this name. */
+    /** Shows `values`, the data of the chart named `chart`. */
     ValueTable(const QString& chart, const CellSheet& values, QWidget* parent);
 
-    /** In a window that deletes itself when it is closed. */
+    /** Opens a window that deletes itself when closed. */
     static void open(const QString& chart, const CellSheet& values, QWidget* parent);
 };
 
-/** "Show values as a table" of a chart: by its key, and to screen readers one of its actions. */
+/** Adds the action "Show values as a table" with shortcut V to a chart; returns it for its menu. */
 [[nodiscard]] QAction* addValueAction(QWidget& chart);
 
 } // namespace berg

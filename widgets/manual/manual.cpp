@@ -1,6 +1,8 @@
 #include "widgets/manual/manual.h"
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
+#include "core/scenario/fields.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -18,7 +20,7 @@ struct ManualText
     Q_DECLARE_TR_FUNCTIONS(ManualText)
 };
 
-/** All that can be read of a block, in lines: of a table each row is one. */
+/** Readable text of a block in lines; each row of a table is one line. */
 QStringList linesOf(const MarkdownBlock& block)
 {
     QStringList lines;
@@ -32,7 +34,7 @@ QStringList linesOf(const MarkdownBlock& block)
     return lines;
 }
 
-/** As one types it: "tau" finds τ too. */
+/** Replaces Greek letters by their names, so that "tau" finds τ as well. */
 QString typed(QString text)
 {
     const std::array<std::pair<QChar, const char*>, 4> letters{
@@ -49,26 +51,61 @@ std::vector<MarkdownBlock> blocksOf(const QString& path)
     return markdownBlocks(QString::fromUtf8(file.readAll()));
 }
 
-/** The tables of the page about scenario files, which the chapter has in its own words as far as it
- * has. */
+/** Exact number, with exponent if that is shorter: 1e6. */
+QString shortNumber(double number)
+{
+    const QString digits = QString::fromStdString(numberText(number));
+    const QString power = QString::number(number, 'g', QLocale::FloatingPointShortest)
+                              .replace(u"e+0"_s, u"e"_s)
+                              .replace(u"e+"_s, u"e"_s);
+    return power.size() < digits.size() ? power : digits;
+}
+
+/** Rows with path, smallest and largest value of each number of a scenario. */
+std::vector<QStringList> limitRows()
+{
+    std::vector<QStringList> rows;
+    forEachObject([&rows](const std::string& object, const auto& fields) {
+        for (const auto& field : fields)
+            if (field.limits && field.limits->high < std::numeric_limits<double>::max())
+                rows.push_back({QString::fromStdString(object + field.name),
+                                (field.limits->above ? u"above "_s : QString()) +
+                                    shortNumber(field.limits->low),
+                                shortNumber(field.limits->high)});
+    });
+    return rows;
+}
+
+/** Rows of the scenario page that describe the fields; the chapter's `own` translations replace
+ * them. */
+std::vector<QStringList> fieldRows(const std::vector<QStringList>& own)
+{
+    for (const MarkdownBlock& block : blocksOf(u"scenarios/README.md"_s)) {
+        if (block.rows.empty())
+            continue;
+        std::vector<QStringList> rows(block.rows.begin() + 1, block.rows.end());
+        for (QStringList& row : rows) {
+            const auto it = std::ranges::find(own, row.front(),
+                                              [](const QStringList& one) { return one.front(); });
+            if (it != own.end())
+                row = *it;
+        }
+        return rows;
+    }
+    return {};
+}
+
+/** Fills the tables of the chapter about fields, which contains their headers only. */
 void fillTables(std::vector<MarkdownBlock>& blocks)
 {
-    std::vector<MarkdownBlock> page = blocksOf(u"scenarios/README.md"_s);
-    std::erase_if(page, [](const MarkdownBlock& block) { return block.rows.empty(); });
-    auto source = page.begin();
-    for (MarkdownBlock& block : blocks) {
-        if (block.rows.empty() || source == page.end())
-            continue;
-        std::vector<QStringList> rows{block.rows.front()};
-        for (auto row = source->rows.begin() + 1; row != source->rows.end(); ++row) {
-            const auto own =
-                std::find_if(block.rows.begin(), block.rows.end(),
-                             [&](const auto& one) { return one.front() == row->front(); });
-            rows.push_back(own == block.rows.end() ? *row : *own);
+    bool isFirst = true;
+    for (MarkdownBlock& block : blocks)
+        if (!block.rows.empty()) {
+            std::vector<QStringList> rows = isFirst ? fieldRows(block.rows) : limitRows();
+            rows.insert(rows.begin(), block.rows.front());
+            block.rows = std::move(rows);
+            isFirst = false;
         }
-        block.rows = std::move(rows);
-        ++source;
-    }
 }
 
 } // namespace
@@ -81,7 +118,7 @@ QString ManualChapter::title() const
 QString ManualChapter::html(const QString& pictureFolder, bool anchors) const
 {
     std::vector<MarkdownBlock> shown = blocks;
-    for (MarkdownBlock& block : shown) // numbers of blocks are part of the anchors: none is removed
+    for (MarkdownBlock& block : shown) // blocks are not removed: anchors use their numbers
         if (block.kind == MarkdownBlock::Kind::Picture &&
             !QFile::exists(QDir(pictureFolder).filePath(block.info)))
             block = {.kind = MarkdownBlock::Kind::Text};

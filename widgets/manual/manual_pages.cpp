@@ -31,7 +31,7 @@ using Kind = MarkdownBlock::Kind;
 const QString kIndex = u"index.html"_s;
 const QString kPdf = u"manual.pdf"_s;
 
-// A4 at 96 to the inch.
+// A4 at 96 per inch.
 constexpr QSize kPage_px{794, 1123};
 constexpr int kMargin_px = 77;
 constexpr QSizeF kText_px{kPage_px.width() - 2.0 * kMargin_px,
@@ -65,7 +65,7 @@ QString pageOf(const ManualChapter& chapter)
     return chapter.name + u".html"_s;
 }
 
-/** A whole page, with all chapters beside it. */
+/** A complete page with links to all chapters. */
 QString webPage(const Manual& manual, const QString& title, const QString& here,
                 const QString& content)
 {
@@ -107,7 +107,7 @@ std::unique_ptr<QTextDocument> documentOf(const QString& html, const QString& fo
     return document;
 }
 
-/** All chapters, without links, which lead nowhere on paper. */
+/** All chapters without links, which are useless on paper. */
 QString paperText(const Manual& manual, const QString& folder)
 {
     QString html;
@@ -120,7 +120,7 @@ QString paperText(const Manual& manual, const QString& folder)
     return html.replace(link, u"\\1"_s);
 }
 
-/** Headings with the numbers of their pages; `before` pages come before the text. */
+/** Table of contents with page numbers; `before` pages precede the text. */
 QString paperContents(const QTextDocument& text, int before)
 {
     QString html = u"<h2>%1</h2><table width=\"100%\" cellpadding=\"0\">"_s.arg(

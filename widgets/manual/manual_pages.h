@@ -5,12 +5,12 @@
 
 namespace berg {
 
-/** What `writeManual` writes: web pages, of which index.html is the first, and manual.pdf. */
+/** Files of `writeManual`: web pages, starting with index.html, and manual.pdf. */
 [[nodiscard]] QStringList manualFileNames();
 
 /**
- * Writes the manual in the language of the program into the folder, all files or none; the
- * pictures are those that are there. Returns the paths. Throws `Error` FileUnwritable.
+ * Writes the manual in the program's language into a folder, all files or none, with the pictures
+ * that exist there. Returns the paths. Throws `Error` FileUnwritable.
  */
 QStringList writeManual(const QString& folder);
 

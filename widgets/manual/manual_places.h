@@ -8,14 +8,14 @@ class QWidget;
 
 namespace berg {
 
-/** What of the window a place of the manual tells about. */
+/** Manual section about a part of the window. */
 struct ManualPlace
 {
-    const char* widget; ///< name of the object, or of its class
+    const char* widget; ///< name of the object or of its class
     const char* place;  ///< "window#plan"
 };
 
-/** All of them. */
+/** Sections for context help. */
 inline constexpr std::array kManualPlaces{
     ManualPlace{"mapView", "window#map"},
     ManualPlace{"findBox", "window#find"},
@@ -48,7 +48,7 @@ inline constexpr std::array kManualPlaces{
     ManualPlace{"generateDialog", "window#generate"},
 };
 
-/** Where the manual tells of the widget, or of the nearest round it; else its beginning. */
+/** Section about the widget or its nearest listed ancestor; otherwise the manual's beginning. */
 [[nodiscard]] QString manualPlaceOf(const QWidget* widget);
 
 } // namespace berg

@@ -25,11 +25,11 @@ namespace {
 
 constexpr QSize kSize_px{1080, 760};
 constexpr int kList_px = 300;
-constexpr int kPicture_px = 640; ///< wide, as in the HTML; the document would scale it coarsely
+constexpr int kPicture_px = 640; // width as in the HTML; the document scales coarsely
 constexpr int kPlaceRole = Qt::UserRole;
-constexpr double kShade = 0.08; ///< of code and heads of tables, between background and text
+constexpr double kShade = 0.08; // background of code and table headers, towards the text
 
-/** Pages are made when they are asked for; pictures are files. */
+/** Browser that generates pages on demand; pictures are files. */
 class Pages : public QTextBrowser
 {
 public:
@@ -53,7 +53,7 @@ private:
     QString m_pictures;
 };
 
-/** "planning#tau" as a page of the browser. */
+/** URL of a place such as "planning#tau". */
 QUrl pageOf(const QString& place)
 {
     QUrl url;
@@ -110,7 +110,7 @@ ManualWindow::ManualWindow(QWidget* parent)
     connect(m_list, &QTreeWidget::currentItemChanged, this, &ManualWindow::go);
     connect(m_text, &QTextBrowser::sourceChanged, this, &ManualWindow::follow);
     addKeys();
-    setLooks();
+    applyPalette();
     showContents();
     resize(kSize_px);
 }
@@ -172,7 +172,7 @@ void ManualWindow::addKeys()
 
 void ManualWindow::showContents()
 {
-    const QSignalBlocker blocker(m_list); // filling it goes nowhere
+    const QSignalBlocker blocker(m_list); // filling the list must not navigate
     m_list->clear();
     for (const ManualChapter& chapter : m_manual.chapters) {
         QTreeWidgetItem* top = newItem(chapter.title(), chapter.name);
@@ -185,7 +185,7 @@ void ManualWindow::showContents()
     follow(m_text->source());
 }
 
-/** Lists the lines that hold all the words, in place of the contents. */
+/** Lists lines that contain all the words instead of the contents. */
 void ManualWindow::search(const QString& words)
 {
     markWords();
@@ -208,7 +208,7 @@ void ManualWindow::search(const QString& words)
     m_found->setText(hits.empty() ? tr("Not found") : tr("Lines found: %1").arg(hits.size()));
 }
 
-/** To the next line found, from the last to the first. */
+/** Moves to the next or previous result, cyclically. */
 void ManualWindow::stepHit(int step)
 {
     std::vector<QTreeWidgetItem*> lines;
@@ -233,10 +233,10 @@ void ManualWindow::go(const QTreeWidgetItem* item)
         showLine(item->text(0));
 }
 
-/** A line that was found, also far down in the table whose place is shown. */
+/** Scrolls to a found line, which may be far down in a table. */
 void ManualWindow::showLine(const QString& line)
 {
-    const QString begin = line.section(u" · "_s, 0, 0); // of a row: its first cell
+    const QString begin = line.section(u" · "_s, 0, 0); // first cell of a row
     for (QTextBlock block = m_text->cursorForPosition({}).block(); block.isValid();
          block = block.next())
         if (const auto at = block.text().indexOf(begin); at >= 0) {
@@ -258,7 +258,7 @@ QString ManualWindow::place() const
     return placeOf(m_text->source());
 }
 
-/** The contents follow what is read, which the browser takes for its source only later. */
+/** Selects the page in the contents; `page` is passed because the browser's source lags behind. */
 void ManualWindow::follow(const QUrl& page)
 {
     markWords();
@@ -272,7 +272,7 @@ void ManualWindow::follow(const QUrl& page)
             m_list->setCurrentItem(*it);
 }
 
-/** Words that are searched for stand out in the text. */
+/** Highlights the search words in the text. */
 void ManualWindow::markWords()
 {
     QList<QTextEdit::ExtraSelection> marks;
@@ -288,8 +288,8 @@ void ManualWindow::markWords()
     m_text->setExtraSelections(marks);
 }
 
-/** Colours of tables and code come from the palette, which changes with the theme. */
-void ManualWindow::setLooks()
+/** Sets the colours of tables and code from the palette, which changes with the theme. */
+void ManualWindow::applyPalette()
 {
     const QColor text = palette().color(QPalette::Text);
     const QColor base = palette().color(QPalette::Base);
@@ -302,7 +302,7 @@ void ManualWindow::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange && m_text != nullptr) {
-        setLooks();
+        applyPalette();
         m_text->reload();
     }
 }

@@ -14,20 +14,20 @@ class QTreeWidgetItem;
 namespace berg {
 
 /**
- * The manual in a window of its own: contents or what a search has found on the left, the chapter
- * on the right. It needs no network, and no file but for its pictures.
+ * The manual in a window of its own: contents or search results on the left, the chapter on the
+ * right. It needs no network, and no files except for pictures.
  */
 class ManualWindow : public QWidget
 {
     Q_OBJECT
 
 public:
-    /** In the language of the window. */
+    /** Loads the manual in the window's language. */
     explicit ManualWindow(QWidget* parent);
 
-    /** Such as "planning#tau". */
+    /** Shows a place such as "planning#tau". */
     void showPlace(const QString& place);
-    /** As "planning#tau". */
+    /** Place shown, such as "planning#tau". */
     [[nodiscard]] QString place() const;
 
 protected:
@@ -43,7 +43,7 @@ private:
     void showLine(const QString& line);
     void follow(const QUrl& page);
     void markWords();
-    void setLooks();
+    void applyPalette();
 
     QString m_language;
     Manual m_manual;

@@ -33,7 +33,7 @@ QStringList cellsOf(const QString& line)
     return cells;
 }
 
-/** What a line begins, and without its mark; text where it has none. */
+/** Block started by a line, without its mark; text if it has no mark. */
 MarkdownBlock beginningOf(const QString& line)
 {
     static const QRegularExpression picture(u"^!\\[(.*)\\]\\((.*)\\)$"_s);
@@ -51,12 +51,12 @@ MarkdownBlock beginningOf(const QString& line)
     return {.kind = Kind::Text, .text = line};
 }
 
-bool goesOn(const MarkdownBlock& block)
+bool canContinue(const MarkdownBlock& block)
 {
     return block.kind == Kind::Text || block.kind == Kind::Bullet || block.kind == Kind::Numbered;
 }
 
-/** `**bold**`, `*italic*`, links; `<sub>` and `<sup>` are kept. */
+/** Converts `**bold**`, `*italic*` and links; keeps `<sub>` and `<sup>`. */
 QString styled(const QString& text)
 {
     static const QRegularExpression kept(u"&lt;(/?su[bp])&gt;"_s);
@@ -71,7 +71,7 @@ QString styled(const QString& text)
     return html.replace(chapter, u"\\1.html"_s);
 }
 
-/** Text between backquotes is code, and nothing in it is a mark. */
+/** Converts inline marks, except in code between backquotes. */
 QString inlineHtml(const QString& text)
 {
     QString html;
@@ -154,7 +154,7 @@ std::vector<MarkdownBlock> markdownBlocks(const QString& text)
             afterBlank = false;
         } else {
             const MarkdownBlock begun = beginningOf(line);
-            if (begun.kind == Kind::Text && !afterBlank && goesOn(blocks.back()))
+            if (begun.kind == Kind::Text && !afterBlank && canContinue(blocks.back()))
                 blocks.back().text += u' ' + line.trimmed();
             else
                 blocks.push_back(begun);
@@ -175,7 +175,7 @@ QString plainText(const QString& inlineText)
 QString markdownHtml(const std::vector<MarkdownBlock>& blocks, bool anchors)
 {
     QString html;
-    QString list; // that is open
+    QString list; // tag of the open list
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const QString wanted = listTag(blocks[i]);
         if (wanted != list) {

@@ -12,27 +12,40 @@ namespace berg {
 
 struct MissionSnapshot;
 
-/** How an iceberg passes what is to be protected, both on straight courses from now on. */
+/**
+ * Motion of an iceberg relative to the protected asset; both are extrapolated on straight courses.
+ */
 struct AssetApproach
 {
-    ClosestApproach closest;       ///< until `kApproachHorizon_s`: then it still comes nearer
-    std::optional<double> entry_s; ///< from now, into the inner ring, 0: it is inside; none: not
-                                   ///< until the horizon
+    /**
+     * Closest approach within `kApproachHorizon_s`; lies at the horizon while still approaching.
+     */
+    ClosestApproach closest;
+    /** Time until it enters the inner ring, s; 0 if inside, nullopt if not before the horizon. */
+    std::optional<double> entry_s;
 };
 
-/** By the estimate at the start; none without an asset. */
+/** Returns the approach of the iceberg's estimate at the start, or nullopt if there is no asset. */
 [[nodiscard]] std::optional<AssetApproach> approachOf(const Scenario& scenario,
                                                       const Iceberg& iceberg);
 
-/** By the estimate; none without an asset, before it has appeared and when it has left the area. */
+/**
+ * Returns the approach of the iceberg's estimate at the snapshot's instant; nullopt if there is no
+ * asset, or if the iceberg has not appeared yet or has left the area.
+ */
 [[nodiscard]] std::optional<AssetApproach> approachOf(const MissionSnapshot& snapshot,
                                                       std::size_t iceberg);
 
-/** "berg-3 enters the inner ring in 12 min (12:40Z)", "berg-3 is inside the inner ring". */
+/**
+ * Returns "berg-3 enters the inner ring in 12 min (12:40Z)" or "berg-3 is inside the inner ring".
+ * `times` adds the clock time in brackets.
+ */
 [[nodiscard]] QString ringEntryText(const QString& iceberg, double entry_s, const QLocale& locale,
                                     const TimesAhead& times = {});
 
-/** Rounded to minutes, below one to ten seconds: "40 s", "12 min". */
+/**
+ * Returns the duration rounded to minutes, or to ten seconds below one minute: "40 s", "12 min".
+ */
 [[nodiscard]] QString roughDurationText(double time_s, const QLocale& locale);
 
 } // namespace berg

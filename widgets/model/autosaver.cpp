@@ -45,7 +45,7 @@ FoundRecoveries Autosaver::abandoned() const
 void Autosaver::adopt(HeldRecovery recovery, std::shared_ptr<const RunFile> run)
 {
     drop();
-    m_thread.waitForDone(); // of the one given up
+    m_thread.waitForDone(); // removal of the previous recovery
     m_recovery = std::move(recovery);
     m_run = std::move(run);
     follow();

@@ -13,17 +13,17 @@ namespace berg {
 
 class ScenarioDocument;
 
-/** When unsaved changes are written. */
+/** Delays after which unsaved changes are written. */
 struct AutosaveTimes
 {
-    int pause_ms = 2000;   ///< after the last change
-    int longest_ms = 5000; ///< after the first, however much is changed
+    int pause_ms = 2000;   ///< delay after the last change, ms
+    int longest_ms = 5000; ///< longest delay after the first unwritten change, ms
 };
 
 /**
- * Keeps a recovery of a document as long as it has changes that are in no file, whether it can be
- * flown or not, and of a flight as long as it is under way. Serialises and writes on a thread of
- * its own; does nothing before `start`. GUI thread.
+ * Writes a recovery of a document while it has changes that are in no file, valid or not, and of
+ * the current flight. Serialises and writes on its own thread; does nothing before `start`. GUI
+ * thread.
  */
 class Autosaver : public QObject
 {
@@ -31,27 +31,34 @@ class Autosaver : public QObject
 
 public:
     explicit Autosaver(ScenarioDocument& document, QObject* parent = nullptr);
-    /** Removes the recovery, the end having come in order, unless `keep` was called. */
+    /** Removes the recovery, because the program ended normally, unless `keep` was called. */
     ~Autosaver() override;
 
+    /** Begins saving into `folder`, which is made if it is missing. */
     void start(const QString& folder, const AutosaveTimes& times = {});
-    /** Recoveries of programs that are gone; none before `start`. */
+    /** Returns the recoveries of programs that no longer run, or no recoveries before `start`. */
     [[nodiscard]] FoundRecoveries abandoned() const;
-    /** Carries on with a recovery whose scenario the document has taken over, and its flight. */
+    /** Takes over a recovery whose scenario the document has already loaded, and its flight. */
     void adopt(HeldRecovery recovery, std::shared_ptr<const RunFile> run = {});
-    /** How far a flight is; null: none is under way. */
+    /** Sets the current flight that is saved with the scenario; null if there is none. Ignored
+     * before `start`. */
     void setRun(std::shared_ptr<const RunFile> run);
-    /** The program is ended without a chance to ask: writes now, waits, leaves the recovery. */
+    /**
+     * Writes at once, waits for the disk and leaves the recovery for the next start. To be called
+     * when the program ends without asking the user.
+     */
     void keep();
-    /** The user gives up what is unsaved: it is not there any more when this returns. A change
-     * made after that is kept again. */
+    /**
+     * Removes the recovery before it returns, because the user discards unsaved work. Later changes
+     * are saved again.
+     */
     void discard();
 
 signals:
-    // The first two may come from the thread that writes: connect with a context object.
+    // These two may be emitted on the writing thread: connect with a context object.
     void autosaved(const QDateTime& time);
     void failed(const QString& report);
-    /** Nothing is unsaved any more. */
+    /** Emitted when there are no unsaved changes any more. */
     void dropped();
 
 private:
@@ -62,12 +69,12 @@ private:
 
     ScenarioDocument& m_document;
     std::optional<RecoveryStore> m_store;
-    std::optional<HeldRecovery> m_recovery; ///< made at the first change
+    std::optional<HeldRecovery> m_recovery; ///< created at the first change
     std::shared_ptr<const RunFile> m_run;
     bool m_keep = false;
     QTimer m_pause;
     QTimer m_longest;
-    QThreadPool m_thread; ///< one thread: jobs end in the order they were begun
+    QThreadPool m_thread; ///< a single thread, so that jobs finish in the order they were started
 };
 
 } // namespace berg

@@ -5,11 +5,11 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-/** Small instances take microseconds: telling of each would cost more than solving it. */
+/** Small instances take microseconds: reporting each would cost more than solving it. */
 constexpr int kBetweenReports_ms = 40;
 
 void measure(const BenchmarkSpec& spec, const std::stop_token& stop,
-             const std::function<void(BenchmarkReport)>& tell)
+             const std::function<void(BenchmarkReport)>& deliver)
 {
     ReportPace pace(kBetweenReports_ms);
     std::size_t count = 0;
@@ -17,11 +17,11 @@ void measure(const BenchmarkSpec& spec, const std::stop_token& stop,
         runBenchmark(spec, stop, [&](const BenchmarkProgress& progress) {
             count = progress.count;
             if (pace.isDue())
-                tell({.rows = {progress.rows.begin(), progress.rows.end()},
-                      .done = progress.done,
-                      .count = progress.count});
+                deliver({.rows = {progress.rows.begin(), progress.rows.end()},
+                         .done = progress.done,
+                         .count = progress.count});
         });
-    tell({.rows = std::move(rows), .done = count, .count = count});
+    deliver({.rows = std::move(rows), .done = count, .count = count});
 }
 
 } // namespace
@@ -30,7 +30,7 @@ BenchmarkRunner::BenchmarkRunner(QObject* parent)
     : QObject(parent)
     , m_task(u"benchmark"_s,
              {.work = measure,
-              .deliver = [this](BenchmarkReport report) { take(std::move(report)); },
+              .deliver = [this](BenchmarkReport report) { accept(std::move(report)); },
               .end = [this](const std::optional<WorkFailure>& failure) { end(failure); }})
 {
 }
@@ -61,7 +61,7 @@ void BenchmarkRunner::cancel()
     m_task.stop();
 }
 
-void BenchmarkRunner::take(BenchmarkReport report)
+void BenchmarkRunner::accept(BenchmarkReport report)
 {
     const bool newRows = report.rows.size() != m_rows.size();
     m_rows = std::move(report.rows);

@@ -8,6 +8,9 @@
 
 namespace berg {
 
+/**
+ * Progress of a benchmark: the rows measured so far and how many instances are done of how many.
+ */
 struct BenchmarkReport
 {
     std::vector<BenchmarkRow> rows;
@@ -16,8 +19,8 @@ struct BenchmarkReport
 };
 
 /**
- * Runs benchmarks on a thread of its own; the GUI thread never waits. The newest one wins. What has
- * been measured stays when it is cancelled. GUI thread.
+ * Runs benchmarks on its own thread; the GUI thread never waits. A new benchmark replaces the one
+ * in progress. Cancelling keeps the rows measured so far. GUI thread.
  */
 class BenchmarkRunner : public QObject
 {
@@ -26,40 +29,40 @@ class BenchmarkRunner : public QObject
 public:
     explicit BenchmarkRunner(QObject* parent = nullptr);
 
-    /** Starts with an empty table; ends the benchmark under way, if any. */
+    /** Starts a benchmark with an empty table and stops the current one, if any. */
     void start(const BenchmarkSpec& spec);
-    /** Ends it with the rows there are: `finished` follows. */
+    /** Stops the benchmark and keeps its rows; `finished` follows. */
     void cancel();
 
     [[nodiscard]] bool isRunning() const { return m_running; }
-    /** Rows so far, of the benchmark under way or of the last one. */
+    /** Returns the rows so far of the current benchmark, or of the last one. */
     [[nodiscard]] const std::vector<BenchmarkRow>& rows() const { return m_rows; }
-    /** Of measuring, under way or of the last benchmark. */
+    /** Returns the measuring time of the current benchmark, or of the last one, s. */
     [[nodiscard]] double elapsed_s() const;
-    /** Time of measuring that would be lost: of rows that are in no file. */
+    /** Returns the measuring time that would be lost on exit, s: 0 if all rows are in a file. */
     [[nodiscard]] double unsaved_s() const;
-    /** The rows, as they are now, are in a file. */
+    /** Records that the present rows are in a file. */
     void noteSaved() { m_isSaved = true; }
 
 signals:
-    /** Instances done and to do, those that will not be tried included. */
+    /** Reports instances done and to do; skipped instances count. */
     void progress(qulonglong done, qulonglong count);
-    /** `rows` has changed. */
+    /** Emitted when `rows` has changed. */
     void updated();
-    /** It has come to an end; `failure` says why, in the user's words, when that is an error. */
+    /** Emitted when a benchmark ends. `failure` is an error text for the user, or empty. */
     void finished(const QString& failure);
 
 private:
     using Task = LatestTask<BenchmarkSpec, BenchmarkReport>;
-    void take(BenchmarkReport report);
+    void accept(BenchmarkReport report);
     void end(const std::optional<WorkFailure>& failure);
 
     std::vector<BenchmarkRow> m_rows;
     bool m_running = false;
-    bool m_isSaved = false;  ///< the rows are
-    double m_measured_s = 0; ///< that the rows took
+    bool m_isSaved = false;  ///< whether the rows are in a file
+    double m_measured_s = 0; ///< measuring time of the rows, s
     QElapsedTimer m_sinceStart;
-    Task m_task; ///< last: it ends before the rest
+    Task m_task; ///< last member: its thread ends before the others are destroyed
 };
 
 } // namespace berg

@@ -13,11 +13,11 @@ namespace {
 constexpr int kPause_ms = 1000; // plan, curve and forecasts come first
 constexpr int kBetweenReports_ms = 200;
 
-/** What the bound depends on: motion alone, without names. */
-Scenario boundedPart(const ScenarioMotion& motion)
+/** Returns the part of a scenario that its bound depends on: motion alone, without names. */
+Scenario boundedPart(const ScenarioPhysics& motion)
 {
     Scenario part;
-    static_cast<ScenarioMotion&>(part) = motion;
+    static_cast<ScenarioPhysics&>(part) = motion;
     for (Uav& uav : part.uavs) {
         uav.name.clear();
         uav.extraJson.clear();
@@ -29,19 +29,19 @@ Scenario boundedPart(const ScenarioMotion& motion)
     return part;
 }
 
-/** Work that tells what is known of the bound of a scenario. */
+/** Returns the work of the task, which reports the bound of a scenario as it grows. */
 auto boundWork(std::int64_t workLimit)
 {
     return [workLimit](const Scenario& scenario, const std::stop_token& stop,
-                       const std::function<void(KnownBound)>& tell) {
+                       const std::function<void(KnownBound)>& deliver) {
         ReportPace pace(kBetweenReports_ms);
         const auto report = [&](const BoundProgress& progress) {
             if (pace.isDue())
-                tell({.zeta_m2s = progress.zeta_m2s, .share = progress.share});
+                deliver({.zeta_m2s = progress.zeta_m2s, .share = progress.share});
         };
         const auto bound = std::make_shared<const ZetaBound>(
             zetaLowerBound(scenario, {.workLimit = workLimit, .stop = stop, .onProgress = report}));
-        tell({.zeta_m2s = bound->zeta_m2s, .share = 1, .whole = bound});
+        deliver({.zeta_m2s = bound->zeta_m2s, .share = 1, .whole = bound});
     };
 }
 
@@ -53,7 +53,8 @@ BoundRunner::BoundRunner(QObject* parent, std::int64_t workLimit)
              {.work = boundWork(workLimit),
               .deliver =
                   [this](KnownBound known) {
-                      known.zeta_m2s = std::max(known.zeta_m2s, m_known.zeta_m2s); // all hold
+                      // Every bound found is valid, so the largest one counts.
+                      known.zeta_m2s = std::max(known.zeta_m2s, m_known.zeta_m2s);
                       m_known = std::move(known);
                       m_complete = m_known.whole != nullptr;
                       emit updated();
@@ -62,7 +63,7 @@ BoundRunner::BoundRunner(QObject* parent, std::int64_t workLimit)
                   [this](const std::optional<WorkFailure>& failure) {
                       if (!failure)
                           return;
-                      m_known = {}; // too large for the memory, as a rule
+                      m_known = {}; // usually out of memory
                       m_complete = true;
                       emit updated();
                   }},
@@ -88,7 +89,7 @@ void BoundRunner::setScenario(const Scenario& scenario)
 
 void BoundRunner::start()
 {
-    if (hasErrors(validate(*m_scenario))) { // said elsewhere
+    if (hasErrors(validate(*m_scenario))) { // the window reports them elsewhere
         m_complete = true;
         emit updated();
         return;

@@ -12,9 +12,9 @@
 namespace berg {
 
 /**
- * Finds what zeta of no flight of the scenario is below (`zetaLowerBound`), on a thread of its own
- * at low priority, a second after the last change. A change of what the bound does not depend on
- * (planner, asset, names) changes nothing. GUI thread.
+ * Computes the lower bound on zeta of a scenario (`zetaLowerBound`) on its own thread at low
+ * priority, a second after the last change. Changes that do not affect the bound (planner, asset,
+ * names) are ignored. GUI thread.
  */
 class BoundRunner : public QObject
 {
@@ -22,28 +22,32 @@ class BoundRunner : public QObject
 
 public:
     explicit BoundRunner(QObject* parent = nullptr,
-                         std::int64_t workLimit = BoundOptions().workLimit);
+                         std::int64_t workLimit = ZetaBoundOptions().workLimit);
 
-    /** None is known of a scenario with errors. */
+    /**
+     * Sets the scenario to bound; one that differs drops the known bound. A scenario with errors
+     * has none.
+     */
     void setScenario(const Scenario& scenario);
 
-    /** Of the present scenario only. */
+    /** Returns the bound of the present scenario as far as it is known. */
     [[nodiscard]] const KnownBound& known() const { return m_known; }
-    /** Nothing waits or is under way. */
+    /** Returns whether no computation is pending or running. */
     [[nodiscard]] bool isComplete() const { return m_complete; }
 
 signals:
-    /** `known()` is new, also none. */
+    /** Emitted when `known()` has changed, also when it was cleared. */
     void updated();
 
 private:
     void start();
 
-    std::optional<Scenario> m_scenario; ///< without what does not matter
+    std::optional<Scenario> m_scenario; ///< reduced to what the bound depends on
     KnownBound m_known;
     bool m_complete = true;
-    QTimer m_pause;                          ///< runs out when changes have come to rest
-    LatestTask<Scenario, KnownBound> m_task; ///< last: it ends before the rest
+    QTimer m_pause; ///< restarted by each change
+    /** Last member: its thread ends before the others are destroyed. */
+    LatestTask<Scenario, KnownBound> m_task;
 };
 
 } // namespace berg

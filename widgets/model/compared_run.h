@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sim/unseen.h"
+#include "core/sim/revisit_intervals.h"
 #include "widgets/model/flight_record.h"
 
 #include <QLocale>
@@ -8,62 +8,76 @@
 
 namespace berg {
 
-/** What is kept of a run that was flown, to be set beside others. */
+/** Stored result of a flown run, for comparison with others. */
 struct ComparedRun
 {
-    Scenario scenario;                      ///< as flown, with the planner chosen at take-off
-    PlannerSettings planner;                ///< at the end
-    bool wasChanged = false;                ///< tau or policy, in flight
-    std::vector<Intervention> worldChanges; ///< in flight: wind, asset, icebergs added and removed
-    QString name;                           ///< given by the user; empty: none
-    QString file;                           ///< it was opened from; empty: flown here
-    Metrics metrics;                        ///< at the end
-    double flown_s = 0;                     ///< up to here
-    std::vector<Sample> samples;            ///< the last one at `flown_s`
-    std::vector<double> visits_s;           ///< when a target was reached
-    std::vector<std::vector<double>> uavVisits_s; ///< the same by UAV
-    std::vector<double> plans_s;   ///< when a plan was made, of several UAVs one for all
-    std::vector<Iceberg> icebergs; ///< those added in flight at the end
-    std::vector<std::vector<UnseenInterval>> unseen; ///< by iceberg
+    Scenario scenario;       ///< scenario with the planner settings at take-off
+    PlannerSettings planner; ///< settings at the end of the run
+    bool wasChanged = false; ///< whether the planner, an assignment or an order changed in flight
+    /** Changes in flight of wind, asset and icebergs (added or removed). */
+    std::vector<Intervention> worldChanges;
+    QString name;                 ///< name given by the user; may be empty
+    QString file;                 ///< run file it was opened from; empty if flown here
+    Metrics metrics;              ///< values at the end
+    double flown_s = 0;           ///< flown time, s
+    std::vector<Sample> samples;  ///< samples up to `flown_s`
+    std::vector<double> visits_s; ///< times at which a target was reached, s
+    std::vector<std::vector<double>> uavVisits_s; ///< visit times of each UAV, s
+    std::vector<double> plans_s; ///< times of the plans, s; one solve for several UAVs counts once
+    std::vector<Iceberg> icebergs; ///< all icebergs; those added in flight come last
+    std::vector<std::vector<UnseenInterval>> unseen; ///< intervals out of view, by iceberg
 };
 
-/** Of what has been flown so far. Cost: linear in the record. */
+/** Summarises what has been flown so far. Cost: linear in the record. */
 [[nodiscard]] ComparedRun comparedRun(const FlightRecord& record);
 
-/** As the user has named it, else what tells runs of a scenario apart: "τ 1.00", "Round tour", "τ
- * 1.00, changed in flight, to 05:00". */
+/**
+ * Returns the user's name of a run, else a text that distinguishes runs of one scenario: "τ 1.00",
+ * "Round tour", "τ 1.00, changed in flight, to 05:00".
+ */
 [[nodiscard]] QString runName(const ComparedRun& run, const QLocale& locale);
 
-/** Equal scenarios apart from name, notes and planner: runs of one can be set beside the other. */
+/**
+ * Returns whether two scenarios are equal except for name, notes and planner, so that runs of them
+ * can be compared.
+ */
 [[nodiscard]] bool isSameWorld(const ScenarioWorld& a, const ScenarioWorld& b);
-/** Runs in the same world, which was changed in flight in the same way at the same times. */
+/**
+ * Returns whether two runs share the world and had the same changes in flight at the same times.
+ */
 [[nodiscard]] bool isComparable(const ComparedRun& a, const ComparedRun& b);
-/** Equal settings, tau aside where the policy does not use it. */
+/** Returns whether settings are equal; tau is ignored if the policy does not use it. */
 [[nodiscard]] bool isSamePlanner(const PlannerSettings& a, const PlannerSettings& b);
-/** Comparable, flown in the same way as far, with the same result. */
+/**
+ * Returns whether two runs are comparable, have equal settings and flown time, and gave the same
+ * result.
+ */
 [[nodiscard]] bool isSameRun(const ComparedRun& a, const ComparedRun& b);
 
-/** What one UAV has done. */
+/** Totals of one UAV. */
 struct UavTotals
 {
     int visits = 0;
-    double flown_m = 0; ///< through the air
+    double flown_m = 0; ///< distance flown through the air, m
 };
 
-/** The numbers of a run at one instant. */
+/** Figures of a run up to one instant. */
 struct RunFigures
 {
     double zeta_m2s = 0;
-    double meanSigmaSum_m2 = 0; ///< zeta over time
+    double meanSigmaSum_m2 = 0; ///< mean over time, i.e. zeta divided by the flown time
     int visits = 0;
     int plans = 0;
     double flown_m = 0;
-    std::vector<UavTotals> uavs;    ///< by UAV
-    std::vector<UnseenTime> unseen; ///< by iceberg
-    int longestUnseen = -1;         ///< index of the one that was out of view longest; -1: none
+    std::vector<UavTotals> uavs;    ///< totals of each UAV
+    std::vector<UnseenTime> unseen; ///< time out of view of each iceberg
+    int longestUnseen = -1;         ///< index of the iceberg that was out of view longest, or −1
 };
 
-/** `until_s` at most `flown_s`; between samples sums are interpolated. */
+/**
+ * Returns the figures at `until_s`, which is at most `flown_s`. Sums are interpolated between
+ * samples.
+ */
 [[nodiscard]] RunFigures figuresAt(const ComparedRun& run, double until_s);
 
 } // namespace berg

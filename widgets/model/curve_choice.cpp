@@ -10,7 +10,7 @@
 namespace berg {
 namespace {
 
-/** Context of the texts. */
+/** Translation context. */
 struct CurveText
 {
     Q_DECLARE_TR_FUNCTIONS(CurveText)
@@ -25,7 +25,7 @@ std::optional<double> tauAt(const TauCurve& curve, int interval)
     return shortTau(curve.intervals[static_cast<std::size_t>(interval)]);
 }
 
-/** "0.83 to 1.21", with as many digits as tell the two apart. */
+/** Returns "0.83 to 1.21" with as many digits as distinguish both ends. */
 QString tauRangeText(const CurveInterval& interval, const QLocale& locale)
 {
     const double width = interval.tauTo - interval.tauFrom;

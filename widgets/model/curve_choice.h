@@ -9,20 +9,28 @@
 
 namespace berg {
 
-// What the widgets that show a trade-off curve say of it and jump to on it.
+// Texts about a trade-off curve, and the tau values that the widgets jump to.
 
-/** Index of the interval that holds tau; -1 when the curve does not reach it. */
+/** Returns the index of the interval that contains tau, or −1 if the curve does not reach it. */
 [[nodiscard]] int presentInterval(const TauCurve& curve, double tau);
 
-/** A tau with few digits strictly inside the interval, as near to its middle as they allow. */
+/**
+ * Returns a tau strictly inside the interval with few digits, as near to its middle as they allow.
+ */
 [[nodiscard]] double shortTau(const CurveInterval& interval);
 
-/** Tau of the neighbouring plan towards shorter ways; none at the end of the curve. */
+/**
+ * Returns a tau of the neighbouring plan towards shorter paths, or nullopt at the end of the curve
+ * or for a tau that it does not reach.
+ */
 [[nodiscard]] std::optional<double> tauOfNextPlan(const TauCurve& curve, double tau);
-/** Tau of the neighbouring plan towards most uncertain first; none at the start. */
+/**
+ * Returns a tau of the neighbouring plan towards "most uncertain first", or nullopt at the start.
+ * For a tau that the curve does not reach, returns one of its last plan.
+ */
 [[nodiscard]] std::optional<double> tauOfPreviousPlan(const TauCurve& curve, double tau);
 
-/** "τ 0.83 to 1.21: 14.2 km, proven optimal" */
+/** Returns "τ 0.83 to 1.21: whole order 14.2 km, proven optimal". */
 [[nodiscard]] QString intervalText(const CurveInterval& interval, const QLocale& locale);
 
 } // namespace berg

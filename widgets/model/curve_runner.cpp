@@ -35,9 +35,9 @@ CurveRunner::CurveRunner(QObject* parent)
     : QObject(parent)
     , m_task(u"curve"_s,
              {.work =
-                  [](const FleetTask& task, const std::stop_token& stop, const auto& tell) {
-                      tell(tauCurve(task.problem, task.betweenStarts_m,
-                                    {.stop = stop, .onProgress = tell}));
+                  [](const FleetTask& task, const std::stop_token& stop, const auto& deliver) {
+                      deliver(tauCurve(task.problem, task.betweenStarts_m,
+                                       {.stop = stop, .onProgress = deliver}));
                   },
               .deliver =
                   [this](TauCurve curve) {
@@ -46,7 +46,7 @@ CurveRunner::CurveRunner(QObject* parent)
                   },
               .end =
                   [this](const std::optional<WorkFailure>& failure) {
-                      if (failure) // a problem without a curve
+                      if (failure) // the problem has no curve
                           dropCurve(true);
                   }},
              WorkPriority::Low)
@@ -62,7 +62,7 @@ void CurveRunner::setScenario(const Scenario& scenario)
         m_scenario->planner.route == scenario.planner.route)
         return;
     m_scenario = scenario;
-    ask([this]() -> std::optional<FleetTask> {
+    schedule([this]() -> std::optional<FleetTask> {
         if (hasErrors(validate(*m_scenario)))
             return std::nullopt;
         return visitationTask(clusteredRequest(Simulation(*m_scenario)), m_scenario->planner.route);
@@ -72,21 +72,21 @@ void CurveRunner::setScenario(const Scenario& scenario)
 void CurveRunner::setRequest(std::shared_ptr<const PlanRequest> request, Route route)
 {
     m_scenario.reset();
-    ask([request = std::move(request), route] { return visitationTask(*request, route); });
+    schedule([request = std::move(request), route] { return visitationTask(*request, route); });
 }
 
-/** A problem has a matrix of distances: in a drag only the last one is made. */
-void CurveRunner::ask(MakeProblem problem)
+/** Making a problem computes a distance matrix: during a drag only the last one is made. */
+void CurveRunner::schedule(MakeProblem problem)
 {
-    if (m_pause.isActive()) { // so there is no curve that could be of another problem
+    if (m_pause.isActive()) { // no curve is known that could belong to another problem
         m_next = std::move(problem);
         m_pause.start();
         return;
     }
-    take(problem());
+    accept(problem());
 }
 
-void CurveRunner::take(std::optional<FleetTask> problem)
+void CurveRunner::accept(std::optional<FleetTask> problem)
 {
     if (!problem) {
         clear();
@@ -108,7 +108,7 @@ void CurveRunner::clear()
     dropCurve(true);
 }
 
-/** What is known or under way belongs to another problem. */
+/** Drops the known curve and current work, which belong to another problem. */
 void CurveRunner::dropCurve(bool complete)
 {
     m_task.drop();

@@ -15,10 +15,9 @@
 namespace berg {
 
 /**
- * Computes trade-off curves on a thread of its own, at low priority and a moment after the last
- * change, so that it never delays a plan. The newest request wins; a request for the problem
- * there is (a change of tau, say, which the curve does not depend on) changes nothing. GUI
- * thread.
+ * Computes trade-off curves on its own thread at low priority, a moment after the last change, so
+ * that a curve never delays a plan. The newest request wins; a request for the present problem is
+ * ignored (a change of tau, for example, does not affect the curve). GUI thread.
  */
 class CurveRunner : public QObject
 {
@@ -27,37 +26,43 @@ class CurveRunner : public QObject
 public:
     explicit CurveRunner(QObject* parent = nullptr);
 
-    /** The curve of the plan from the scenario's start; none when the scenario has errors. */
+    /**
+     * Requests the curve of the plan from the scenario's start; a scenario with errors has none.
+     */
     void setScenario(const Scenario& scenario);
-    /** The curve of any other instant, `ids` being icebergs of the caller. */
+    /**
+     * Requests the curve of another instant; `ids` of the request are iceberg indices of the
+     * caller.
+     */
     void setRequest(std::shared_ptr<const PlanRequest> request, Route route);
-    /** No curve wanted. */
+    /** Drops the curve and what is being computed. */
     void clear();
 
-    /** Newest known, of the present problem only; grows until it is `complete`. */
+    /** Returns the newest curve of the present problem; it grows until it is `complete`. */
     [[nodiscard]] const TauCurve& curve() const { return m_curve; }
-    /** What its orders are about. */
+    /** Returns the problem of the curve, whose orders refer to the nodes of this problem. */
     [[nodiscard]] const FleetTask& problem() const { return m_problem; }
 
 signals:
-    /** The curve has changed, also to none. */
+    /** Emitted when the curve has changed, also when it was dropped. */
     void updated();
 
 private:
-    /** None: there is no curve. */
+    /** Makes the problem of a curve, or returns nullopt if there is no curve. */
     using MakeProblem = std::function<std::optional<FleetTask>()>;
 
-    void ask(MakeProblem problem);
-    void take(std::optional<FleetTask> problem);
+    void schedule(MakeProblem problem);
+    void accept(std::optional<FleetTask> problem);
     void dropCurve(bool complete);
     void start();
 
-    std::optional<Scenario> m_scenario; ///< what was asked for last; none: a request
-    MakeProblem m_next; ///< asked for since the last change came: made when they are at rest
+    std::optional<Scenario> m_scenario; ///< scenario requested last; nullopt after `setRequest`
+    MakeProblem m_next; ///< request since the last change; the problem is made when changes stop
     FleetTask m_problem;
     TauCurve m_curve{.intervals = {}, .complete = true};
-    QTimer m_pause;                         ///< runs out when changes have come to rest
-    LatestTask<FleetTask, TauCurve> m_task; ///< last: it ends before the rest
+    QTimer m_pause; ///< restarted by each change
+    /** Last member: its thread ends before the others are destroyed. */
+    LatestTask<FleetTask, TauCurve> m_task;
 };
 
 } // namespace berg

@@ -13,7 +13,7 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-/** Also of a file that does not exist yet in a folder that does. */
+/** Returns the canonical path, also for a file that does not exist yet in an existing folder. */
 QString canonicalPath(const QString& path)
 {
     const QFileInfo file(path);
@@ -22,16 +22,16 @@ QString canonicalPath(const QString& path)
     return QDir(QFileInfo(file.absolutePath()).canonicalFilePath()).filePath(file.fileName());
 }
 
-/** Those of programs that were killed. */
+/** Removes the locks of programs that were killed. */
 void removeFreeLocks(const QString& folder)
 {
     for (const QFileInfo& file : QDir(folder).entryInfoList({u"*.lock"_s}, QDir::Files)) {
-        FileLock lock; // removes the file when it goes
+        FileLock lock; // its destructor removes the file
         (void)lock.take(file.filePath());
     }
 }
 
-/** As private as the file itself. */
+/** Copies a file with its permissions; returns false if that failed. */
 bool copyTo(const QString& path, const QString& copy)
 {
     try {
@@ -59,11 +59,11 @@ void DocumentFile::setLockFolder(const QString& folder)
     follow();
 }
 
-/** Opened, saved, or begun without a file. */
+/** Follows a document that was opened, saved, or begun without a file. */
 void DocumentFile::follow()
 {
-    // A size and a time looked up now could be those of a change made since: both stay open, so
-    // that the first look at the file goes by its content.
+    // Size and time read now could belong to a later change: leaving both unset makes the first
+    // check compare the content.
     m_seen = m_document.fileHash().isEmpty() ? seen() : Seen{.hash = m_document.fileHash()};
     const QString path = m_document.filePath();
     if (!path.isEmpty())
@@ -73,7 +73,7 @@ void DocumentFile::follow()
         return;
     m_lock.release();
     m_lockPath = lock;
-    if (!lock.isEmpty()) // held by another window: the user has said that he wants it all the same
+    if (!lock.isEmpty()) // another window may hold it: the user has chosen to open the file anyway
         (void)m_lock.take(lock);
 }
 
@@ -121,7 +121,7 @@ bool DocumentFile::isChangedOutside()
     const std::optional<Seen> now = seen();
     if (!now || !m_seen || now->hash != m_seen->hash)
         return true;
-    m_seen = now; // written again as it was
+    m_seen = now; // rewritten with the same content
     return false;
 }
 

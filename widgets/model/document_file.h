@@ -14,13 +14,13 @@ namespace berg {
 class ScenarioDocument;
 
 /**
- * The document's file on disk: locked against other windows, watched for changes made by others,
- * copied before it is first written over.
+ * File of the document on disk: locks it against other windows, detects changes made by others, and
+ * copies it before it is first overwritten.
  *
- * Locks are in a folder of the user, named after the canonical path, not beside the file: read-only
- * folders, memory sticks and synchronised folders stay as they are, and all links to a file mean
- * one lock. Somebody on another computer is so not seen; what he saves is (`isChangedOutside`).
- * GUI thread.
+ * Locks lie in a folder of the user, named after the canonical path, not beside the file: read-only
+ * folders, memory sticks and synchronised folders stay unchanged, and all links to a file share one
+ * lock. A user on another computer therefore goes unnoticed, but changes of the file do not
+ * (`isChangedOutside`). GUI thread.
  */
 class DocumentFile : public QObject
 {
@@ -29,21 +29,26 @@ class DocumentFile : public QObject
 public:
     explicit DocumentFile(ScenarioDocument& document, QObject* parent = nullptr);
 
-    /** From now on; before, nothing is locked. */
+    /**
+     * Sets the folder of locks, makes it if it is missing and removes the locks of killed programs
+     * from it. Nothing is locked before.
+     */
     void setLockFolder(const QString& folder);
-    /** Who else has this file open; none: nobody, or nobody who can be seen. */
+    /** Returns who else has this file open, or nullopt if nobody is known to. */
     [[nodiscard]] std::optional<LockHolder> otherHolder(const QString& path) const;
 
-    /** The content is not what was opened or saved here. A file that is gone counts as unchanged.
+    /**
+     * Returns whether the content differs from what was opened or saved here. A missing file counts
+     * as unchanged, one that cannot be read as changed.
      */
     [[nodiscard]] bool isChangedOutside();
-    /** The document is older than what is on disk. */
+    /** Records that the document is older than the file on disk. */
     void setOutdated() { m_seen.reset(); }
 
     /**
-     * Saves the document. With `keepOld`, what a file holds that is written for the first time
-     * since the program began is kept as `PATH~`; false when that was not possible. Throws `Error`
-     * of `ScenarioDocument::save`.
+     * Saves the document. With `keepOld`, the previous content of a file that is written for the
+     * first time in this session is copied to `PATH~`; returns false if that failed. Throws `Error`
+     * as `ScenarioDocument::save`.
      */
     bool save(const QString& path, bool keepOld);
 
@@ -60,10 +65,10 @@ private:
 
     ScenarioDocument& m_document;
     QString m_lockFolder;
-    QString m_lockPath; ///< of the file that is open
+    QString m_lockPath; ///< lock of the open file
     FileLock m_lock;
     std::optional<Seen> m_seen;
-    std::set<QString> m_written; ///< canonical paths
+    std::set<QString> m_written; ///< canonical paths of files saved in this session
 };
 
 } // namespace berg

@@ -18,7 +18,10 @@ const ExportFormat& formatOf(const ExportRequest& request)
     return *format;
 }
 
-/** Whole lines where there are any, never half a character. */
+/**
+ * Returns the length of the preview, which ends at a line break if there is one, and never within a
+ * UTF-8 character.
+ */
 std::size_t headLength(std::string_view text)
 {
     if (text.size() <= kHeadBytes)
@@ -53,7 +56,7 @@ PreparedExport prepareExport(const ExportSource& source, const ExportRequest& re
         prepared.painting = paint.prepare(format, prepared.content);
     else if (format.holds.flownOnly)
         prepared.table = format.text(prepared.content);
-    prepared.content.mission = nullptr; // flies on, and may end
+    prepared.content.mission = nullptr; // the mission flies on and may end
     return prepared;
 }
 
@@ -86,7 +89,7 @@ std::optional<ExportPreview> exportPreview(const PreparedExport& prepared,
         preview.bytes += file.content.size();
     }
     if (prepared.painting)
-        preview.picture = prepared.painting->look();
+        preview.picture = prepared.painting->image();
     else
         addHead(preview, format.id == "kmz" ? findExportFormat("kml")->text(preview.content)
                                             : files.front().content);

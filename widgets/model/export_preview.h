@@ -15,7 +15,7 @@
 
 namespace berg {
 
-/** What is to be exported, how and where to. */
+/** An export: format, options and target path. */
 struct ExportRequest
 {
     std::string formatId; ///< of `exportFormats`
@@ -24,52 +24,60 @@ struct ExportRequest
     bool operator==(const ExportRequest&) const = default;
 };
 
-/** A page that holds all it shows; both take a while. Thread: any. */
+/**
+ * Deferred painting of an export, which holds all data it shows. Both functions are slow. Thread:
+ * any.
+ */
 struct ExportPainting
 {
     std::function<std::string()> file;
-    std::function<QImage()> look; ///< to be shown
+    std::function<QImage()> image; ///< image for the preview
 };
 
-/** Makes the exports that are pictures or pages. Thread: any. */
+/** Paints the exports that are images or pages. Thread: any. */
 struct ExportPaint
 {
     ExportPainter file;
-    /** Takes what it needs of the content and its mission: quick. */
+    /** Copies what it needs from the content and its mission; fast. */
     std::function<ExportPainting(const ExportFormat&, const ExportContent&)> prepare;
 };
 
-/** An export that has taken what it needs of the mission, which may fly on. */
+/** An export with its own copy of the mission's data, so that the mission may fly on. */
 struct PreparedExport
 {
     ExportRequest request;
     ExportContent content;                  ///< without its mission
-    std::optional<std::string> table;       ///< of a format that is about a flight
-    std::optional<ExportPainting> painting; ///< of a painted format
+    std::optional<std::string> table;       ///< text of a format about a flight
+    std::optional<ExportPainting> painting; ///< set for painted formats
 };
 
-/** What an export comes to, before it is written. */
+/** Preview of an export before it is written. */
 struct ExportPreview
 {
     ExportRequest request;
-    std::optional<Error> error; ///< why there is none; then the rest is empty
+    std::optional<Error> error; ///< reason for which there is no preview; then the rest is empty
     ExportContent content;      ///< without its mission
     std::vector<ExportNote> notes;
-    QStringList paths;     ///< of the files that would be written
-    QString head;          ///< how the first file begins; of a packed one what is in it
-    bool isWhole = false;  ///< the head is all of it
-    std::size_t bytes = 0; ///< of all files
-    QImage picture;        ///< of the first file, when it is painted
+    QStringList paths;     ///< paths of the files that would be written
+    QString head;          ///< beginning of the first file; contents of a packed one
+    bool isWhole = false;  ///< whether `head` is the whole file
+    std::size_t bytes = 0; ///< size of all files
+    QImage picture;        ///< image of the first file, if it is painted
 };
 
-/** Of a format of the table. Solves nothing. Throws as `exportContent`. */
+/**
+ * Prepares an export. Solves nothing. Throws as `exportContent` and the writer of a format about a
+ * flight, and `std::logic_error` for an unknown format id.
+ */
 [[nodiscard]] PreparedExport prepareExport(const ExportSource& source, const ExportRequest& request,
                                            const ExportPaint& paint);
 
-/** Throws as `exportFiles`. */
+/** Returns the files of a prepared export. Throws as `exportFiles`. */
 [[nodiscard]] std::vector<ExportFile> exportedFiles(const PreparedExport& prepared);
 
-/** The same looked at; throws the same. None when stopped before it is complete. */
+/**
+ * Returns a preview of a prepared export, or nullopt if it was stopped. Throws as `exportFiles`.
+ */
 [[nodiscard]] std::optional<ExportPreview> exportPreview(const PreparedExport& prepared,
                                                          const std::stop_token& stop = {});
 

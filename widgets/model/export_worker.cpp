@@ -8,24 +8,24 @@ void ExportWorker::write(const std::shared_ptr<const ExportJob>& job)
 {
     const auto failure = failureOf([&] {
         emit written(std::make_shared<const std::vector<ExportFile>>(exportedFiles(job->prepared)),
-                     job->order.generation);
+                     job->task.generation);
     });
     if (failure)
         emit refused(failure->report);
 }
 
-void ExportWorker::look(const std::shared_ptr<const ExportJob>& job)
+void ExportWorker::makePreview(const std::shared_ptr<const ExportJob>& job)
 {
-    const ExportOrder& order = job->order;
+    const ExportTask& task = job->task;
     std::optional<ExportPreview> preview;
     if (const auto failure =
-            failureOf([&] { preview = exportPreview(job->prepared, order.stop); })) {
+            failureOf([&] { preview = exportPreview(job->prepared, task.stop); })) {
         preview.emplace();
-        preview->request = order.request;
+        preview->request = task.request;
         preview->error = failure->error;
     }
-    if (preview && !order.stop.stop_requested())
-        emit looked(std::make_shared<const ExportPreview>(std::move(*preview)), order.generation);
+    if (preview && !task.stop.stop_requested())
+        emit previewed(std::make_shared<const ExportPreview>(std::move(*preview)), task.generation);
 }
 
 } // namespace berg

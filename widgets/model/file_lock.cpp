@@ -14,7 +14,7 @@
 namespace berg {
 namespace {
 
-/** The open file is still the one of that name: its last holder may just have removed it. */
+/** Returns whether the open file still has this name: its last holder may just have removed it. */
 bool isNamed(int fd, const QByteArray& path)
 {
     struct stat open
@@ -31,7 +31,7 @@ void writeHolder(int fd)
 {
     const QByteArray text = QByteArray::number(QCoreApplication::applicationPid()) + '\n' +
                             QSysInfo::machineHostName().toUtf8() + '\n';
-    // Only for the words of a question: the lock holds without them.
+    // Only the text of a question uses the holder: the lock holds without it.
     if (::ftruncate(fd, 0) == 0) {
         [[maybe_unused]] const ssize_t written =
             ::write(fd, text.constData(), static_cast<std::size_t>(text.size()));
@@ -82,7 +82,7 @@ void FileLock::release()
 {
     if (m_fd < 0)
         return;
-    ::unlink(QFile::encodeName(m_path).constData()); // before the lock goes: it is ours
+    ::unlink(QFile::encodeName(m_path).constData()); // while we still hold the lock
     ::close(std::exchange(m_fd, -1));
 }
 

@@ -4,17 +4,17 @@
 
 namespace berg {
 
-/** Who has taken a lock, as the lock file says. */
+/** Holder of a lock, as stated in the lock file. */
 struct LockHolder
 {
-    qint64 pid = 0; ///< 0: unknown
+    qint64 pid = 0; ///< process id; 0 if unknown
     QString host;
 };
 
 /**
- * A lock that lives as long as this object and, at the latest, as long as its process: the kernel
- * lets go of it (`flock`), so neither a crash nor a process number used again can leave one behind.
- * Two objects of one process exclude each other as well.
+ * A lock that lives as long as this object and at most as long as its process: the kernel releases
+ * it (`flock`), so neither a crash nor a reused process id leaves one behind. Two objects of one
+ * process also exclude each other.
  */
 class FileLock
 {
@@ -23,7 +23,7 @@ public:
     {
         Taken,
         Busy,
-        Impossible ///< the file cannot be made, or the file system has no locks
+        Impossible ///< the file cannot be created, or the file system has no locks
     };
 
     FileLock() = default;
@@ -31,9 +31,12 @@ public:
     FileLock& operator=(FileLock&& other) noexcept;
     ~FileLock() { release(); }
 
-    /** Makes `path`, whose folder must exist, and writes into it who holds it. Never waits. */
+    /**
+     * Releases the present lock, creates `path`, whose folder must exist, locks it and writes its
+     * holder. Never waits.
+     */
     [[nodiscard]] Outcome take(const QString& path);
-    /** Removes the file. */
+    /** Removes the file and releases the lock. */
     void release();
     [[nodiscard]] bool isHeld() const { return m_fd >= 0; }
 
@@ -42,7 +45,10 @@ private:
     int m_fd = -1;
 };
 
-/** What the lock file says; meaningful while the lock is busy. */
+/**
+ * Returns the holder stated in the lock file, or an empty one if it cannot be read; meaningful
+ * while the lock is busy.
+ */
 [[nodiscard]] LockHolder lockHolder(const QString& path);
 
 } // namespace berg

@@ -16,9 +16,10 @@ namespace {
 
 constexpr auto kPlacePrefix = QLatin1String("place:");
 constexpr auto kCommandPrefix = QLatin1String("command:");
+constexpr auto kFieldPrefix = QLatin1String("field:");
 constexpr auto kCoordinatePrefix = QLatin1String("at:");
 
-/** Smaller is better; none: it is not found. */
+/** Returns the rank of a name, smaller is better, or nullopt if it does not match. */
 std::optional<int> rankOf(const QString& wanted, const QString& name)
 {
     if (name.isEmpty())
@@ -36,7 +37,7 @@ std::optional<int> rankOf(const QString& wanted, const QString& name)
     return std::ranges::all_of(words, isThere) ? std::optional(3) : std::nullopt;
 }
 
-/** By any of its names, or by words of several. */
+/** Returns the best rank over all names of an item and over words of several names. */
 std::optional<int> rankOf(const QString& wanted, const FindItem& item)
 {
     QStringList names{searchText(item.text), searchText(item.text + u' ' + item.other)};
@@ -90,8 +91,9 @@ std::vector<FindItem> findableItems(const Scenario& scenario)
                          .key = place.english,
                          .text = place.name,
                          .other = (QStringList{place.english} + place.also).join(u'\n'),
-                         .hint = {},
-                         .at = place.at});
+                         .hint = placeText(place.at, 0, QLocale()),
+                         .at = place.at,
+                         .placeKind = place.kind});
     return items;
 }
 
@@ -103,6 +105,8 @@ QString favouriteKey(const FindItem& item)
         return {};
     case FindKind::Command:
         return kCommandPrefix + item.key;
+    case FindKind::Field:
+        return kFieldPrefix + item.key;
     case FindKind::Place:
         break;
     }

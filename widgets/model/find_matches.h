@@ -1,10 +1,11 @@
 #pragma once
 
-#include "core/base/geodesy.h"
+#include "widgets/model/gazetteer.h"
 
 #include <QString>
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 namespace berg {
@@ -15,37 +16,44 @@ enum class FindKind
 {
     Iceberg,
     Uav,
-    Place, ///< named or a coordinate
-    Command
+    Place, ///< place with a name, or a coordinate
+    Command,
+    Field ///< input of the Inspector
 };
 
-/** Something that can be found by its name. */
+/** An item that can be found by its name. */
 struct FindItem
 {
     FindKind kind = FindKind::Place;
-    QString key{}; ///< id, English name of a place or object name of an action; empty: a coordinate
-    QString text{};  ///< in the language of now
-    QString other{}; ///< found by each of its lines as well: id, English name, use of a command
-    QString hint{};  ///< shown beside it, e.g. the shortcut of a command
-    LatLon at{};     ///< of a place
+    /**
+     * Id, English name of a place, or object name of an action or input; empty for a coordinate.
+     */
+    QString key{};
+    QString text{};  ///< name in the current language
+    QString other{}; ///< further names, one a line: id, English name, use of a command
+    QString hint{};  ///< shown beside the name: shortcut of a command, position of a place
+    LatLon at{};     ///< position of a place
     bool isFavourite = false;
+    std::optional<PlaceKind> placeKind = {}; ///< nullopt for coordinates and other items
 };
 
-/** Icebergs and UAVs of a scenario, then the places that come with the program, the best known
- * first. */
+/** Returns icebergs and UAVs of a scenario, then the places of the gazetteer, best known first. */
 [[nodiscard]] std::vector<FindItem> findableItems(const Scenario& scenario);
 
-/** Names a favourite in the settings; empty: it belongs to one scenario and can be none. */
+/**
+ * Returns the key of a favourite in the settings, or an empty text for an item of one scenario,
+ * which cannot be a favourite.
+ */
 [[nodiscard]] QString favouriteKey(const FindItem& item);
-/** Marks those of `keys`; adds the coordinates among them. */
+/** Marks the items whose keys are in `keys` as favourites and adds the coordinates among them. */
 void markFavourites(std::vector<FindItem>& items, const QStringList& keys);
 
 /**
- * What a text finds, best first, at most so many: what is called so, what begins so, what has words
- * that begin so, what has it somewhere; favourites first within each, then the order of `items`. A
- * coordinate in any form is found as well, before all else, or after it when it is without a digit.
- * All words of the text must be there, in any order, whatever their case and diacritics. An empty
- * text finds the favourites.
+ * Returns at most `most` items that match a text, best first: equal names, names that begin with
+ * it, names with words that begin so, names that contain it; favourites first within each, then in
+ * the order of `items`. A coordinate in any form is found as well, first if it has a digit, else
+ * last. All words of the text must occur, in any order, ignoring case and diacritics. An empty text
+ * returns the favourites.
  */
 [[nodiscard]] std::vector<FindItem>
 findMatches(const QString& text, const std::vector<FindItem>& items, std::size_t most);

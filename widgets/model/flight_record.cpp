@@ -12,7 +12,7 @@ namespace berg {
 
 namespace {
 
-/** On the track of the UAV as it is drawn, straight between its samples. */
+/** Returns the UAV's position on its drawn track, which is straight between samples. */
 Point placeAt(const FlightRecord& record, std::size_t uav, double time_s)
 {
     const std::vector<Sample>& samples = record.history.samples;
@@ -30,7 +30,7 @@ Point placeAt(const FlightRecord& record, std::size_t uav, double time_s)
     return from_m + share * (to_m - from_m);
 }
 
-/** The plans of the UAV that were made by the time shown, the last one first. */
+/** Returns the plans of the UAV made by the time shown, last one first. */
 std::vector<const PlanEvent*> plansBackwards(const FlightRecord& record, int uav)
 {
     const std::vector<PlanEvent>& plans = record.history.plans;
@@ -41,8 +41,10 @@ std::vector<const PlanEvent*> plansBackwards(const FlightRecord& record, int uav
     return own;
 }
 
-/** Place of the plan that changed the order last, those after it being the same again; the end:
- * there is none. */
+/**
+ * Returns the index of the latest plan that changed the order; only interventions that kept it may
+ * follow. Returns the size if there is none.
+ */
 std::size_t lastChange(const std::vector<const PlanEvent*>& backwards)
 {
     for (std::size_t k = 0; k < backwards.size(); ++k) {
@@ -54,7 +56,7 @@ std::size_t lastChange(const std::vector<const PlanEvent*>& backwards)
     return backwards.size();
 }
 
-/** The part of ways that comes after that time. */
+/** Returns the part of the paths after that time. */
 std::vector<AimedPath> after(std::vector<AimedPath> paths, double time_s)
 {
     std::erase_if(paths,
@@ -75,7 +77,7 @@ std::vector<AimedPath> after(std::vector<AimedPath> paths, double time_s)
     return paths;
 }
 
-/** How a plan would have gone on from that time. */
+/** Returns how a plan would have continued from that time. */
 std::vector<AimedPath> pathsAfter(const FlightRecord& record, const PlanEvent& plan, double time_s)
 {
     const auto k = static_cast<std::size_t>(plan.uav);
@@ -92,7 +94,7 @@ void FlightRecord::begin(const Scenario& flown)
     history.rewrites = rewrites + 1;
 }
 
-void FlightRecord::take(MissionSnapshot snapshot)
+void FlightRecord::accept(MissionSnapshot snapshot)
 {
     if (snapshot.generation != now.generation) {
         history = {.rewrites = history.rewrites + 1};
@@ -104,7 +106,7 @@ void FlightRecord::take(MissionSnapshot snapshot)
         noteStartPlan();
 }
 
-/** Before take-off each plan is a mission of its own: what one changes is known only here. */
+/** Before take-off each plan belongs to a new mission, so only the record can compare them. */
 void FlightRecord::noteStartPlan()
 {
     if (startPlan && !isSameWorld(startPlan->scenario, scenario))
@@ -165,7 +167,7 @@ KnownBound FlightRecord::boundOfFlight() const
     const bool isBroken =
         std::any_of(history.events.begin(), history.events.end(), [](const MissionEvent& event) {
             return (event.kind == EventKind::Sighted && event.reported) ||
-                   event.kind == EventKind::LateHome || // the bound counts on the turn-around
+                   event.kind == EventKind::LateHome || // the bound relies on the turn-around
                    (event.kind == EventKind::Intervention &&
                     (event.changed == ChangedPart::Wind || event.changed == ChangedPart::Removal));
         });
@@ -222,8 +224,10 @@ FlightRecord recordOf(const Mission& mission)
 
 namespace {
 
-/** Length of an order of the request; a leg counts as the mean of both directions, as in
- * `visitationTask`. */
+/**
+ * Returns the length of an order of the request, m. A leg counts as the mean of both directions, as
+ * in `visitationTask`.
+ */
 double weighedLength_m(const PlanRequest& request, const UavRequest& uav,
                        const std::vector<int>& order, Route route)
 {
@@ -233,14 +237,15 @@ double weighedLength_m(const PlanRequest& request, const UavRequest& uav,
     double length_m = 0;
     int at = 0;
     for (const int iceberg : order)
-        if (std::ranges::find(request.ids, iceberg) != request.ids.end()) { // one of each cluster
+        // Only one iceberg of each cluster is a node.
+        if (std::ranges::find(request.ids, iceberg) != request.ids.end()) {
             const int next = nodeOfId(request, iceberg);
             length_m += leg_m(std::exchange(at, next), next);
         }
     return route == Route::Closed ? length_m + leg_m(at, 0) : length_m;
 }
 
-/** Of the plan in force and those that were made with it. */
+/** Returns the weighed length of the plan in force and of those of the same solve, m. */
 double weighedDistance_m(const MissionSnapshot& shown, Route route)
 {
     double length_m = 0;

@@ -12,91 +12,98 @@ namespace berg {
 
 struct PlanReadout; // widgets/words
 
-/** The last plan that was made before take-off. */
+/** The last plan made before take-off. */
 struct StartPlan
 {
     Scenario scenario;
-    std::vector<PlanEvent> plans; ///< by UAV, as are the others
-    /** The last of the orders, since only the planner is changed, and what they took the place of.
+    std::vector<PlanEvent> plans; ///< by UAV, like the vectors below
+    /**
+     * The last change of each order since only the planner has changed, with the plans before it.
      */
     std::vector<std::optional<PlanChange>> changes;
     std::vector<PlanEvent> former;
 };
 
-/** What the plan shown took the place of. */
+/** The change of plan that is shown. */
 struct ShownChange
 {
     PlanChange change;
-    double time_s = 0;            ///< when
-    std::optional<Point> from_m;  ///< where the UAV was then; none: where it is
-    std::vector<AimedPath> paths; ///< how the plan before would have gone on; empty: straight
+    double time_s = 0; ///< time of the change, s
+    /** Position of the UAV at the change; nullopt if it has not moved since. */
+    std::optional<Point> from_m;
+    /** Continuation of the former plan; empty for straight legs. */
+    std::vector<AimedPath> paths;
 };
 
-/** What is known of the number that zeta of no flight of a scenario is below. */
+/** The lower bound on zeta of any flight of a scenario, as far as it is known. */
 struct KnownBound
 {
-    double zeta_m2s = 0;                    ///< at the end of the run, the best so far; 0: nothing
-    double share = 0;                       ///< of the work that is done
-    std::shared_ptr<const ZetaBound> whole; ///< when it is finished; else null
+    double zeta_m2s = 0; ///< best bound so far at the end of the run; 0 if unknown
+    double share = 0;    ///< share of the work that is done, 0 to 1
+    std::shared_ptr<const ZetaBound> whole; ///< the complete bound; null until it is finished
 };
 
 /**
- * What map, charts and panels show of one mission: its scenario, how it stands, what it was like
- * at the instant the user looks at, and the history so far. Made from a finished mission, or grown
- * from the snapshots of one that is being flown.
+ * Data that map, charts and panels show of one mission: its scenario, its present state, the state
+ * at the instant the user looks back at, and the history so far. Made from a finished mission, or
+ * grown from snapshots of one in flight.
  */
 struct FlightRecord
 {
     Scenario scenario;
-    MissionSnapshot now;                    ///< newest; its news are in the history
-    std::optional<MissionSnapshot> instant; ///< looked back at; none: the newest is shown
+    MissionSnapshot now; ///< newest snapshot; its news are moved to the history
+    /** Instant the user looks back at; nullopt shows the newest. */
+    std::optional<MissionSnapshot> instant;
     MissionHistory history;
     std::optional<StartPlan> startPlan;
-    KnownBound bound; ///< of the scenario as it takes off
+    KnownBound bound; ///< bound for the scenario as at take-off
 
-    /** What is to be drawn. */
+    /** Returns the snapshot to draw. */
     [[nodiscard]] const MissionSnapshot& shown() const { return instant ? *instant : now; }
 
-    /** Forgets everything: another scenario, or the same one from its start. */
+    /** Clears everything but the bound, for another scenario or a new start of the same one. */
     void begin(const Scenario& flown);
-    /** Takes the snapshot over; one of a new generation starts the history anew. */
-    void take(MissionSnapshot snapshot);
+    /** Adds a snapshot; one of a new generation restarts the history. */
+    void accept(MissionSnapshot snapshot);
 
-    /** Under way, paused or at its end: the scenario is not to be edited. */
+    /** Returns whether the flight is flying, paused or finished, so that the scenario is locked. */
     [[nodiscard]] bool inFlight() const;
-    /** What is shown is the end of the run: nothing is left to fly. */
+    /** Returns whether the end of the run is shown. */
     [[nodiscard]] bool isOver() const;
-    /** Of this flight: nothing when an iceberg was reported seen or removed, or the wind changed in
-     * flight. */
+    /**
+     * Returns the bound that holds for this flight; it is unknown once an iceberg was reported seen
+     * or removed, the wind was changed in flight, or a UAV could not be home in time.
+     */
     [[nodiscard]] KnownBound boundOfFlight() const;
-    /** At the time shown. */
+    /** Returns the estimated position of an iceberg at the time shown. */
     [[nodiscard]] Point estimate_m(std::size_t iceberg) const;
     /**
-     * What was changed for the UAV. In flight that of the last plan at the time shown, or of one
-     * before it when all that came after were changes of the planner that left the order as it was.
-     * Before take-off that of the last other order in this world. None: no order was changed, or
-     * all of the old one are seen.
+     * Returns the change of the UAV's order. In flight that of the last plan at the time shown, or
+     * of an earlier one if only changes of the planner that kept the order followed; before
+     * take-off that of the last different order in this world. Returns nullopt if no order changed,
+     * or if all icebergs of the old one have been seen.
      */
     [[nodiscard]] std::optional<ShownChange> changeShown(int uav = 0) const;
-    /** So many events had come by the time shown. */
+    /** Returns the number of events up to the time shown. */
     [[nodiscard]] std::size_t eventsShown() const;
 
 private:
     void noteStartPlan();
 };
 
+/** Returns the complete record of a mission. */
 [[nodiscard]] FlightRecord recordOf(const Mission& mission);
 
-/** Writes instants that are counted from the one shown. */
+/** Returns a formatter of times relative to the instant shown. */
 [[nodiscard]] TimesAhead timesOf(const FlightRecord& record);
 
-/** Of the instant shown, with the plans of the last solve. */
+/** Returns the readout of the plan at the instant shown, with the other plans of the same solve. */
 [[nodiscard]] PlanReadout readoutOf(const FlightRecord& record, const QString& fault);
 
 /**
- * How a flight to be watched is recorded: a sample each second, on long flights of many icebergs
- * fewer, but one in 5 s at least, so that a day with a hundred icebergs stays small and is drawn
- * as fast as a short one. How the mission is flown does not depend on it.
+ * Returns the recording options of a flight that is watched: a sample each second, fewer on long
+ * flights of many icebergs but at least one in 5 s, so that a day with a hundred icebergs stays
+ * small and draws as fast as a short one. The flight itself does not depend on them.
  */
 [[nodiscard]] MissionOptions recordingOf(const Scenario& scenario);
 

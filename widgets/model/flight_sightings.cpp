@@ -9,14 +9,14 @@ namespace berg {
 
 namespace {
 
-/** The iceberg as its track has it. */
+/** Returns the iceberg with the estimate and uncertainty of its track. */
 Iceberg asEstimated(Iceberg iceberg, const Track& track, double time_s)
 {
     iceberg.position_m = track.estimate_m(time_s);
     iceberg.observed_s = std::max(0.0, time_s - track.seen_s);
     iceberg.sigma0_m2 = std::max(0.0, track.sigma_m2 - iceberg.q_m2ps * iceberg.observed_s);
     iceberg.appears_s = 0;
-    iceberg.track = {}; // the true motion is that of the flight
+    iceberg.track = {}; // the flight keeps its own true motion
     return iceberg;
 }
 
@@ -47,7 +47,7 @@ ImportOptions optionsInFlight(ImportOptions options, const Scenario& now)
     options.moveOrigin = false;
     options.withTracks = false;
     if (now.observer.model == ObserverModel::Simple)
-        options.track.drift.velocitySpread_mps = 0; // it takes velocities as known
+        options.track.drift.velocitySpread_mps = 0; // the simple observer takes velocities as known
     return options;
 }
 

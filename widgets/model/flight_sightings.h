@@ -8,18 +8,18 @@
 namespace berg {
 
 /**
- * What sightings are imported into while the flight is under way: the scenario with the newest
- * instant as its t = 0. Icebergs are where and as surely as they are estimated to be; those that
- * have not appeared or are monitored no more are left out.
+ * Returns the scenario that sightings are imported into in flight: its t = 0 is the newest instant,
+ * and icebergs have their present estimates and uncertainties. Icebergs that have not appeared or
+ * are no longer monitored are omitted.
  */
 [[nodiscard]] Scenario scenarioNow(const FlightRecord& record);
 
-/** The options as they can be in flight: t = 0 stays, origin and observer too. */
+/** Restricts import options in flight: t = 0, origin and observer stay as they are. */
 [[nodiscard]] ImportOptions optionsInFlight(ImportOptions options, const Scenario& now);
 
 /**
- * What an import into `scenarioNow` is to the flight: icebergs that it has are reported seen, as
- * long ago as their last sighting; new ones appear. Those left out change nothing.
+ * Returns the interventions of an import into `scenarioNow`: known icebergs are reported seen with
+ * the age of their last sighting, new ones appear. Icebergs left out change nothing.
  */
 [[nodiscard]] std::vector<Intervention> reportsOf(const ImportPreview& preview);
 

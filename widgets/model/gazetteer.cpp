@@ -18,10 +18,10 @@ struct PlaceText
     Q_DECLARE_TR_FUNCTIONS(PlaceText)
 };
 
-/** By `PlaceKind`, as the file calls them. */
+/** Names of `PlaceKind` in the file, in its order. */
 constexpr std::array<const char*, 5> kKindNames{"water", "land", "cape", "town", "field"};
 
-// Names of the file that other languages have words of their own for.
+// Names in the file that are translated.
 [[maybe_unused]] constexpr std::array kTranslated{
     QT_TRANSLATE_NOOP("PlaceText", "Amery Ice Shelf"),
     QT_TRANSLATE_NOOP("PlaceText", "Amundsen Sea"),

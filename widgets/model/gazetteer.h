@@ -13,26 +13,28 @@ namespace berg {
 enum class PlaceKind : std::uint8_t
 {
     Water, ///< sea, strait, bay, fjord, bank
-    Land,  ///< island or coast, an ice shelf as well
+    Land,  ///< island or coast, also an ice shelf
     Cape,
-    Town, ///< or station
-    Field ///< of oil or gas, with or without a platform
+    Town, ///< town or station
+    Field ///< oil or gas field, with or without a platform
 };
 
-/** A place of the coasts that the program is for. */
+/** A place of the coasts that the program is used on. */
 struct GazetteerPlace
 {
-    QByteArray name; ///< in English or as its people call it, UTF-8
-    LatLon at;       ///< the middle of waters and lands
+    QByteArray name; ///< English or local name, UTF-8
+    LatLon at;       ///< middle of waters and lands
     PlaceKind kind = PlaceKind::Water;
-    int rank = 1;       ///< 1, known on a map of the ocean, to 5, known on one of the bay
-    QStringList also{}; ///< other names: former ones, those in other languages
+    int rank = 1;       ///< 1 is on a map of the ocean, 5 on one of the bay only
+    QStringList also{}; ///< other names: former names and names in other languages
 };
 
-/** `resources/map/places.tsv`, read when first asked for: the lowest ranks first. Any thread. */
+/**
+ * Returns `resources/map/places.tsv`, lowest ranks first. It is read at the first call. Any thread.
+ */
 [[nodiscard]] const std::vector<GazetteerPlace>& gazetteer();
 
-/** In the language of now. */
+/** Returns the name in the current language. */
 [[nodiscard]] QString placeName(const GazetteerPlace& place);
 
 } // namespace berg

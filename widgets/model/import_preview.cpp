@@ -2,7 +2,7 @@
 
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/csv_reader.h"
-#include "core/scenario/checks.h"
+#include "core/scenario/text_checks.h"
 #include "widgets/model/work_failure.h"
 
 #include <QFile>
@@ -16,15 +16,29 @@ namespace {
 
 constexpr std::size_t kHeadRows = 20;
 constexpr std::size_t kMostRows = 2000;
-constexpr std::size_t kLongestCell = 80; ///< bytes, on screen
+constexpr std::size_t kLongestCell = 80; ///< longest text of a cell on screen, bytes
 
-QString textOf(std::string_view bytes)
+QString textOf(std::string_view cell)
 {
-    const std::string_view text = bytes.substr(0, kLongestCell);
-    const auto size = static_cast<qsizetype>(text.size());
-    return (isUtf8(bytes) ? QString::fromUtf8(text.data(), size)
-                          : QString::fromLatin1(text.data(), size))
-        .simplified();
+    const std::string_view text = cell.substr(0, kLongestCell);
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).simplified();
+}
+
+/** Returns the beginning of a file as UTF-8, or an empty text if it is not text. */
+std::string beginningOf(std::string_view bytes)
+{
+    constexpr std::size_t kMost = 1'000'000;
+    std::string_view start = bytes.substr(0, kMost);
+    if (start.size() < bytes.size())
+        start = start.substr(0, start.find_last_of('\n') + 1);
+    if (start.size() % 2 != 0 && (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")))
+        start.remove_suffix(1); // drops half of a UTF-16 character
+    try {
+        const std::string text = textOfBytes(start, {});
+        return text.empty() ? std::string(start) : text;
+    } catch (const Error&) {
+        return {};
+    }
 }
 
 bool mayBeTable(std::string_view bytes)
@@ -41,14 +55,13 @@ SightingSummary summaryOf(const SightingTable& table)
                             .columns = {},
                             .mapping = table.mapping,
                             .sightings = table.sightings.size(),
+                            .headerLine = table.headerLine,
                             .guessedDate = table.guessedDate,
                             .guessedLine = table.guessedLine,
-                            .oneIceberg = table.oneIceberg,
                             .positionSd_m = table.positionSd_m};
     for (const std::string& column : table.columns)
         summary.columns << QString::fromStdString(column);
     for (const Sighting& sighting : table.sightings) {
-        summary.namesIcebergs = summary.namesIcebergs || !sighting.id.empty();
         if (!sighting.time)
             continue;
         summary.first = std::min(summary.first.value_or(*sighting.time), *sighting.time);
@@ -57,13 +70,14 @@ SightingSummary summaryOf(const SightingTable& table)
     return summary;
 }
 
-/** Moves the reports of the result into rows. */
+/** Moves the imported icebergs of the result into rows. */
 void takeRows(ImportPreview& preview)
 {
     ImportResult& result = preview.result;
     std::unordered_map<std::string_view, const Iceberg*> byId;
     for (const Iceberg& iceberg : result.scenario.icebergs)
         byId.emplace(iceberg.id, &iceberg);
+    preview.needsConsent = needsConsent(result);
     const std::size_t count = std::min(result.icebergs.size(), kMostRows);
     preview.moreRows = result.icebergs.size() - count;
     for (std::size_t i = 0; i < count; ++i) {
@@ -81,19 +95,20 @@ void takeRows(ImportPreview& preview)
     result.icebergs = {};
 }
 
-/** Readers find some faults only when all rows are read. */
+/** Readers detect some faults only when all rows are read, so rejections come unsorted. */
 void sortByLine(Rejections& rejected)
 {
     std::ranges::stable_sort(rejected.first, {}, &RejectedRow::line);
 }
 
-/** The first rows of a text if it may be a table, whether it can be imported or not. */
-TableHead tableHead(std::string_view bytes)
+/** Returns the first rows of a text if it may be a table, whether it can be imported or not. */
+TableHead tableHead(std::string_view bytes, const ReadOptions& options)
 {
     TableHead head;
-    if (!mayBeTable(bytes))
+    const std::string text = beginningOf(bytes);
+    if (!mayBeTable(text))
         return head;
-    CsvReader reader = tableReader(bytes);
+    CsvReader reader = tableReader(text, options);
     CsvRow row;
     bool first = true;
     while (head.rows.size() < kHeadRows && reader.next(row)) {
@@ -115,7 +130,8 @@ TableHead tableHead(std::string_view bytes)
 
 bool ImportPreview::isUsable() const
 {
-    return !error && result.added + result.updated + result.unchanged > 0;
+    return !error && file && !file->isUnclear &&
+           result.added + result.updated + result.unchanged > 0;
 }
 
 Scenario scenarioFor(const QString& path)
@@ -130,14 +146,27 @@ void ImportLoader::forget()
 
 void ImportLoader::readTable(const ImportRequest& request, const std::stop_token& stop)
 {
-    if (m_reading && m_reading->format == request.reading.format &&
-        m_reading->mapping == request.reading.mapping && m_reading->dates == request.reading.dates)
+    if (m_reading == request.reading && m_identity == request.identity)
         return;
+    const std::string name = QFileInfo(request.path).fileName().toStdString();
+    const bool isAnswer = m_reading == request.reading && !m_choices.empty();
     m_reading.reset();
-    m_table = {};
-    m_table = readSightingRows(m_bytes, QFileInfo(request.path).fileName().toStdString(),
-                               request.reading, stop);
-    m_suggestsOne = m_table.oneIceberg;
+    if (!isAnswer) {
+        m_table = {};
+        m_table = readSightingRows(m_bytes, name, request.reading, stop);
+        m_choices = m_table.isIdentityUnclear
+                        ? identityChoices(m_bytes, name, request.reading, m_table, stop)
+                        : std::vector<IdentityChoice>();
+    }
+    const auto answer = std::find(m_choices.begin(), m_choices.end(), request.identity);
+    if (isAnswer || answer != m_choices.end()) {
+        ReadOptions reading = request.reading;
+        if (answer != m_choices.end())
+            reading = withIdentity(reading, *answer);
+        m_table = {};
+        m_table = readSightingRows(m_bytes, name, reading, stop);
+    }
+    m_identity = request.identity;
     m_reading = request.reading;
 }
 
@@ -151,25 +180,30 @@ std::optional<ImportPreview> ImportLoader::preview(const ImportRequest& request,
         if (m_path != request.path) {
             forget();
             m_bytes = readFile(QFile::encodeName(request.path).toStdString(), stop);
-            m_head = tableHead(m_bytes);
             m_path = request.path;
         }
-        preview.head = m_head;
+        preview.head = tableHead(m_bytes, request.reading);
         readTable(request, stop);
         sortByLine(m_table.rejected);
-        preview.result.rejected = m_table.rejected; // told even if no row is left
+        sortByLine(m_table.noted);
+        preview.result.rejected = m_table.rejected; // reported even if no row is left
         requireSightings(m_table, QFileInfo(request.path).fileName().toStdString());
-        m_table.oneIceberg = request.oneIceberg.value_or(m_suggestsOne);
         preview.file = summaryOf(m_table);
+        preview.file->choices = m_choices;
+        preview.file->isUnclear = m_table.isIdentityUnclear;
+        if (m_table.isIdentityUnclear)
+            return;
         preview.result = importSightings(*request.base, m_table, request.options, stop);
-        sortByLine(preview.result.rejected);
+        for (Rejections* rows :
+             {&preview.result.rejected, &preview.result.noted, &preview.result.outside})
+            sortByLine(*rows);
         takeRows(preview);
     });
     if (stop.stop_requested())
         return std::nullopt;
     if (failure) {
         if (!failure->isExpected)
-            forget(); // half of it may be there
+            forget(); // it may be incomplete
         preview.error = failure->error;
     }
     return preview;

@@ -11,24 +11,24 @@ constexpr int kPause_ms = 200;
 
 ImportRunner::ImportRunner(QObject* parent)
     : QObject(parent)
-    , m_task(
-          u"import"_s,
-          {.work =
-               [this](const ImportRequest& request, const std::stop_token& stop, const auto& tell) {
-                   if (auto preview = m_loader.preview(request, stop))
-                       tell(std::make_shared<const ImportPreview>(std::move(*preview)));
-               },
-           .deliver =
-               [this](const Preview& preview) {
-                   m_busy = false;
-                   emit ready(preview);
-               }})
+    , m_task(u"import"_s,
+             {.work =
+                  [this](const ImportRequest& request, const std::stop_token& stop,
+                         const auto& deliver) {
+                      if (auto preview = m_loader.preview(request, stop))
+                          deliver(std::make_shared<const ImportPreview>(std::move(*preview)));
+                  },
+              .deliver =
+                  [this](const Preview& preview) {
+                      m_busy = false;
+                      emit ready(preview);
+                  }})
 {
     m_pause.setSingleShot(true);
     connect(&m_pause, &QTimer::timeout, this, [this] { m_task.start(m_request); });
 }
 
-/** What is under way is of no use any more. */
+/** Stops current work; its result would be outdated. */
 void ImportRunner::dropWork()
 {
     m_task.drop();

@@ -9,8 +9,8 @@
 namespace berg {
 
 /**
- * Computes what an import would do, on a thread of its own and a moment after the last change. The
- * newest request wins; a preview of another one is never shown. GUI thread.
+ * Computes import previews on its own thread, a moment after the last change. The newest request
+ * wins; results of older ones are dropped. GUI thread.
  */
 class ImportRunner : public QObject
 {
@@ -19,15 +19,15 @@ class ImportRunner : public QObject
 public:
     explicit ImportRunner(QObject* parent = nullptr);
 
-    /** Now, or after a moment in which nothing else is requested. */
+    /** Requests a preview, computed at once or after a pause without further requests. */
     void start(ImportRequest request, bool atOnce = false);
-    /** Nothing is wanted any more; lets the file go. */
+    /** Drops the request and releases the file. */
     void clear();
-    /** A preview is wanted and not there yet. */
+    /** Returns whether a requested preview is still missing. */
     [[nodiscard]] bool isBusy() const { return m_busy; }
 
 signals:
-    /** Of the newest request. */
+    /** Emitted with the preview of the newest request. */
     void ready(const std::shared_ptr<const berg::ImportPreview>& preview);
 
 private:
@@ -35,10 +35,11 @@ private:
 
     ImportRequest m_request;
     bool m_busy = false;
-    QTimer m_pause;        ///< runs out when changes have come to rest
-    ImportLoader m_loader; ///< of the thread of the runner
+    QTimer m_pause;        ///< restarted by each change
+    ImportLoader m_loader; ///< used on the runner's thread only
     using Preview = std::shared_ptr<const ImportPreview>;
-    LatestTask<ImportRequest, Preview> m_task; ///< last: it ends before the rest
+    /** Last member: its thread ends before the others are destroyed. */
+    LatestTask<ImportRequest, Preview> m_task;
 };
 
 } // namespace berg

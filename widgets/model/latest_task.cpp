@@ -10,7 +10,7 @@ WorkThread::WorkThread(const QString& name, WorkPriority priority) : m_onThread(
     m_onThread->moveToThread(&m_thread);
     QObject::connect(&m_thread, &QThread::finished, m_onThread, &QObject::deleteLater);
     m_thread.start();
-    if (priority == WorkPriority::Low) // threads that it starts have it too
+    if (priority == WorkPriority::Low) // threads that it starts inherit it
         post([] { lowerPriority(); });
 }
 

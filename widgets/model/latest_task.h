@@ -18,10 +18,13 @@ namespace berg {
 enum class WorkPriority
 {
     Normal,
-    Low ///< gives way to the mission and the window
+    Low ///< yields to the mission and the window
 };
 
-/** A thread that does what is posted to it, in turn. Ends with what it is doing then. */
+/**
+ * A thread that runs posted jobs in order. The destructor waits for the current job and discards
+ * the rest.
+ */
 class WorkThread
 {
 public:
@@ -30,39 +33,39 @@ public:
     WorkThread& operator=(const WorkThread&) = delete;
     ~WorkThread();
 
-    /** `job` must not throw. */
+    /** Runs `job` on the thread after those posted before. It must not throw. */
     template <class Job>
     void post(Job&& job)
     {
         QMetaObject::invokeMethod(m_onThread, std::forward<Job>(job), Qt::QueuedConnection);
     }
-    /** Waits until all that was posted so far is done. */
+    /** Waits until all jobs posted so far are done. */
     void waitForPosted();
-    /** Likewise; then it ends. */
+    /** Waits until all jobs posted so far are done, then ends the thread. */
     void finish();
 
 private:
     QThread m_thread;
-    QObject* m_onThread; ///< what is invoked on it runs on `m_thread`
+    QObject* m_onThread; ///< receiver of posted jobs; lives on `m_thread`
 };
 
 /**
- * Work on a thread of its own, of which only the newest request counts: a new one stops the one
- * under way, and nothing that still comes of that is delivered. What is delivered, and the end,
- * reach the thread of the owner; of results that wait there the newest is kept. Whatever the work
- * throws is told at the end. Destruction stops the work and waits for the thread.
+ * Work on its own thread of which only the newest request counts: a new request stops the work
+ * in progress, and its later results are discarded. Results and the end are delivered on the
+ * owner's thread; of several results that wait only the newest is delivered. Exceptions of the work
+ * are reported at the end. The destructor stops the work and waits for the thread.
  */
 template <class Request, class Result>
 class LatestTask
 {
 public:
-    using Tell = std::function<void(Result)>;
+    using Deliver = std::function<void(Result)>;
     struct Parts
     {
-        /** On the thread: tells results as they come. */
-        std::function<void(Request&, const std::stop_token&, const Tell&)> work;
+        /** Runs on the task's thread and passes on results as they come. */
+        std::function<void(Request&, const std::stop_token&, const Deliver&)> work;
         std::function<void(Result)> deliver;
-        /** After the last result. */
+        /** Called after the last result. */
         std::function<void(const std::optional<WorkFailure>&)> end = [](const auto&) {};
     };
 
@@ -74,6 +77,7 @@ public:
     LatestTask& operator=(const LatestTask&) = delete;
     ~LatestTask() { m_stop.request_stop(); }
 
+    /** Drops the work in progress and starts work on the request. */
     void start(Request request)
     {
         drop();
@@ -81,15 +85,15 @@ public:
         m_thread.post([this, generation = m_generation, request = std::move(request),
                        stop = m_stop.get_token()]() mutable { run(generation, request, stop); });
     }
-    /** What it has come to by then is delivered, and its end. */
+    /** Stops the work; the results so far and the end are still delivered. */
     void stop() { m_stop.request_stop(); }
-    /** Stops it; nothing of it is delivered any more. */
+    /** Stops the work and discards its results and its end. */
     void drop()
     {
         m_stop.request_stop();
         ++m_generation;
     }
-    /** On the thread, after what was started before. */
+    /** Runs a job on the task's thread, after the requests started before. */
     template <class Job>
     void post(Job&& job)
     {
@@ -134,24 +138,26 @@ private:
             return;
         if (delivery->result)
             m_parts.deliver(std::move(*delivery->result));
-        if (delivery->ended && delivery->generation == m_generation) // not dropped by whom it told
+        // `deliver` may have dropped it.
+        if (delivery->ended && delivery->generation == m_generation)
             m_parts.end(delivery->failure);
     }
 
     Parts m_parts;
     std::uint64_t m_generation = 0;
-    std::stop_source m_stop; ///< of the generation under way
+    std::stop_source m_stop; ///< stops the present generation
     Mailbox<Delivery> m_deliveries;
-    QObject m_home;      ///< of the thread of the owner
-    WorkThread m_thread; ///< last: it ends before the rest
+    QObject m_home;      ///< receiver on the owner's thread
+    WorkThread m_thread; ///< last member: its thread ends before the others are destroyed
 };
 
-/** Lets a report through at most every so often: telling costs more than many a step of work. */
+/** Limits the rate of reports: a report costs more than many steps of the work. */
 class ReportPace
 {
 public:
     explicit ReportPace(qint64 between_ms) : m_between_ms(between_ms) { m_sinceLast.start(); }
 
+    /** Returns true if the time between reports has passed since it last returned true. */
     [[nodiscard]] bool isDue()
     {
         if (m_sinceLast.elapsed() < m_between_ms)

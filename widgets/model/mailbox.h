@@ -7,16 +7,16 @@
 namespace berg {
 
 /**
- * A slot between two threads that holds at most one value: a writer replaces or amends what waits,
- * the reader takes it. A slow reader so gets fewer, newer values and never a queue.
+ * A slot between two threads that holds at most one value: the writer replaces or amends the
+ * waiting value, the reader takes it. A slow reader gets fewer, newer values and never a queue.
  */
 template <class T>
 class Mailbox
 {
 public:
     /**
-     * Leaves `value`; when one waits, `amend(waiting, value)` joins the two. True when the box was
-     * empty, i.e. when the reader must be told.
+     * Stores `value`, or joins it to the waiting value by `amend(waiting, value)`. Returns true if
+     * the box was empty, i.e. if the reader must be notified.
      */
     template <class Amend>
     bool put(T value, const Amend& amend)
@@ -30,12 +30,13 @@ public:
         return true;
     }
 
-    /** Leaves `value` in place of what waits. */
+    /** Stores `value` in place of a waiting one. Returns true if the box was empty. */
     bool put(T value)
     {
         return put(std::move(value), [](T& waiting, T next) { waiting = std::move(next); });
     }
 
+    /** Removes and returns the value, or returns nullopt if the box is empty. */
     [[nodiscard]] std::optional<T> take()
     {
         const std::scoped_lock lock(m_mutex);

@@ -9,13 +9,15 @@ namespace berg {
 
 namespace {
 
-/** Of one iceberg or UAV: the next one may be of another. */
+/**
+ * Returns whether a change concerns one iceberg or UAV, so that the next one may concern another.
+ */
 bool isOfOne(const Intervention& change)
 {
     return change.appears || change.seen || change.removed || change.assigned || change.commanded;
 }
 
-/** A drag in flight: only the newest of the values that wait is flown. */
+/** Joins waiting interventions: during a drag only the newest value is flown. */
 void join(std::vector<Intervention>& waiting, std::vector<Intervention> next)
 {
     for (Intervention& change : next) {
@@ -53,7 +55,7 @@ MissionRunner::MissionRunner(QObject* parent)
     connect(m_worker, &MissionWorker::instantPublished, this, &MissionRunner::instantUpdated);
     connect(m_worker, &MissionWorker::refused, this, &MissionRunner::commandRefused);
     connect(m_worker, &MissionWorker::runReady, this, &MissionRunner::runReady);
-    connect(m_worker, &MissionWorker::runNoted, this, &MissionRunner::runNoted);
+    connect(m_worker, &MissionWorker::recoveryRunReady, this, &MissionRunner::recoveryRunReady);
     connectExports();
     m_thread.start();
     m_exportThread.start();
@@ -69,14 +71,14 @@ MissionRunner::~MissionRunner()
     }
 }
 
-/** What of an earlier generation comes is not passed on. */
+/** Connects the export thread. Results of earlier generations are dropped. */
 void MissionRunner::connectExports()
 {
     m_exportThread.setObjectName(u"export"_s);
     m_exports->moveToThread(&m_exportThread);
     connect(&m_exportThread, &QThread::finished, m_exports, &QObject::deleteLater);
     connect(m_worker, &MissionWorker::exportPrepared, m_exports, &ExportWorker::write);
-    connect(m_worker, &MissionWorker::previewPrepared, m_exports, &ExportWorker::look);
+    connect(m_worker, &MissionWorker::previewPrepared, m_exports, &ExportWorker::makePreview);
     connect(m_exports, &ExportWorker::refused, this, &MissionRunner::commandRefused);
     connect(
         m_exports, &ExportWorker::written, this,
@@ -91,7 +93,7 @@ void MissionRunner::connectExports()
         if (generation == m_generation)
             emit exportPreviewReady(preview);
     };
-    connect(m_exports, &ExportWorker::looked, this, passOn);
+    connect(m_exports, &ExportWorker::previewed, this, passOn);
     connect(m_worker, &MissionWorker::previewRefused, this, passOn);
 }
 
@@ -100,11 +102,13 @@ template <class Command>
 void MissionRunner::post(Command command)
 {
     QMetaObject::invokeMethod(
-        m_worker, [worker = m_worker, command] { worker->guarded([&] { command(*worker); }); },
+        m_worker, [worker = m_worker, command] { worker->runGuarded([&] { command(*worker); }); },
         Qt::QueuedConnection);
 }
 
-/** As `post`, unless the worker has gone on to another scenario by then, which was not meant. */
+/**
+ * Runs `command` unless the worker has begun another scenario by then, for which it was not meant.
+ */
 template <class Command>
 void MissionRunner::postToFlight(Command command)
 {
@@ -133,32 +137,32 @@ void MissionRunner::restart(bool keepsFlight)
     begin({.keepsFlight = keepsFlight});
 }
 
-void MissionRunner::bringBack(const Scenario& scenario, bool keepsFlight)
+void MissionRunner::restoreFlight(const Scenario& scenario, bool keepsFlight)
 {
     m_scenario = scenario;
     m_options = recordingOf(scenario);
-    begin({.keepsFlight = keepsFlight, .bringsBack = true});
+    begin({.keepsFlight = keepsFlight, .restoresFlight = true});
 }
 
-void MissionRunner::begin(FlightHandover handover, std::shared_ptr<const RunFile> run)
+void MissionRunner::begin(RestartOptions restartOptions, std::shared_ptr<const RunFile> run)
 {
     m_stop.request_stop();
     m_stop = std::stop_source();
     ++m_generation;
-    (void)m_mail.interventions.take(); // meant for the flight that ends here
+    (void)m_mail.interventions.take(); // they belong to the flight that ends here
     MissionRequest request{.generation = m_generation,
                            .scenario = m_scenario,
                            .options = m_options,
                            .run = std::move(run),
-                           .handovers = {handover},
+                           .restarts = {restartOptions},
                            .stop = m_stop.get_token()};
-    const bool mustTell =
+    const bool wasEmpty =
         m_mail.requests.put(std::move(request), [](MissionRequest& waiting, MissionRequest next) {
-            next.handovers.insert(next.handovers.begin(), waiting.handovers.begin(),
-                                  waiting.handovers.end());
+            next.restarts.insert(next.restarts.begin(), waiting.restarts.begin(),
+                                 waiting.restarts.end());
             waiting = std::move(next);
         });
-    if (mustTell)
+    if (wasEmpty)
         post([](MissionWorker& worker) { worker.start(); });
     cancelExportPreview();
     emit begun();
@@ -179,9 +183,9 @@ void MissionRunner::stepBy(double seconds)
     postToFlight([seconds](MissionWorker& worker) { worker.stepBy(seconds); });
 }
 
-void MissionRunner::flyOnFrom(const FlyOn& request)
+void MissionRunner::continueFrom(const ContinueRequest& request)
 {
-    postToFlight([request](MissionWorker& worker) { worker.flyOnFrom(request); });
+    postToFlight([request](MissionWorker& worker) { worker.continueFrom(request); });
 }
 
 void MissionRunner::requestInstant(double time_s)
@@ -192,8 +196,8 @@ void MissionRunner::requestInstant(double time_s)
 
 void MissionRunner::intervene(const Intervention& intervention)
 {
-    const bool mustTell = m_mail.interventions.put({intervention}, join);
-    if (mustTell)
+    const bool wasEmpty = m_mail.interventions.put({intervention}, join);
+    if (wasEmpty)
         postToFlight([](MissionWorker& worker) { worker.intervene(); });
 }
 
@@ -202,9 +206,9 @@ void MissionRunner::requestRun(const QString& path)
     post([path](MissionWorker& worker) { worker.sendRun(path); });
 }
 
-void MissionRunner::requestNote()
+void MissionRunner::requestRecoveryRun()
 {
-    post([](MissionWorker& worker) { worker.sendNote(); });
+    post([](MissionWorker& worker) { worker.sendRecoveryRun(); });
 }
 
 void MissionRunner::setExportPaint(const ExportPaint& paint)
@@ -217,7 +221,7 @@ void MissionRunner::setPredictor(const Predictor& predictor)
     m_predictor = predictor;
 }
 
-ExportOrder MissionRunner::orderOf(const ExportRequest& request) const
+ExportTask MissionRunner::taskOf(const ExportRequest& request) const
 {
     return {.request = request,
             .generation = m_generation,
@@ -226,16 +230,16 @@ ExportOrder MissionRunner::orderOf(const ExportRequest& request) const
 
 void MissionRunner::requestExport(const ExportRequest& request)
 {
-    post([order = orderOf(request)](MissionWorker& worker) { worker.sendExport(order); });
+    post([task = taskOf(request)](MissionWorker& worker) { worker.sendExport(task); });
 }
 
 void MissionRunner::requestExportPreview(const ExportRequest& request)
 {
     m_previewStop.request_stop();
     m_previewStop = std::stop_source();
-    ExportOrder order = orderOf(request);
-    order.stop = m_previewStop.get_token();
-    if (m_mail.previewRequests.put(std::move(order)))
+    ExportTask task = taskOf(request);
+    task.stop = m_previewStop.get_token();
+    if (m_mail.previewRequests.put(std::move(task)))
         post([](MissionWorker& worker) { worker.sendExportPreview(); });
 }
 
@@ -246,15 +250,16 @@ void MissionRunner::cancelExportPreview()
 
 std::optional<MissionSnapshot> MissionRunner::acceptSnapshot()
 {
-    return ofNow(m_mail.snapshots.take());
+    return ifCurrent(m_mail.snapshots.take());
 }
 
 std::optional<MissionSnapshot> MissionRunner::acceptInstant()
 {
-    return ofNow(m_mail.instants.take());
+    return ifCurrent(m_mail.instants.take());
 }
 
-std::optional<MissionSnapshot> MissionRunner::ofNow(std::optional<MissionSnapshot> snapshot) const
+std::optional<MissionSnapshot>
+MissionRunner::ifCurrent(std::optional<MissionSnapshot> snapshot) const
 {
     if (snapshot && snapshot->generation != m_generation)
         return std::nullopt;

@@ -15,53 +15,56 @@
 
 namespace berg {
 
-/** What becomes of the flight under way when another one is asked for. */
-struct FlightHandover
+/** Handling of the current flight at a restart. */
+struct RestartOptions
 {
-    bool keepsFlight = false; ///< that of now, to be brought back
-    bool bringsBack = false;  ///< the flight that was kept
+    bool keepsFlight = false;    ///< stores the present flight, so that it can be restored
+    bool restoresFlight = false; ///< restores the stored flight
 };
 
-/** Another way from an instant of the flight. */
-struct FlyOn
+/** A restart of the flight from an earlier instant, to continue differently. */
+struct ContinueRequest
 {
     double time_s = 0;
-    double seenUntil_s = 0; ///< as far as the flight was known to who asks
+    double seenUntil_s = 0; ///< time up to which the requester knew the flight, s
+    /** Number of interventions to repeat; nullopt repeats all up to `time_s`. */
+    std::optional<std::size_t> interventions;
 };
 
-/** What the worker is to fly next. */
+/** The next mission of the worker. */
 struct MissionRequest
 {
     std::uint64_t generation = 0;
     Scenario scenario;
     MissionOptions options;
-    std::shared_ptr<const RunFile> run;    ///< to be flown again first; null: none
-    std::vector<FlightHandover> handovers; ///< of the requests that this one stands for, in order
+    std::shared_ptr<const RunFile> run; ///< recorded run to replay first; null if there is none
+    /** Options of the requests that this one replaces, in order, and its own. */
+    std::vector<RestartOptions> restarts;
     std::stop_token stop;
 };
 
-/** What the two threads leave for each other. */
-struct MissionMail
+/** Mailboxes between the GUI thread and the mission thread. */
+struct MissionChannels
 {
     Mailbox<MissionRequest> requests;
     Mailbox<std::vector<Intervention>> interventions;
     Mailbox<MissionSnapshot> snapshots;
     Mailbox<double> instantRequests; ///< times, s
     Mailbox<MissionSnapshot> instants;
-    Mailbox<ExportOrder> previewRequests;
+    Mailbox<ExportTask> previewRequests;
 };
 
 class MissionWorker;
 
-/** Why an export of a scenario that has been replaced meanwhile is not made. */
+/** Returns the message for an export whose scenario has been replaced meanwhile. */
 [[nodiscard]] QString outdatedExportText();
-/** Why nothing changes a flight any more. */
+/** Returns the message for a change after the run has ended. */
 [[nodiscard]] QString runEndedText();
 
 /**
- * Plans and flies on a thread of its own; the GUI thread never waits. Commands return at once;
- * what comes of them is taken from the mailbox when `updated` is emitted. Each scenario has a
- * generation, and snapshots of an older one are never handed out. GUI thread.
+ * Plans and flies on its own thread; the GUI thread never waits. Commands return at once, and
+ * results are taken from the mailbox when `updated` is emitted. Each scenario has a generation;
+ * snapshots of older ones are never returned. GUI thread.
  */
 class MissionRunner : public QObject
 {
@@ -69,94 +72,110 @@ class MissionRunner : public QObject
 
 public:
     explicit MissionRunner(QObject* parent = nullptr);
-    /** Stops a solve or a flight under way and waits for the thread: well under a second. */
+    /** Stops the current solve or flight and waits for the thread, well under a second. */
     ~MissionRunner() override;
 
-    /** Plans this scenario from its start; ends what was under way. The newest request wins. */
+    /** Plans this scenario from its start and ends what was in progress. The newest request wins.
+     */
     void setScenario(const Scenario& scenario, const MissionOptions& options = {});
-    /** Flies a recorded run again, as far as it went; told when it comes out differently. */
+    /** Replays a recorded run as far as it went; `commandRefused` follows if the result differs. */
     void setRun(std::shared_ptr<const RunFile> run);
     [[nodiscard]] std::uint64_t generation() const { return m_generation; }
 
-    /** Flies at `rate` simulated seconds a second; 0: as fast as possible. */
+    /** Flies `rate` simulated seconds a second; a rate of 0 flies as fast as possible. */
     void fly(double rate);
     void pause();
     /** Pauses and advances by `seconds` of simulated time. */
     void stepBy(double seconds);
-    /** Back to the start of the same scenario. `keepsFlight`: it can be brought back. */
+    /** Returns to the start of the same scenario. With `keepsFlight` the flight can be restored. */
     void restart(bool keepsFlight = false);
-    /** Takes up the flight that was kept last, of this scenario; the one of now is kept for it. */
-    void bringBack(const Scenario& scenario, bool keepsFlight);
     /**
-     * Pauses and goes back to that time of the flight to fly on from there in another way: what
-     * came after is given up, and kept to be brought back.
+     * Restores the flight stored last, which belongs to this scenario; `keepsFlight` stores the
+     * present one in its place.
      */
-    void flyOnFrom(const FlyOn& request);
-    /** Asks for the mission as it was at `time_s`: `instantUpdated` follows; the newest wins. */
+    void restoreFlight(const Scenario& scenario, bool keepsFlight);
+    /**
+     * Pauses and returns to an earlier instant of the flight, to continue from there. The later
+     * part is discarded and stored, so that it can be restored.
+     */
+    void continueFrom(const ContinueRequest& request);
+    /**
+     * Requests the mission's state at `time_s`; `instantUpdated` follows. The newest request wins.
+     */
     void requestInstant(double time_s);
-    /** Applies the change at the present instant of a flight that has begun. */
+    /**
+     * Applies the change at the present instant of a flight that has begun; `commandRefused`
+     * follows if that is impossible. Of changes that still wait, the newest tau, policy, wind and
+     * asset count.
+     */
     void intervene(const Intervention& intervention);
 
     using Predictor = std::function<std::optional<ZetaPrediction>()>;
-    /** Asked at each export what zeta was predicted before take-off. */
+    /** Sets the function that gives the zeta predicted before take-off; called at each export. */
     void setPredictor(const Predictor& predictor);
 
-    /** From now on these exports can be asked for, too. */
+    /** Sets the painter of exports, which adds the painted formats. */
     void setExportPaint(const ExportPaint& paint);
     /**
-     * Asks for the plan there is, or in flight for the mission as it stands, as files:
-     * `exportReady` or `commandRefused` follows, the latter as well when another scenario has come
-     * in between. Nothing is solved again, and the mission flies on meanwhile.
+     * Requests the present plan, or in flight the present mission, as files. `exportReady` follows,
+     * or `commandRefused`, also if another scenario was set meanwhile. Solves nothing; the mission
+     * flies on.
      */
     void requestExport(const ExportRequest& request);
-    /** Asks how these would begin: `exportPreviewReady` follows; the newest request wins. */
+    /** Requests a preview of an export; `exportPreviewReady` follows. The newest request wins. */
     void requestExportPreview(const ExportRequest& request);
-    /** Nobody wants the preview any more. */
+    /** Cancels the preview. */
     void cancelExportPreview();
 
-    /** The newest snapshot of the present generation, with all samples since the last one taken. */
+    /**
+     * Returns the newest snapshot of the present generation with all samples since the last one, or
+     * nullopt if none waits.
+     */
     [[nodiscard]] std::optional<MissionSnapshot> acceptSnapshot();
 
-    /** The newest instant asked for, if it is of the present generation. */
+    /** Returns the newest requested instant of the present generation, or nullopt if none waits. */
     [[nodiscard]] std::optional<MissionSnapshot> acceptInstant();
 
-    /** Asks for the run so far, to be saved: `runReady` with the same `path` follows. */
+    /**
+     * Requests the run so far for saving; `runReady` with the same `path` follows, or
+     * `commandRefused` if there is no mission.
+     */
     void requestRun(const QString& path = {});
-    /** The same for a recovery: `runNoted` follows. */
-    void requestNote();
+    /** Requests the run so far for a recovery; `recoveryRunReady` follows if there is a mission. */
+    void requestRecoveryRun();
 
 signals:
-    /** Another generation: what was asked of the one before is not answered any more. */
+    /** Emitted for a new generation; requests of earlier ones are not answered any more. */
     void begun();
-    /** A snapshot waits. */
+    /** Emitted when a snapshot waits. */
     void updated();
-    /** An instant waits. */
+    /** Emitted when an instant waits. */
     void instantUpdated();
-    /** Something could not be done, or not as asked: why. */
+    /** Reports why a command failed or was changed. */
     void commandRefused(const QString& message);
     void exportReady(const std::vector<berg::ExportFile>& files);
     void exportPreviewReady(const std::shared_ptr<const berg::ExportPreview>& preview);
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
-    void runNoted(const std::shared_ptr<const berg::RunFile>& run);
+    void recoveryRunReady(const std::shared_ptr<const berg::RunFile>& run);
 
 private:
-    void begin(FlightHandover handover = {}, std::shared_ptr<const RunFile> run = {});
+    void begin(RestartOptions restartOptions = {}, std::shared_ptr<const RunFile> run = {});
     [[nodiscard]] std::optional<MissionSnapshot>
-    ofNow(std::optional<MissionSnapshot> snapshot) const;
+    ifCurrent(std::optional<MissionSnapshot> snapshot) const;
     template <class Command>
     void post(Command command);
     void connectExports();
-    [[nodiscard]] ExportOrder orderOf(const ExportRequest& request) const;
+    [[nodiscard]] ExportTask taskOf(const ExportRequest& request) const;
     template <class Command>
     void postToFlight(Command command);
 
-    MissionMail m_mail;
+    MissionChannels m_mail;
     QThread m_thread;
     QThread m_exportThread;
     MissionWorker* m_worker; ///< lives on `m_thread`
     ExportWorker* m_exports; ///< lives on `m_exportThread`
     std::uint64_t m_generation = 0;
-    std::stop_source m_stop; ///< of the generation under way
+    std::stop_source m_stop; ///< stops the present generation
     std::stop_source m_previewStop;
     Predictor m_predictor;
     Scenario m_scenario;

@@ -19,7 +19,7 @@ void join(std::vector<Entry>& known, std::size_t first, std::vector<Entry> news)
     std::move(news.begin(), news.end(), std::back_inserter(known));
 }
 
-/** The place of the event that tells the solve behind that one: of its first UAV. */
+/** Returns the index of the event of the same solve's first UAV. */
 std::size_t firstOfSolve(std::span<const PlanEvent> plans, std::size_t place)
 {
     while (place > 0 && plans[place].sameSolve)
@@ -47,13 +47,13 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
         snapshot.fences.push_back(autopilot.guard().uav().fence);
         snapshot.homeMargins_s.push_back(autopilot.homeMargin_s(simulation.observer()));
     }
-    // At an earlier instant some have not been added yet.
+    // At an earlier instant some icebergs have not been added yet.
     snapshot.icebergs.resize(static_cast<std::size_t>(simulation.icebergCount()));
     for (int i = 0; i < simulation.icebergCount(); ++i) {
         snapshot.truth_m.push_back(simulation.truth_m(i));
         snapshot.active.push_back(simulation.active(i));
-        const int assigned = simulation.world().body(i).assignedUav;
-        snapshot.assigned.push_back(areToldApart(snapshot.world.uavs) ? assigned : -1);
+        const int assigned = simulation.world().parameters(i).assignedUav;
+        snapshot.assigned.push_back(areDistinguished(snapshot.world.uavs) ? assigned : -1);
     }
     return snapshot;
 }
@@ -123,12 +123,12 @@ std::vector<AimedPath> pathsOf(const PlanEvent& plan, const DubinsState& uav, do
     if (plan.legs.empty())
         return {};
     std::vector<AimedPath> paths = aimedPaths(plan.legs, uav, time_s, motion);
-    constexpr double kSlack_s = 1; // a leg that starts with the last sighting sees nothing new
+    constexpr double kSlack_s = 1; // a leg that starts at the last sighting sees no further iceberg
     if (plan.outlook && !plan.outlook->sightings_s.empty())
         std::erase_if(paths, [last_s = plan.outlook->sightings_s.back()](const AimedPath& path) {
             return path.points.front().time_s > last_s - kSlack_s;
         });
-    else // not judged yet
+    else // without an outlook the plan has not been evaluated yet
         paths.resize(std::min(paths.size(), plan.order.size()));
     return paths;
 }
@@ -142,7 +142,7 @@ std::vector<AimedPath> pathsAhead(const MissionSnapshot& snapshot, int uav)
     const auto k = static_cast<std::size_t>(uav);
     const UavState& state = snapshot.world.uavs[k];
     if (state.aim && !plan.legs.empty())
-        plan.legs.front() = *state.aim; // what is left of its turn
+        plan.legs.front() = *state.aim; // the remaining part of its turn
     return pathsOf(plan, state.pose, snapshot.time_s, snapshot.motions[k]);
 }
 
@@ -153,6 +153,7 @@ MissionSnapshot snapshotOf(const Mission& mission)
     snapshot.metrics = mission.metrics();
     snapshot.request = mission.lastRequest();
     snapshot.worldChanges = worldChangesOf(mission);
+    snapshot.lastChange = lastChangeOf(mission.interventions());
     setPlan(snapshot, mission, mission.plans().size());
     return snapshot;
 }
@@ -164,7 +165,7 @@ MissionSnapshot snapshotAt(const Mission& mission, double time_s)
     snapshot.planner = instant.planner;
     snapshot.metrics = instant.metrics;
     setPlan(snapshot, mission, instant.plans);
-    if (snapshot.plan) // as it was asked for: where the UAV was then, what was known then
+    if (snapshot.plan) // rebuilt from the state at the time of the plan
         snapshot.request = std::make_shared<const PlanRequest>(requestFor(
             instantAt(mission, snapshot.plan->time_s).simulation, snapshot.planner.policy));
     return snapshot;

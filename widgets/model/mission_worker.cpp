@@ -14,21 +14,22 @@ namespace berg {
 namespace {
 
 constexpr int kSlice_ms = 16;
-constexpr int kWork_ms = 8; ///< of flying in one slice, so that commands are answered at once
+/** Flying time in one slice, short so that commands take effect at once. */
+constexpr int kWork_ms = 8;
 
-/** News of one kind: those that wait, then the next ones; places are in the whole record. */
+/** Joins a waiting update of one type and the next one; indices refer to the whole record. */
 template <class Entry>
 void join(std::size_t waitingFirst, std::vector<Entry>& waiting, std::size_t nextFirst,
           std::vector<Entry>& next)
 {
     if (nextFirst <= waitingFirst)
-        return; // all that waits is told anew
+        return; // the new update repeats everything that waits
     waiting.resize(std::min(waiting.size(), nextFirst - waitingFirst));
     std::move(next.begin(), next.end(), std::back_inserter(waiting));
     next = std::move(waiting);
 }
 
-/** A snapshot waits unread: the newer one takes its place but keeps its unseen news. */
+/** Replaces an unread snapshot by a newer one that keeps its unread news. */
 void amend(MissionSnapshot& waiting, MissionSnapshot next)
 {
     if (waiting.generation == next.generation) {
@@ -47,11 +48,11 @@ void amend(MissionSnapshot& waiting, MissionSnapshot next)
 
 } // namespace
 
-MissionWorker::MissionWorker(MissionMail& mail)
-    : m_mail(mail), m_timer(this) // moves to the thread with its parent
+MissionWorker::MissionWorker(MissionChannels& mail)
+    : m_mail(mail), m_timer(this) // a child, so that it moves to the thread with its parent
 {
     m_timer.setTimerType(Qt::PreciseTimer);
-    connect(&m_timer, &QTimer::timeout, this, [this] { guarded([this] { slice(); }); });
+    connect(&m_timer, &QTimer::timeout, this, [this] { runGuarded([this] { slice(); }); });
 }
 
 void MissionWorker::start()
@@ -65,14 +66,14 @@ void MissionWorker::start()
     m_error.reset();
     m_published = {};
     m_phase = RunPhase::Planning;
-    for (const FlightHandover& handover : m_request.handovers)
-        present = handedOver(std::move(present), handover);
+    for (const RestartOptions& restartOptions : m_request.restarts)
+        present = nextFlight(std::move(present), restartOptions);
     if (present.mission) {
-        takeUp(std::move(present));
+        resume(std::move(present));
         return;
     }
     if (m_request.run) {
-        flyAgain(*m_request.run);
+        replayRun(*m_request.run);
         return;
     }
     m_mission = std::make_unique<Mission>(m_request.scenario, m_request.options);
@@ -83,22 +84,24 @@ void MissionWorker::start()
     publish();
 }
 
-MissionWorker::Flight MissionWorker::handedOver(Flight present, const FlightHandover& handover)
+MissionWorker::Flight MissionWorker::nextFlight(Flight present,
+                                                const RestartOptions& restartOptions)
 {
-    const bool bringsBack = handover.bringsBack && m_givenUp.mission;
+    const bool restoresFlight = restartOptions.restoresFlight && m_discarded.mission;
     Flight next;
-    if (bringsBack)
-        next = std::exchange(m_givenUp, {});
-    // Who asked may have seen no more than the flight that was flown on from: that is meant then.
-    const bool isLess = std::exchange(m_hasFlownOn, false) && m_givenUp.mission &&
+    if (restoresFlight)
+        next = std::exchange(m_discarded, {});
+    // The requester may have seen no more than the flight that was continued from: then that one
+    // counts.
+    const bool isLess = std::exchange(m_hasContinued, false) && m_discarded.mission &&
                         (!present.mission || present.mission->simulation().time_s() <
-                                                 m_givenUp.mission->simulation().time_s());
-    if (handover.keepsFlight && !isLess)
-        m_givenUp = std::move(present);
+                                                 m_discarded.mission->simulation().time_s());
+    if (restartOptions.keepsFlight && !isLess)
+        m_discarded = std::move(present);
     return next;
 }
 
-void MissionWorker::takeUp(Flight flight)
+void MissionWorker::resume(Flight flight)
 {
     m_mission = std::move(flight.mission);
     listenToIncumbents();
@@ -106,7 +109,7 @@ void MissionWorker::takeUp(Flight flight)
     publish();
 }
 
-void MissionWorker::flyAgain(const RunFile& run)
+void MissionWorker::replayRun(const RunFile& run)
 {
     m_mission = std::make_unique<Mission>(replay(run, m_request.stop));
     if (m_request.stop.stop_requested())
@@ -119,7 +122,7 @@ void MissionWorker::flyAgain(const RunFile& run)
     publish();
     const std::vector<Issue> differences = compareRun(run, runOf(*m_mission));
     if (!differences.empty() && differences.front().severity == Severity::Error)
-        emit refused(tr("Flown again, this run comes out differently: %1")
+        emit refused(tr("The replay of this run differs from the recording: %1")
                          .arg(placedIssueText(differences.front())));
 }
 
@@ -167,7 +170,7 @@ void MissionWorker::slice()
     } else {
         m_target_s += m_rate * static_cast<double>(m_clock.restart()) / 1000;
         const double before_s = m_mission->simulation().time_s();
-        // At most the work of one slice: when the machine is too slow the flight is, not the
+        // Flies at most for the work time of one slice: a slow machine slows the flight, not the
         // window.
         QElapsedTimer work;
         work.start();
@@ -215,15 +218,15 @@ void MissionWorker::intervene()
             emit refused(errorReport(error));
         }
     }
-    advanceTo(m_mission->simulation().time_s()); // plan on the spot
+    advanceTo(m_mission->simulation().time_s()); // replans at this instant
     publish();
 }
 
-void MissionWorker::flyOnFrom(const FlyOn& request)
+void MissionWorker::continueFrom(const ContinueRequest& request)
 {
     if (!m_mission || m_phase == RunPhase::Failed)
         return;
-    // Asked twice before the first was answered: the flight that was seen is the one given up.
+    // Two requests may come before the first is answered: the flight that was seen is kept.
     constexpr double kRounding_s = 1e-6;
     if (m_mission->simulation().time_s() < request.seenUntil_s - kRounding_s)
         return;
@@ -232,15 +235,17 @@ void MissionWorker::flyOnFrom(const FlyOn& request)
     run.flownUntil_s = std::clamp(request.time_s, 0.0, run.flownUntil_s);
     std::erase_if(run.interventions,
                   [&run](const Intervention& change) { return change.time_s > run.flownUntil_s; });
+    run.interventions.resize(std::min(run.interventions.size(),
+                                      request.interventions.value_or(run.interventions.size())));
     m_mission->setIncumbentListener(nullptr);
-    m_givenUp = {.mission = std::move(m_mission), .phase = m_phase};
-    m_hasFlownOn = true;
+    m_discarded = {.mission = std::move(m_mission), .phase = m_phase};
+    m_hasContinued = true;
     auto again = std::make_unique<Mission>(replay(run, m_request.stop));
     if (m_request.stop.stop_requested())
         return; // a newer request waits
     m_mission = std::move(again);
     listenToIncumbents();
-    m_published = {}; // all of it again: the end that was sent is given up
+    m_published = {}; // everything is sent again, because the end that was sent is discarded
     m_phase = RunPhase::Paused;
     publish();
 }
@@ -265,16 +270,16 @@ void MissionWorker::sendRun(const QString& path)
         emit refused(tr("There is no run to save: the scenario cannot be planned."));
 }
 
-void MissionWorker::sendNote()
+void MissionWorker::sendRecoveryRun()
 {
     if (!m_mission)
         return;
-    // The flight does not end because it cannot be noted.
-    static_cast<void>(
-        failureOf([&] { emit runNoted(std::make_shared<const RunFile>(runOf(*m_mission))); }));
+    // A flight does not fail because its recovery cannot be written.
+    static_cast<void>(failureOf(
+        [&] { emit recoveryRunReady(std::make_shared<const RunFile>(runOf(*m_mission))); }));
 }
 
-std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportOrder& order) const
+std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportTask& task) const
 {
     if (!m_mission || m_mission->plans().empty())
         throw Error(ErrorCode::InvalidInput, "plan", {IssueId::NotPlannable});
@@ -282,39 +287,39 @@ std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportOrder& orde
     const ExportSource source{.scenario = m_mission->scenario(),
                               .plan = plan,
                               .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get(),
-                              .predicted = order.predicted,
+                              .predicted = task.predicted,
                               .words = reportLanguage()};
     return std::make_shared<const ExportJob>(
-        ExportJob{.order = order, .prepared = prepareExport(source, order.request, m_paint)});
+        ExportJob{.task = task, .prepared = prepareExport(source, task.request, m_paint)});
 }
 
-void MissionWorker::sendExport(const ExportOrder& order)
+void MissionWorker::sendExport(const ExportTask& task)
 {
-    if (order.generation != m_request.generation) {
+    if (task.generation != m_request.generation) {
         emit refused(outdatedExportText());
         return;
     }
-    const auto failure = failureOf([&] { emit exportPrepared(prepared(order)); });
+    const auto failure = failureOf([&] { emit exportPrepared(prepared(task)); });
     if (failure)
         emit refused(failure->report);
 }
 
 void MissionWorker::sendExportPreview()
 {
-    const std::optional<ExportOrder> order = m_mail.previewRequests.take();
-    if (!order || order->generation != m_request.generation || order->stop.stop_requested())
-        return; // an earlier call has taken a newer one, or nobody wants it any more
-    const auto failure = failureOf([&] { emit previewPrepared(prepared(*order)); });
+    const std::optional<ExportTask> task = m_mail.previewRequests.take();
+    if (!task || task->generation != m_request.generation || task->stop.stop_requested())
+        return; // an earlier call has taken a newer one, or the preview was cancelled
+    const auto failure = failureOf([&] { emit previewPrepared(prepared(*task)); });
     if (!failure)
         return;
     ExportPreview preview;
-    preview.request = order->request;
+    preview.request = task->request;
     preview.error = failure->error;
     emit previewRefused(std::make_shared<const ExportPreview>(std::move(preview)),
-                        order->generation);
+                        task->generation);
 }
 
-/** What was half changed when there was a fault is not looked at any more. */
+/** After an internal error the mission may be half changed and is dropped. */
 void MissionWorker::fail(const WorkFailure& failure)
 {
     m_timer.stop();
@@ -324,16 +329,16 @@ void MissionWorker::fail(const WorkFailure& failure)
         m_mission.reset();
     if (!failureOf([this] { publish(); }))
         return;
-    m_mission.reset(); // leaves room for the message
+    m_mission.reset(); // frees memory for the message
     publish();
 }
 
-HistoryUpdate MissionWorker::takeUpdate()
+HistoryUpdate MissionWorker::takeNewRecords()
 {
     const Recorder& recorder = m_mission->recorder();
     HistoryUpdate news = m_published;
     const auto take = [](const auto& all, std::size_t& published, auto& part) {
-        // A flight that went back to fly on in another way has less than was sent.
+        // A flight that was continued from an earlier instant has fewer records than were sent.
         published = std::min(published, all.size());
         part.assign(all.begin() + static_cast<std::ptrdiff_t>(published), all.end());
     };
@@ -352,12 +357,12 @@ HistoryUpdate MissionWorker::takeUpdate()
 void MissionWorker::publishIncumbent(const PlanEvent& plan)
 {
     if (m_phase != RunPhase::Planning)
-        return; // in flight the picture is that of the last plan until the next one is made
+        return; // in flight the last plan stays shown until the next one is complete
     if (!plan.sameSolve)
         m_incumbents.clear();
     m_incumbents.push_back(plan);
     if (plan.uav + 1 < m_mission->simulation().uavCount())
-        return; // those of the other UAVs follow
+        return; // the plans of the other UAVs follow
     MissionSnapshot snapshot = present();
     snapshot.plans = m_incumbents;
     snapshot.plan = m_incumbents.front();
@@ -376,7 +381,7 @@ MissionSnapshot MissionWorker::present()
     MissionSnapshot snapshot;
     if (m_mission) {
         snapshot = snapshotOf(*m_mission);
-        snapshot.news = takeUpdate();
+        snapshot.news = takeNewRecords();
     }
     snapshot.generation = m_request.generation;
     snapshot.phase = m_phase;

@@ -29,7 +29,8 @@ std::vector<NamedPlace> namedPlaces()
                           .english = QString::fromUtf8(place.name),
                           .also = place.also,
                           .at = place.at,
-                          .rank = place.rank});
+                          .rank = place.rank,
+                          .kind = place.kind});
     std::sort(places.begin(), places.end(), [](const NamedPlace& a, const NamedPlace& b) {
         return searchText(a.name) < searchText(b.name);
     });
@@ -48,7 +49,7 @@ QString searchText(const QString& text)
             plain += u'd';
         else if (c == u'þ')
             plain += u"th"_s;
-        else if (c == u'τ') // as it is typed
+        else if (c == u'τ') // typed "tau"
             plain += u"tau"_s;
         else if (c == u'ζ')
             plain += u"zeta"_s;
@@ -97,23 +98,24 @@ std::variant<FoundPlace, QString> findPlace(const QString& text)
         return coordinateFaultText(std::get<CoordinateFault>(read));
     if (partly.size() == 1)
         return partly.front();
-    return partly.empty() ? PlaceText::tr("There is no place of this name here, and it is not a "
-                                          "coordinate.")
-                          : PlaceText::tr("Several places are called like this.");
+    return partly.empty()
+               ? PlaceText::tr("No known place has this name, and it is not a coordinate.")
+               : PlaceText::tr("Several places have this name.");
 }
 
 std::variant<LatLon, QString> typedPlace(const QString& text, PlaceHalf half, const LatLon& before)
 {
     if (text.trimmed().isEmpty())
         return coordinateFaultText(CoordinateFault::Empty);
-    // Beside a zero an angle alone is a coordinate, and "47 03.2" is not taken for two.
+    // An angle alone, with a zero beside it, is a coordinate; and "47 03.2" is not read as two
+    // angles.
     const bool isLatitude = half == PlaceHalf::Latitude;
     const QString beside = isLatitude ? text + u"; 0°"_s : u"0°; "_s + text;
     const auto read = parsePlace(withPlainHemispheres(beside).toStdString());
     if (const auto* at = std::get_if<LatLon>(&read)) {
         if ((isLatitude ? at->longitude_deg : at->latitude_deg) != 0)
-            return isLatitude ? PlaceText::tr("This is a longitude, a latitude is needed.")
-                              : PlaceText::tr("This is a latitude, a longitude is needed.");
+            return isLatitude ? PlaceText::tr("This is a longitude. Enter a latitude.")
+                              : PlaceText::tr("This is a latitude. Enter a longitude.");
         return isLatitude ? LatLon{at->latitude_deg, before.longitude_deg}
                           : LatLon{before.latitude_deg, at->longitude_deg};
     }
@@ -127,15 +129,16 @@ std::variant<LatLon, QString> typedPlace(const QString& text, PlaceHalf half, co
 
 QString faultForSeveral(const QString& text, PlaceHalf half)
 {
-    constexpr double kNoAngle = 1000; // that a text could say
+    constexpr double kNoAngle = 1000; // no text can give this angle
     const auto typed = typedPlace(text, half, {kNoAngle, kNoAngle});
     const auto* at = std::get_if<LatLon>(&typed);
     if (at == nullptr || at->latitude_deg == kNoAngle || at->longitude_deg == kNoAngle)
         return {};
-    return PlaceText::tr("Type one angle: a whole coordinate would put all of them at one place.");
+    return PlaceText::tr(
+        "Enter one angle only: a whole coordinate would move all of them to one place.");
 }
 
-std::optional<Point> reachedPoint(const LatLon& place, const LatLon& origin)
+std::optional<Point> pointInReach(const LatLon& place, const LatLon& origin)
 {
     const Point at_m = LocalFrame(origin).toPlane(place);
     if (at_m.cwiseAbs().maxCoeff() > kLargestCoordinate_m)
@@ -145,19 +148,19 @@ std::optional<Point> reachedPoint(const LatLon& place, const LatLon& origin)
 
 QString beyondReachText(const LatLon& place, const LatLon& origin, const QLocale& locale)
 {
-    return PlaceText::tr("This is %1 from the origin of the scenario, which reaches %2.")
+    return PlaceText::tr("This is %1 from the scenario's origin; the limit is %2.")
         .arg(distanceText(LocalFrame(origin).toPlane(place).norm(), locale),
              distanceText(kLargestCoordinate_m, locale));
 }
 
-QString takePlace(Point& position_m, const QString& text, PlaceHalf half, const LatLon& origin,
-                  const QLocale& locale)
+QString applyTypedPlace(Point& position_m, const QString& text, PlaceHalf half,
+                        const LatLon& origin, const QLocale& locale)
 {
     const auto typed = typedPlace(text, half, LocalFrame(origin).toGeographic(position_m));
     if (const auto* reason = std::get_if<QString>(&typed))
         return *reason;
     const auto& place = std::get<LatLon>(typed);
-    const std::optional<Point> at_m = reachedPoint(place, origin);
+    const std::optional<Point> at_m = pointInReach(place, origin);
     if (!at_m)
         return beyondReachText(place, origin, locale);
     position_m = *at_m;
@@ -168,29 +171,29 @@ QString coordinateFaultText(CoordinateFault fault)
 {
     switch (fault) {
     case CoordinateFault::Empty:
-        return PlaceText::tr("A coordinate or the name of a place is needed.");
+        return PlaceText::tr("Enter a coordinate or a place name.");
     case CoordinateFault::Unreadable:
-        return PlaceText::tr("This is not a coordinate. Such as 47° 03.2′ N 48° 06′ W, or "
-                             "47.05 -48.1.");
+        return PlaceText::tr(
+            "This is not a coordinate. Examples: 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.");
     case CoordinateFault::Half:
-        return PlaceText::tr("This is half a coordinate: latitude and longitude are needed.");
+        return PlaceText::tr("This is half a coordinate. Enter latitude and longitude.");
     case CoordinateFault::Ambiguous:
-        return PlaceText::tr("This can be read in more than one way. Spaces and the letters N, S, "
-                             "E and W make it clear.");
+        return PlaceText::tr(
+            "This coordinate is ambiguous. Add spaces and the letters N, S, E or W.");
     case CoordinateFault::HemisphereMissing:
-        return PlaceText::tr("One half says which hemisphere it is in, the other does not.");
+        return PlaceText::tr("Only one half states its hemisphere. Add N, S, E or W to the other.");
     case CoordinateFault::SignAndLetter:
-        return PlaceText::tr("Either a sign or a letter says which hemisphere, not both.");
+        return PlaceText::tr("Use a sign or a hemisphere letter, not both.");
     case CoordinateFault::SameAxis:
-        return PlaceText::tr("One latitude and one longitude are needed, not two of a kind.");
+        return PlaceText::tr("Enter one latitude and one longitude.");
     case CoordinateFault::Sixty:
-        return PlaceText::tr("Minutes and seconds are less than 60.");
+        return PlaceText::tr("Minutes and seconds must be below 60.");
     case CoordinateFault::Latitude:
-        return PlaceText::tr("Latitudes go from 90° S to 90° N.");
+        return PlaceText::tr("Latitude must be between 90° S and 90° N.");
     case CoordinateFault::Longitude:
-        return PlaceText::tr("Longitudes go from 180° W to 180° E.");
+        return PlaceText::tr("Longitude must be between 180° W and 180° E.");
     case CoordinateFault::Grid:
-        return PlaceText::tr("There is no such place on the UTM or MGRS grid.");
+        return PlaceText::tr("This position does not exist on the UTM or MGRS grid.");
     }
     return {};
 }

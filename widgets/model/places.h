@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/coordinates.h"
+#include "widgets/model/gazetteer.h"
 
 #include <QLocale>
 #include <QStringList>
@@ -11,42 +12,49 @@
 
 namespace berg {
 
-/** A place of ice navigation that comes with the program. */
+/** A place name for ice navigation. */
 struct NamedPlace
 {
-    QString name;       ///< in the language of now
-    QString english;    ///< found by that as well
-    QStringList also{}; ///< and by these: former names, names in other languages
+    QString name;       ///< name in the current language
+    QString english;    ///< English name
+    QStringList also{}; ///< former names and names in other languages
     LatLon at;
-    int rank = 1; ///< 1 is the best known, 5 the least
+    int rank = 1; ///< 1 is the best known, 5 the least known
+    PlaceKind kind = PlaceKind::Water;
 };
 
-/** By name. */
+/** Returns the places of the gazetteer, sorted by name. */
 [[nodiscard]] std::vector<NamedPlace> namedPlaces();
 
-/** Lower-case Latin letters without diacritics, digits and single spaces, to compare names by. */
+/**
+ * Returns the text in lower-case letters without diacritics, digits and single spaces, for
+ * comparing names: ø becomes o, æ ae, τ tau; points and apostrophes are removed.
+ */
 [[nodiscard]] QString searchText(const QString& text);
 
-/** Of a text: where it is, and its name if it has one. */
+/** A place found by a text. */
 struct FoundPlace
 {
     LatLon at;
-    QString name; ///< empty: a coordinate
+    QString name; ///< empty for a coordinate
 };
 
-/** All that the place is found by, as `searchText`. */
+/** Returns all names of a place in the form of `searchText`. */
 [[nodiscard]] QStringList searchNames(const NamedPlace& place);
 
 /**
- * Whether a text is words: these are names first. "bay" is a square of MGRS in Antarctica as well,
- * which nobody means who has Baffin Bay to choose.
+ * Returns whether a text has letters and no digits; such a text is a name first. "bay" is also an
+ * MGRS square in Antarctica, which is not meant by a user who can choose Baffin Bay.
  */
 [[nodiscard]] bool isWithoutDigits(const QString& text);
 
-/** A name, a coordinate, or a part of one name only; else why not, as a sentence. */
+/**
+ * Returns the place of a name, of a coordinate, or of a part of exactly one name; else the reason
+ * as a sentence.
+ */
 [[nodiscard]] std::variant<FoundPlace, QString> findPlace(const QString& text);
 
-/** Half of a place. */
+/** The coordinate of a position that a field edits. */
 enum class PlaceHalf
 {
     Latitude,
@@ -54,29 +62,34 @@ enum class PlaceHalf
 };
 
 /**
- * A place typed over another: an angle in any form takes the place of this half of `before`, a
- * whole coordinate or a name of both. Else why not, as a sentence.
+ * Returns `before` with the typed place: an angle replaces the given half, a whole coordinate or a
+ * name replaces both. Else returns the reason as a sentence.
  */
 [[nodiscard]] std::variant<LatLon, QString> typedPlace(const QString& text, PlaceHalf half,
                                                        const LatLon& before);
 
 /**
- * Why a text is not typed over this half of several places, a whole sentence: it sets both, and
- * would put them all on one. Empty: it can be.
+ * Returns why a text cannot be typed for several positions at once, as a sentence: it sets both
+ * halves and would move all of them to one place. Returns an empty text if it can.
  */
 [[nodiscard]] QString faultForSeveral(const QString& text, PlaceHalf half);
 
-/** Where a place is on the plane of a scenario; empty: beyond what that reaches. */
-[[nodiscard]] std::optional<Point> reachedPoint(const LatLon& place, const LatLon& origin);
-/** How far away a place is that is not reached, a whole sentence. */
+/**
+ * Returns the place in the scenario's plane, m, or nullopt if it is beyond the largest coordinate.
+ */
+[[nodiscard]] std::optional<Point> pointInReach(const LatLon& place, const LatLon& origin);
+/** Returns a sentence that states how far beyond the scenario's reach a place is. */
 [[nodiscard]] QString beyondReachText(const LatLon& place, const LatLon& origin,
                                       const QLocale& locale);
 
-/** Moves a point of a scenario to what is typed; else says why not and leaves it. */
-[[nodiscard]] QString takePlace(Point& position_m, const QString& text, PlaceHalf half,
-                                const LatLon& origin, const QLocale& locale);
+/**
+ * Moves a point of a scenario to the typed place. Returns an empty text, or the reason as a
+ * sentence and leaves the point unchanged.
+ */
+[[nodiscard]] QString applyTypedPlace(Point& position_m, const QString& text, PlaceHalf half,
+                                      const LatLon& origin, const QLocale& locale);
 
-/** In the user's words, a whole sentence. */
+/** Returns the fault as a sentence for the user. */
 [[nodiscard]] QString coordinateFaultText(CoordinateFault fault);
 
 } // namespace berg

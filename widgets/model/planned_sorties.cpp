@@ -28,7 +28,7 @@ std::vector<std::optional<PlannedPath>> plannedPaths(const MissionSnapshot& now,
                                                      const Scenario& scenario)
 {
     std::vector<std::optional<PlannedPath>> paths(scenario.uavs.size());
-    // Until it is planned a scenario just edited may have others than the mission.
+    // Until it is planned, a newly edited scenario may have other UAVs than the mission.
     const std::size_t uavs = std::min(scenario.uavs.size(), now.world.uavs.size());
     if (uavs == 0 || !now.plan || now.plan->outlook)
         return paths;

@@ -6,26 +6,27 @@
 namespace berg {
 
 /**
- * By UAV, what it is planned to fly from this instant on; none: it goes home or stands there, has
- * no plan, or one with aim points.
+ * Returns the path that each UAV is planned to fly from this instant on; nullopt if it returns home
+ * or stands there, has no plan, or has one with aim points.
  */
 [[nodiscard]] std::vector<std::optional<PlannedPath>> plannedPaths(const MissionSnapshot& now,
                                                                    const Scenario& scenario);
 
+/** Forecast of a UAV's sortie for the operator. */
 struct PlannedSortie
 {
     SortieOutlook outlook;
     std::optional<double> lowMargin_s;
-    std::optional<double> slot_s =
-        {};               ///< home by then, in its recovery slot; none: it needs no slot
-    std::string uav = {}; ///< its name, else its id
+    /** Latest time home in its recovery slot, s; nullopt if it needs no slot. */
+    std::optional<double> slot_s = {};
+    std::string uav = {}; ///< name of the UAV, or its id if it has none
 };
 
-/** The same in what an operator must know of it, by UAV. */
+/** Returns the planned sortie of each UAV; nullopt where `plannedPaths` has none. */
 [[nodiscard]] std::vector<std::optional<PlannedSortie>> plannedSorties(const MissionSnapshot& now,
                                                                        const Scenario& scenario);
 
-/** Those with a recovery slot, the first to land first. */
+/** Returns the sorties with a recovery slot, in order of landing. */
 [[nodiscard]] std::vector<PlannedSortie>
 landingOrder(const std::vector<std::optional<PlannedSortie>>& sorties);
 

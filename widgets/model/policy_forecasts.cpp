@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPause_ms = 300;
 
-/** Those that are soon flown first. */
+/** Returns the policies, fast ones first. */
 std::vector<PolicyKind> soonFirst()
 {
     std::vector<PolicyTraits> all(kPolicyTable.begin(), kPolicyTable.end());
@@ -28,7 +28,7 @@ std::vector<PolicyKind> soonFirst()
     return policies;
 }
 
-/** What of the settings a flight with the policy depends on. */
+/** Returns the settings that a flight with the policy depends on. */
 PlannerSettings relevant(PolicyKind policy, const PlannerSettings& settings)
 {
     PlannerSettings used{.policy = policy};
@@ -43,10 +43,10 @@ PlannerSettings relevant(PolicyKind policy, const PlannerSettings& settings)
     return used;
 }
 
-using Tell = std::function<void(PolicyForecast)>;
+using Deliver = std::function<void(PolicyForecast)>;
 
 void flyDrawn(const Scenario& scenario, PolicyKind policy, int flights, const std::stop_token& stop,
-              const Tell& tell)
+              const Deliver& deliver)
 {
     PolicyForecast forecast{.state = ForecastState::Computing};
     for (int number = 0; number < flights; ++number) {
@@ -57,7 +57,7 @@ void flyDrawn(const Scenario& scenario, PolicyKind policy, int flights, const st
         forecast.share = (number + 1.0) / flights;
         if (number + 1 == flights)
             forecast.state = ForecastState::Known;
-        tell(forecast);
+        deliver(forecast);
     }
 }
 
@@ -81,14 +81,16 @@ PolicyForecasts::PolicyForecasts(QObject* parent, int limit_ms, int drawnFlights
     , m_order(soonFirst())
     , m_task(u"forecasts"_s,
              {.work =
-                  [](const Request& request, const std::stop_token& stop, const auto& tell) {
-                      flyDrawn(request.scenario, request.policy, request.drawnFlights, stop, tell);
+                  [](const Request& request, const std::stop_token& stop, const auto& deliver) {
+                      flyDrawn(request.scenario, request.policy, request.drawnFlights, stop,
+                               deliver);
                   },
-              .deliver = [this](PolicyForecast forecast) { take(std::move(forecast)); },
+              .deliver = [this](PolicyForecast forecast) { accept(std::move(forecast)); },
               .end =
                   [this](const std::optional<WorkFailure>& failure) {
                       if (failure)
-                          take({.state = ForecastState::Impossible, .whyNot = failure->report});
+                          accept({.state = ForecastState::Impossible,
+                                  .unsupportedReason = failure->report});
                   }},
              WorkPriority::Low)
 {
@@ -131,7 +133,7 @@ void PolicyForecasts::setScenario(const Scenario& scenario)
 
 void PolicyForecasts::start()
 {
-    if (hasErrors(validate(*m_scenario))) { // said elsewhere
+    if (hasErrors(validate(*m_scenario))) { // the window reports them elsewhere
         for (auto& [policy, forecast] : m_forecasts)
             forecast = {.state = ForecastState::Impossible};
         emit updated();
@@ -176,14 +178,14 @@ void PolicyForecasts::giveUp()
     startNext();
 }
 
-/** Each flight takes as long as those before. */
+/** Extrapolates from the flights so far, which all take about the same time. */
 bool PolicyForecasts::isTooSlow(const PolicyForecast& forecast) const
 {
     const int passed_ms = m_limit.interval() - m_limit.remainingTime();
     return passed_ms > forecast.share * m_limit.interval();
 }
 
-void PolicyForecasts::take(PolicyForecast forecast)
+void PolicyForecasts::accept(PolicyForecast forecast)
 {
     if (!m_present)
         return;

@@ -17,19 +17,19 @@ enum class ForecastState
     Waiting,
     Computing,
     Known,
-    TooLong,   ///< given up: it would take longer than the limit
-    Impossible ///< the scenario cannot be flown with the policy: `whyNot`
+    TooLong,   ///< stopped because it would exceed the time limit
+    Impossible ///< the policy cannot fly this scenario; see `unsupportedReason`
 };
 
-/** What is known of a flight with one policy before it is flown. */
+/** Forecast of the zeta of one policy before take-off. */
 struct PolicyForecast
 {
     ForecastState state = ForecastState::Waiting;
-    double share = 0;                   ///< of the flights, flown so far
-    std::vector<double> drawn_m2s = {}; ///< zeta of each, by `drawnZeta_m2s`
-    QString whyNot = {};
+    double share = 0;                   ///< share of the drawn flights that are flown, 0 to 1
+    std::vector<double> drawn_m2s = {}; ///< zeta of each flight by `drawnZeta_m2s`
+    QString unsupportedReason = {};
 
-    /** Once all were flown; nullopt before. */
+    /** Returns the prediction once all flights are flown; nullopt before. */
     [[nodiscard]] std::optional<ZetaPrediction> prediction() const;
     bool operator==(const PolicyForecast&) const = default;
 };
@@ -37,27 +37,27 @@ struct PolicyForecast
 using PolicyForecastList = std::map<PolicyKind, PolicyForecast>;
 
 /**
- * Predicts what the scenario comes to with each policy by flights in drawn worlds, on a thread of
- * its own at low priority, a moment after the last change: first the policy chosen, then those that
- * are soon done. A change of settings does away with the forecasts that depend on them only. GUI
- * thread.
+ * Predicts zeta for every policy by flights in drawn worlds, on its own thread at low priority, a
+ * moment after the last change: first the chosen policy, then the fast ones. A change of settings
+ * drops only the forecasts that depend on it. GUI thread.
  */
 class PolicyForecasts : public QObject
 {
     Q_OBJECT
 
 public:
-    /** Longest time for a policy: fields of hundreds of icebergs take hours to fly. */
+    /** Time limit for one policy, ms: fields of hundreds of icebergs take hours to fly. */
     static constexpr int kLimit_ms = 120'000;
 
     explicit PolicyForecasts(QObject* parent = nullptr, int limit_ms = kLimit_ms,
                              int drawnFlights = kDrawnFlights);
 
+    /** Sets the scenario; forecasts that still hold are kept, the others are computed again. */
     void setScenario(const Scenario& scenario);
 
-    /** Of every policy, for the present scenario; empty before the first one. */
+    /** Returns the forecasts for the present scenario, none before the first scenario. */
     [[nodiscard]] const PolicyForecastList& forecasts() const { return m_forecasts; }
-    /** None waits or is under way. */
+    /** Returns whether no forecast is pending or running. */
     [[nodiscard]] bool isComplete() const;
 
 signals:
@@ -71,7 +71,7 @@ private:
         int drawnFlights = 0;
     };
 
-    void take(PolicyForecast forecast);
+    void accept(PolicyForecast forecast);
     void start();
     void startNext();
     void startPresent(PolicyKind policy);
@@ -82,11 +82,12 @@ private:
     int m_drawnFlights;
     std::optional<Scenario> m_scenario;
     PolicyForecastList m_forecasts;
-    std::vector<PolicyKind> m_order;     ///< in which they are flown
-    std::optional<PolicyKind> m_present; ///< under way
-    QTimer m_pause;                      ///< runs out when changes have come to rest
+    std::vector<PolicyKind> m_order;     ///< order of computation
+    std::optional<PolicyKind> m_present; ///< current policy
+    QTimer m_pause;                      ///< restarted by each change
     QTimer m_limit;
-    LatestTask<Request, PolicyForecast> m_task; ///< last: it ends before the rest
+    /** Last member: its thread ends before the others are destroyed. */
+    LatestTask<Request, PolicyForecast> m_task;
 };
 
 } // namespace berg

@@ -24,7 +24,7 @@ std::string nativePath(const QString& path)
     return QFile::encodeName(path).toStdString();
 }
 
-/** What the file says; of one that is missing or damaged, what can be told without it. */
+/** Returns the data file, or what the scenario gives if it is missing or damaged. */
 RecoveryInfo readInfo(const RecoveryFiles& files, const Scenario& scenario)
 {
     RecoveryInfo info{.name = QString::fromStdString(scenario.name),
@@ -39,20 +39,20 @@ RecoveryInfo readInfo(const RecoveryFiles& files, const Scenario& scenario)
             QDateTime::fromString(QString::fromStdString(note.editedUtc), Qt::ISODateWithMs);
         if (edited.isValid())
             info.edited = edited.toLocalTime();
-    } catch (const Error&) { // the scenario is what counts
+    } catch (const Error&) { // the scenario is enough
     }
     return info;
 }
 
-/** The flight that was under way; null: none, or one that cannot be read. */
+/** Returns the current flight, or null if there is none or it cannot be read. */
 std::shared_ptr<const RunFile> readRun(const RecoveryFiles& files)
 try {
     return std::make_shared<const RunFile>(loadRun(nativePath(files.run())));
-} catch (const Error&) { // the scenario is what counts
+} catch (const Error&) { // the scenario is enough
     return nullptr;
 }
 
-/** Puts what cannot be read out of the way, for whoever wants to look into it. */
+/** Renames an unreadable file, so that it can still be examined. */
 QString setAside(const RecoveryFiles& files)
 {
     QString aside = files.scenario() + u".damaged"_s;
@@ -90,11 +90,11 @@ void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const R
                                 info.edited.toUTC().toString(Qt::ISODateWithMs).toStdString(),
                             .pid = info.pid,
                             .host = info.host.toStdString()};
-    if (run == nullptr) // one of another scenario is never beside this one
+    if (run == nullptr) // a run must not stay beside another scenario
         QFile::remove(files.run());
     writeFileAtomically(nativePath(files.scenario()), scenarioToJson(scenario));
     writeFileAtomically(nativePath(files.info()), recoveryToJson(note));
-    if (run != nullptr) // last: the scenario is what counts
+    if (run != nullptr) // written last, because the scenario matters more
         saveRun(*run, nativePath(files.run()));
 }
 
@@ -115,7 +115,7 @@ void removeEmptyRecoveries(const QString& folder, const QString& ending)
         const QString content = QDir(folder).filePath(held.files.id + ending);
         if (!QFile::exists(content) &&
             held.lock.take(held.files.lock()) == FileLock::Outcome::Taken &&
-            !QFile::exists(content)) // nor written between the two
+            !QFile::exists(content)) // it may have been written since
             removeRecovery(held.files);
     }
 }
@@ -149,7 +149,8 @@ FoundRecoveries RecoveryStore::abandoned() const
                                     .scenario = std::move(scenario),
                                     .run = std::move(run)});
         } catch (const Error& error) {
-            if (error.code() != ErrorCode::FileNotFound) // else its window just closed
+            // If it is gone, its window has just closed.
+            if (error.code() != ErrorCode::FileNotFound)
                 found.damaged << setAside(held.files);
         }
     }

@@ -13,18 +13,20 @@
 
 namespace berg {
 
-/** What is known about unsaved work besides the scenario itself. */
+/** Data about unsaved work besides the scenario itself. */
 struct RecoveryInfo
 {
-    QString name;         ///< of the scenario; may be empty
-    QString originalPath; ///< file the scenario belongs to; empty: none yet
+    QString name;         ///< name of the scenario; may be empty
+    QString originalPath; ///< file of the scenario; empty if it was never saved
     QDateTime edited;
-    qint64 pid = 0; ///< of the program that wrote it
+    qint64 pid = 0; ///< process that wrote it
     QString host;
 };
 
-/** The files of one recovery: `<id>.berg`, what is known about it beside it in `<id>.json`, and of
- * a flight under way `<id>.bergrun`. */
+/**
+ * Paths of the files of one recovery: `<id>.berg`, its data in `<id>.json`, `<id>.bergrun` for a
+ * flight in progress, and `<id>.lock`.
+ */
 struct RecoveryFiles
 {
     QString folder;
@@ -36,55 +38,55 @@ struct RecoveryFiles
     [[nodiscard]] QString lock() const;
 };
 
-/** Writes them, each whole or not at all; no run: none is under way. Throws
- * `Error{FileUnwritable}`. Thread: any. */
+/**
+ * Writes the files, each completely or not at all. `run` is null without a flight. Throws
+ * `Error{FileUnwritable}`. Thread: any.
+ */
 void writeRecovery(const RecoveryFiles& files, const Scenario& scenario, const RecoveryInfo& info,
                    const RunFile* run = nullptr);
-/** Removes them and what a writer that was killed has left of them; the lock stays. Thread: any. */
+/** Removes the files and leftovers of a killed writer; the lock stays. Thread: any. */
 void removeRecovery(const RecoveryFiles& files);
 
-/**
- * What is left of recoveries whose program was killed before it had written `<id><ending>`. Thread:
- * any.
- */
+/** Removes recoveries whose program was killed before it wrote `<id><ending>`. Thread: any. */
 void removeEmptyRecoveries(const QString& folder, const QString& ending);
 
-/** A recovery that nobody else may touch as long as this object lives. */
+/** A recovery that is locked against other programs while this object lives. */
 struct HeldRecovery
 {
     RecoveryFiles files;
     FileLock lock;
 };
 
-/** Work of a program that is gone, held by this one for as long as it is offered. */
+/** Work of a program that no longer runs, locked while it is offered to the user. */
 struct FoundRecovery
 {
     HeldRecovery held;
     RecoveryInfo info;
     Scenario scenario;
-    std::shared_ptr<const RunFile> run = {}; ///< null: nothing was flown, or it cannot be read
+    /** Null if nothing was flown or the run cannot be read. */
+    std::shared_ptr<const RunFile> run = {};
 };
 
 struct FoundRecoveries
 {
     std::vector<FoundRecovery> usable; ///< newest first
-    QStringList damaged;               ///< set aside under these paths: a report for each
+    QStringList damaged;               ///< new paths of unreadable files
 };
 
 /**
  * The folder of recoveries, one for each window with unsaved changes. A window holds the lock of
- * its own; one whose lock is free belongs to a program that ended without removing it.
+ * its own; a free lock belongs to a program that ended without removing it.
  */
 class RecoveryStore
 {
 public:
     explicit RecoveryStore(QString folder) : m_folder(std::move(folder)) {}
 
-    /** A new one, without content. Throws `Error{FileUnwritable}`; makes the folder. */
+    /** Adds an empty recovery and creates the folder. Throws `Error{FileUnwritable}`. */
     [[nodiscard]] HeldRecovery add() const;
     /**
-     * All that nobody holds. One whose scenario cannot be read is renamed to `<id>.berg.damaged`
-     * and never looked at again.
+     * Returns and locks all recoveries whose lock is free. One whose scenario cannot be read is
+     * renamed to `<id>.berg.damaged` and ignored from then on.
      */
     [[nodiscard]] FoundRecoveries abandoned() const;
 

@@ -17,8 +17,8 @@ constexpr int kBetweenReports_ms = 40;
 
 } // namespace
 
-Mission flownAgain(const RunFile& recorded, const std::string& path, const std::stop_token& stop,
-                   const std::function<void(double)>& onProgress)
+Mission replayedMission(const RunFile& recorded, const std::string& path,
+                        const std::stop_token& stop, const std::function<void(double)>& onProgress)
 {
     RunFile run = recorded;
     run.options.record = true;
@@ -37,7 +37,7 @@ RunList::RunList(QObject* parent)
     : QObject(parent)
     , m_task(u"runs"_s,
              {.work = fly,
-              .deliver = [this](const Result& result) { take(result); },
+              .deliver = [this](const Result& result) { accept(result); },
               .end = [this](const std::optional<WorkFailure>& failure) { end(failure); }})
 {
 }
@@ -108,23 +108,23 @@ void RunList::start()
     emit progress(0, m_jobs.front().run.flownUntil_s);
 }
 
-void RunList::fly(const Job& job, const std::stop_token& stop, const Tell& tell)
+void RunList::fly(const Job& job, const std::stop_token& stop, const Deliver& deliver)
 {
     const std::string path = QFile::encodeName(job.path).toStdString();
     const RunFile run = path.empty() ? job.run : loadRun(path, stop);
     ReportPace pace(kBetweenReports_ms);
-    const Mission mission = flownAgain(run, path, stop, [&](double flown_s) {
+    const Mission mission = replayedMission(run, path, stop, [&](double flown_s) {
         if (pace.isDue())
-            tell({.flown_s = flown_s, .duration_s = run.flownUntil_s, .run = nullptr});
+            deliver({.flown_s = flown_s, .duration_s = run.flownUntil_s, .run = nullptr});
     });
     if (stop.stop_requested())
         return;
     ComparedRun flown = comparedRun(recordOf(mission));
     flown.file = job.path;
-    tell({.run = std::make_shared<const ComparedRun>(std::move(flown))});
+    deliver({.run = std::make_shared<const ComparedRun>(std::move(flown))});
 }
 
-void RunList::take(const Result& result)
+void RunList::accept(const Result& result)
 {
     if (!result.run) {
         emit progress(result.flown_s, result.duration_s);
@@ -148,7 +148,10 @@ void RunList::end(const std::optional<WorkFailure>& failure)
         emit finished(std::exchange(m_failure, {}));
 }
 
-/** In place of an equal run, whose name it gets, or as the newest one; returns what is listed. */
+/**
+ * Replaces an equal run and takes over its name, or adds the run as the newest. Returns the run
+ * that is listed.
+ */
 RunPointer RunList::insert(RunPointer run)
 {
     const auto equal = std::find_if(m_runs.begin(), m_runs.end(), [&](const RunPointer& known) {

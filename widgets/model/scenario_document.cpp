@@ -22,8 +22,8 @@ QByteArray hashOf(const std::string& content)
 }
 
 /**
- * The one undo command: the scenario before and after. One of 500 icebergs takes 130 kilobytes, so
- * that commands which follow each other share the one between them.
+ * The only undo command: the scenario before and after. A scenario of 500 icebergs takes 130
+ * kilobytes, so successive commands share the one between them.
  */
 class EditScenario final : public QUndoCommand
 {
@@ -75,7 +75,7 @@ ScenarioDocument::ScenarioDocument(QObject* parent)
 
 ScenarioDocument::~ScenarioDocument()
 {
-    // The stack is a child and would tell of its end when this object is half gone.
+    // The stack is a child and would emit signals while this object is being destroyed.
     m_undoStack->disconnect(this);
 }
 
@@ -87,7 +87,7 @@ bool ScenarioDocument::isClean() const
 bool ScenarioDocument::edit(const QString& text, const std::function<void(Scenario&)>& change,
                             const QString& gesture)
 {
-    if (m_isStepping) // whoever hears of the step must not put another one on it
+    if (m_isStepping) // a listener of the step must not add another one to it
         return false;
     Scenario after = m_scenario;
     change(after);
@@ -95,7 +95,7 @@ bool ScenarioDocument::edit(const QString& text, const std::function<void(Scenar
         return false;
     if (const std::vector<Issue> issues = unreadable(after);
         !issues.empty() && unreadable(m_scenario).empty()) {
-        emit impossible(issues.front());
+        emit editRejected(issues.front());
         return false;
     }
     const QString key =
@@ -163,7 +163,7 @@ void ScenarioDocument::begin(const Scenario& scenario, const QString& filePath, 
     m_issues = validate(m_scenario);
     emit replaced();
     if (!clean)
-        m_undoStack->resetClean(); // no number of undos leads to what is in the file
+        m_undoStack->resetClean(); // no number of undos leads back to the content of the file
     emit filePathChanged(m_filePath);
     emit scenarioChanged();
 }

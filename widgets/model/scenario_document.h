@@ -13,12 +13,12 @@ class QUndoStack;
 
 namespace berg {
 
-/** SHA-256 of the bytes of a file. */
+/** Returns the SHA-256 hash of a file's content. */
 [[nodiscard]] QByteArray hashOf(const std::string& content);
 
 /**
- * The scenario being edited: the only place that changes it, one undo step per gesture. Views read
- * `scenario()` after `scenarioChanged` and ask for changes with `edit`. GUI thread.
+ * The scenario being edited. Only this class changes it, one undo step per gesture. Views read
+ * `scenario()` after `scenarioChanged` and request changes by `edit`. GUI thread.
  */
 class ScenarioDocument : public QObject
 {
@@ -29,28 +29,30 @@ public:
     ~ScenarioDocument() override;
 
     [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
-    /** Findings of `validate` about the present scenario. */
+    /** Returns the findings of `validate` in the present scenario. */
     [[nodiscard]] const std::vector<Issue>& issues() const { return m_issues; }
     [[nodiscard]] QUndoStack* undoStack() const { return m_undoStack; }
 
-    /** What new icebergs are seen by: the last choice of the user, whatever the scenario. */
+    /** Returns the sensor of new icebergs: the user's last choice, whatever the scenario. */
     [[nodiscard]] SightingSource newIcebergSource() const { return m_newIcebergSource; }
     void setNewIcebergSource(SightingSource source);
-    /** Without id and place, as uncertain as that source leaves it. */
+    /** Returns an iceberg with the uncertainty of that sensor, without id and position. */
     [[nodiscard]] Iceberg newIceberg() const;
 
-    /** Empty: never saved. */
+    /** Returns the path of the file, or an empty text if the scenario was never saved. */
     [[nodiscard]] QString filePath() const { return m_filePath; }
-    /** Of the bytes read from the file or written to it; empty: neither was done. */
+    /**
+     * Returns the hash of the bytes read from or written to the file, empty if neither was done.
+     */
     [[nodiscard]] const QByteArray& fileHash() const { return m_fileHash; }
     [[nodiscard]] bool isClean() const;
 
     /**
-     * Applies `change` to a copy and makes it the scenario, undoable under `text`. Edits with the
-     * same `gesture` (not empty), one directly after the other, are one step; `endGesture` closes
-     * it. A change that changes nothing leaves the history alone. Returns whether it changed; while
-     * the document is locked nothing does, and `refused` tells. Nor is a change made that would
-     * make the scenario `unreadable`: what is saved can be opened.
+     * Applies `change` to a copy and makes it the scenario, with an undo step named `text`.
+     * Successive edits with the same non-empty `gesture` form one step, which `endGesture` closes.
+     * Returns whether the scenario changed: an edit without effect leaves the history alone, a
+     * locked document emits `refused`, and a change that would make the scenario `unreadable` emits
+     * `editRejected`, so that saved files can be opened.
      */
     bool edit(const QString& text, const std::function<void(Scenario&)>& change,
               const QString& gesture = {});
@@ -58,32 +60,35 @@ public:
     void undo();
     void redo();
 
-    /** In flight nothing is edited; another scenario altogether can still take its place. */
+    /** Locks the document in flight. Only another scenario can still replace it. */
     void setLocked(bool locked) { m_isLocked = locked; }
     [[nodiscard]] bool isLocked() const { return m_isLocked; }
 
-    /** Replaces everything and forgets the history: a new, unsaved scenario. */
+    /** Replaces everything by a new, unsaved scenario and clears the history. */
     void reset(const Scenario& scenario);
 
-    /** Unsaved work of a program that ended: as `reset`, but with changes that are in no file. */
+    /** Replaces everything by recovered work, which counts as unsaved changes of `filePath`. */
     void restore(const Scenario& scenario, const QString& filePath);
 
-    /** Throws `Error` of `loadScenario`; then nothing has changed. */
+    /** Opens a file. Throws `Error` as `loadScenario` and then changes nothing. */
     void open(const QString& path);
-    /** Throws `Error{FileUnwritable}`; then the document is as dirty as before. */
+    /** Saves to a file. Throws `Error{FileUnwritable}`; then the document stays unsaved. */
     void save(const QString& path);
 
 signals:
     void scenarioChanged();
-    /** Another scenario altogether: `reset` or `open`. Comes before `scenarioChanged`. */
+    /**
+     * Emitted before `scenarioChanged` when another scenario replaces this one (`reset`, `restore`
+     * or `open`).
+     */
     void replaced();
     void newIcebergSourceChanged(berg::SightingSource source);
     void filePathChanged(const QString& path);
     void cleanChanged(bool clean);
-    /** A change was asked for while the document is locked. */
+    /** Emitted when a change was requested while the document is locked. */
     void refused();
-    /** A change was not made, with which the scenario could not be read again. */
-    void impossible(const berg::Issue& why);
+    /** Emitted when a change was rejected because the saved scenario could not be read again. */
+    void editRejected(const berg::Issue& why);
 
 private:
     friend class EditScenario;
@@ -99,7 +104,7 @@ private:
     QByteArray m_fileHash;
     SightingSource m_newIcebergSource = SightingSource::Radar;
     bool m_isLocked = false;
-    bool m_isStepping = false; ///< an undo or redo is told of
+    bool m_isStepping = false; ///< whether an undo or redo is being reported
     int m_gestureNumber = 0;   ///< distinguishes equal gestures that follow each other
 };
 

@@ -1,7 +1,7 @@
 #include "widgets/model/scenario_edits.h"
 
 #include "core/base/angles.h"
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 #include "widgets/model/selection.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string freshId(const Scenario& scenario, const std::string& stem, std::size
 /** Copies nearer than this to an iceberg hide it. */
 constexpr double kHiding_m = 1;
 
-/** "Big 2" is "Big". */
+/** Returns the name without a trailing number: "Big" for "Big 2". */
 std::string withoutNumber(const std::string& name)
 {
     const std::size_t space = name.find_last_not_of("0123456789");
@@ -40,7 +40,7 @@ std::string withoutNumber(const std::string& name)
     return isNumbered && name[space] == ' ' ? name.substr(0, space) : name;
 }
 
-/** Ids and names for copies, each in about constant time however many are taken. */
+/** Unused ids and names for copies, each found in about constant time. */
 class FreshNames
 {
 public:
@@ -63,7 +63,7 @@ public:
         return id;
     }
 
-    /** The name itself, or with the first number that makes it another than all there are. */
+    /** Returns the name itself, or with the first number that makes it unique. */
     [[nodiscard]] std::string name(const std::string& wanted)
     {
         if (wanted.empty() || m_names.insert(wanted).second)
@@ -80,13 +80,13 @@ public:
 private:
     std::unordered_set<std::string> m_ids;
     std::unordered_set<std::string> m_names;
-    std::unordered_map<std::string, std::size_t> m_numbers; ///< next one by stem
+    std::unordered_map<std::string, std::size_t> m_numbers; ///< next number for each stem
     std::size_t m_nextId;
 };
 
 using IdSet = std::unordered_set<std::string_view>;
 
-/** Those with these ids, in their order. */
+/** Returns the objects with these ids, in their order. */
 template <class Object>
 std::vector<Object> objectsOf(const std::vector<Object>& objects, std::span<const std::string> ids)
 {
@@ -119,7 +119,7 @@ auto outlineOf(S& scenario, const std::string& key) -> decltype(&scenario.area_m
     return place && *place < scenario.noFly.size() ? &scenario.noFly[*place].corners_m : nullptr;
 }
 
-/** Positions of the objects with these ids. */
+/** Returns the positions of the objects with these ids. */
 std::vector<Point*> positionsOf(Scenario& scenario, std::span<const std::string> ids)
 {
     std::unordered_map<std::string_view, Point*> byId;
@@ -251,7 +251,8 @@ void moveObjects(Scenario& scenario, std::span<const std::string> ids, const Poi
     }
     const Point allowed_m = offset_m.cwiseMax(low_m).cwiseMin(high_m);
     for (Point* position_m : positions)
-        *position_m = clampedPosition(*position_m + allowed_m); // rounding may go one bit beyond
+        // Rounding may exceed the limit by one bit.
+        *position_m = clampedPosition(*position_m + allowed_m);
 }
 
 void removeIcebergs(Scenario& scenario, std::span<const std::string> ids)
@@ -348,9 +349,9 @@ Point freeUavPlace_m(const Scenario& scenario, const Point& place_m, const Point
 
 bool sharesLayer(const Scenario& scenario)
 {
-    Scenario apart = scenario;
-    separateLayers(apart);
-    return scenario.separation_m > 0 && apart.uavs != scenario.uavs;
+    Scenario separated = scenario;
+    separateLayers(separated);
+    return scenario.separation_m > 0 && separated.uavs != scenario.uavs;
 }
 
 void separateLayers(Scenario& scenario)
@@ -358,7 +359,7 @@ void separateLayers(Scenario& scenario)
     std::vector<double> taken_m;
     for (Uav& uav : scenario.uavs) {
         double& altitude_m = uav.spec.altitude_m;
-        for (const double other_m : taken_m) // from below, so that none is met again
+        for (const double other_m : taken_m) // sorted from below, so that no layer is checked twice
             if (std::abs(altitude_m - other_m) < kLayerHeight_m)
                 altitude_m = other_m + kLayerHeight_m;
         taken_m.insert(std::ranges::upper_bound(taken_m, altitude_m), altitude_m);

@@ -10,87 +10,95 @@
 
 namespace berg {
 
-// Changes to a scenario that more than one view asks for. They keep every number inside the limits
-// of a scenario, so that no gesture can make one that is refused.
+// Changes to a scenario that several views use. They keep every number inside the limits of a
+// scenario, so that no gesture makes an invalid one.
 
-/** The nearest position a scenario may hold. */
+/** Returns the nearest position that a scenario may hold. */
 [[nodiscard]] Point clampedPosition(const Point& position_m);
 
-/** "berg-K" for the smallest K beyond the number of icebergs that is no id yet. */
+/** Returns "berg-K" for the smallest unused K beyond the number of icebergs. */
 [[nodiscard]] std::string freshIcebergId(const Scenario& scenario);
-/** "uav-K" for the smallest K that is no id yet. */
+/** Returns "uav-K" for the smallest unused K. */
 [[nodiscard]] std::string freshUavId(const Scenario& scenario);
 
 /**
- * One more UAV at that place: as `pattern`, an altitude layer above all there are, with a fresh id
- * and no name. A home of its own moves along. The caller sees to it that there is room for it.
+ * Returns another UAV at that place: a copy of `pattern` one altitude layer above all others, with
+ * a fresh id and no name. Its home, if set, moves along. Both places and the altitude are limited
+ * to the permitted range, so it may share the highest layer. The caller ensures that the scenario
+ * has room for it.
  */
 [[nodiscard]] Uav anotherUav(const Scenario& scenario, const Uav& pattern, const Point& place_m);
-/** As the first UAV. */
+/** Returns another UAV that is a copy of the first one, or a usual UAV if there is none. */
 [[nodiscard]] Uav anotherUav(const Scenario& scenario, const Point& place_m);
 
-/** Gives an iceberg or UAV another id, which is free, also where icebergs are kept for that UAV. */
+/** Gives an iceberg or UAV another, unused id, also in the assignments of icebergs to that UAV. */
 void renameObject(Scenario& scenario, const std::string& before, const std::string& after);
 
-/** The multiple of `step` next to each coordinate. */
+/** Returns the multiple of `step` nearest to each coordinate. */
 [[nodiscard]] Point roundedTo(const Point& value, double step);
 
-/** Of this speed towards there, degrees clockwise from north; exact for the four main directions.
+/**
+ * Returns the velocity in a direction, degrees clockwise from north; exact for the four main
+ * directions.
  */
 [[nodiscard]] Point velocityTowards(double speed_mps, double direction_deg);
-/** Where a velocity goes, degrees clockwise from north in [0, 360); 0 of none. */
+/**
+ * Returns the direction of a velocity, degrees clockwise from north in [0, 360); 0 for no motion.
+ */
 [[nodiscard]] double directionOf(const Point& velocity_mps);
 
-/** As much of a velocity, its direction kept, as its components may be. */
+/** Shortens a velocity, keeping its direction, until its components are within `most_mps`. */
 [[nodiscard]] Point clampedVelocity(const Point& velocity_mps,
                                     double most_mps = kLargestVelocity_mps);
 
 /**
- * Moves what is selected, the area as a whole, by one common offset: as much of `offset_m` as keeps
- * all of it within the largest coordinate. Ids that are not there are ignored.
+ * Moves the objects with these ids, areas as a whole, by one common offset: `offset_m`, reduced to
+ * keep all of them within the largest coordinate. Unknown ids are ignored.
  */
 void moveObjects(Scenario& scenario, std::span<const std::string> ids, const Point& offset_m);
 
-/** Corners of the area or no-fly area of this key; null: there is none. */
+/** Returns the corners of the area or no-fly area with this key, or null if there is none. */
 [[nodiscard]] std::vector<Point>* outlineIn(Scenario& scenario, const std::string& key);
 [[nodiscard]] const std::vector<Point>* outlineIn(const Scenario& scenario, const std::string& key);
 
-/** Removes icebergs; ids of other things are ignored. */
+/** Removes the icebergs with these ids; other ids are ignored. */
 void removeIcebergs(Scenario& scenario, std::span<const std::string> ids);
-/** How many UAVs `removeObjects` removes of these. */
+/** Returns the number of UAVs that `removeObjects` removes of these. */
 [[nodiscard]] std::size_t removableUavs(const Scenario& scenario, std::span<const std::string> ids);
 /**
- * Removes icebergs, UAVs, asset and areas. One UAV always stays, the first of those that would have
- * gone; icebergs that were kept for one that is gone are anybody's.
+ * Removes icebergs, UAVs, asset and areas. One UAV always stays, the first of those selected;
+ * icebergs assigned to a removed UAV become unassigned.
  */
 void removeObjects(Scenario& scenario, std::span<const std::string> ids);
 
-/** The icebergs with these ids, in the order of the scenario. */
+/** Returns the icebergs with these ids, in the order of the scenario. */
 [[nodiscard]] std::vector<Iceberg> icebergsOf(const Scenario& scenario,
                                               std::span<const std::string> ids);
-/** The UAVs with these ids, in the order of the scenario. */
+/** Returns the UAVs with these ids, in the order of the scenario. */
 [[nodiscard]] std::vector<Uav> uavsOf(const Scenario& scenario, std::span<const std::string> ids);
 
 /**
- * Adds copies moved by `offset_m`, as far as the largest coordinate lets the group keep its form.
- * Each gets a fresh id; a name that is taken gets a number behind it: "Big", "Big 2"; one that is
- * kept for a UAV that is not there becomes anybody's. Returns the ids. The caller sees to it that
- * there is room for them.
+ * Adds copies moved by `offset_m`, reduced to keep the group within the largest coordinate. Each
+ * gets a fresh id; a used name gets a number: "Big", "Big 2"; an assignment to a UAV that is not in
+ * the scenario is cleared. Returns the ids. The caller ensures that there is room for them.
  */
 std::vector<std::string> addCopies(Scenario& scenario, std::span<const Iceberg> icebergs,
                                    const Point& offset_m);
 
-/** The smallest multiple of `step_m` beside `icebergs` where no copy hides an iceberg. */
+/**
+ * Returns the smallest multiple of `step_m`, from one on, by which no copy hides an iceberg. After
+ * as many tries as there are icebergs it returns the next multiple.
+ */
 [[nodiscard]] Point freeOffset(const Scenario& scenario, std::span<const Iceberg> icebergs,
                                const Point& step_m);
 
-/** `place_m`, or the nearest multiple of `step_m` from it where no UAV is. */
+/** Returns `place_m`, or the nearest multiple of `step_m` from it without a UAV. */
 [[nodiscard]] Point freeUavPlace_m(const Scenario& scenario, const Point& place_m,
                                    const Point& step_m);
 
-/** Two UAVs less than `kLayerHeight_m` apart in altitude are kept apart in flight. */
+/** Returns whether UAVs are less than `kLayerHeight_m` apart in altitude while separation is on. */
 [[nodiscard]] bool sharesLayer(const Scenario& scenario);
-/** Raises UAVs, none more than it takes, until no two of them share a layer. */
+/** Raises UAVs as little as possible until no two of them share a layer. */
 void separateLayers(Scenario& scenario);
 
 } // namespace berg

@@ -10,14 +10,14 @@
 namespace berg {
 namespace {
 
-constexpr double kFar = 8; // times the median: as good as lost
+constexpr double kFar = 8; // multiple of the median from which an iceberg counts as good as lost
 constexpr double kLargest_m2 = 1e12;
 
 std::atomic<double> chosenEnd_m2{0};
 
 /**
- * Time of a round tour of all icebergs, s: about 0.7124 sqrt(n A) for many of them (Beardwood,
- * Halton and Hammersley 1959), there and back across the field for few.
+ * Returns the time of a round tour of all icebergs, s: about 0.7124 sqrt(n A) for many of them
+ * (Beardwood, Halton and Hammersley 1959), across the field and back for few.
  */
 double tourTime_s(const Scenario& scenario)
 {

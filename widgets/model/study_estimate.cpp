@@ -8,8 +8,8 @@
 namespace berg {
 namespace {
 
-constexpr double kStep_s = 1.5e-7; ///< of CPU, for the UAV
-constexpr double kTrack_s = 2e-8;  ///< for each iceberg in each step
+constexpr double kStep_s = 1.5e-7; ///< CPU time of a step of the UAV
+constexpr double kTrack_s = 2e-8;  ///< CPU time of an iceberg in a step
 constexpr double kBetweenPlans_s = 20;
 constexpr double kFirstCoverage_s = 0.2;
 constexpr double kNextCoverage_s = 0.005;
@@ -25,7 +25,7 @@ constexpr PlanCost kVisitation[] = {{4, 5e-6},  {12, 5e-5}, {16, 5e-4}, {20, 1.2
 constexpr PlanCost kLatency[] = {{4, 5e-6},  {12, 8e-5}, {16, 2e-3}, {20, 5e-3},
                                  {30, 5e-2}, {40, 0.2},  {60, 1},    {100, 1}};
 
-/** Between the rows of the table linear in the logarithms, beyond them as at its end. */
+/** Interpolates linearly in the logarithms between the rows of the table; constant beyond them. */
 double costOf(std::span<const PlanCost> table, double icebergs)
 {
     const auto after = std::find_if(table.begin(), table.end(), [icebergs](const PlanCost& row) {
@@ -48,9 +48,9 @@ double planning_s(PolicyKind policy, double icebergs, double plans)
         return kFirstCoverage_s + plans * kNextCoverage_s;
     if (!traits.solves())
         return 0;
-    if (traits.life == PlanLife::ToItsEnd)
+    if (traits.replanRule == ReplanRule::ToItsEnd)
         plans = 1 + plans / std::max(1.0, icebergs);
-    else if (traits.life == PlanLife::WholeFlight)
+    else if (traits.replanRule == ReplanRule::WholeFlight)
         plans = 1;
     const bool isLatency = traits.criterion == Criterion::Latency;
     return plans * (isLatency ? costOf(kLatency, icebergs) : costOf(kVisitation, icebergs));

@@ -5,9 +5,9 @@
 namespace berg {
 
 /**
- * How long a study may take on all cores of an ordinary machine: flying by steps and icebergs,
- * planning by policy and icebergs (tests/bench/RESULTS.md). Right within a factor of a few;
- * to be scaled by what a study really took.
+ * Returns the estimated duration of a study on all cores of an ordinary machine, s: flying by steps
+ * and icebergs, planning by policy and icebergs (tests/bench/RESULTS.md). Right within a factor of
+ * a few; to be scaled by measured durations.
  */
 [[nodiscard]] double estimatedTime_s(const StudySpec& spec);
 

@@ -5,7 +5,7 @@
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
-#include "core/io/text/machine_text.h"
+#include "core/io/text/system_info.h"
 #include "widgets/model/work_failure.h"
 #include "widgets/words/report_language.h"
 
@@ -22,21 +22,21 @@ StudyFiles::~StudyFiles()
     m_thread.finish();
 }
 
-void StudyFiles::post(const std::function<Tell()>& job)
+void StudyFiles::post(const std::function<Notification()>& job)
 {
     m_thread.post([this, job] {
-        Tell tell;
-        if (const auto failure = failureOf([&] { tell = job(); }))
-            tell = [this, report = failure->report] { emit failed(report); };
-        // From here: whoever is told from another thread loses what is on its way to him when
-        // the window is made anew.
-        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+        Notification notify;
+        if (const auto failure = failureOf([&] { notify = job(); }))
+            notify = [this, report = failure->report] { emit failed(report); };
+        // The notification starts on this object: a queued signal from another thread would be lost
+        // when the window is recreated.
+        QMetaObject::invokeMethod(this, notify, Qt::QueuedConnection);
     });
 }
 
 void StudyFiles::write(const QString& path, const std::function<std::string()>& content)
 {
-    post([this, path, content]() -> Tell {
+    post([this, path, content]() -> Notification {
         writeFileAtomically(QFile::encodeName(path).toStdString(), content());
         return [this, path] { emit written(path); };
     });
@@ -44,7 +44,7 @@ void StudyFiles::write(const QString& path, const std::function<std::string()>& 
 
 void StudyFiles::open(const QString& path)
 {
-    post([this, path]() -> Tell {
+    post([this, path]() -> Notification {
         const auto study =
             std::make_shared<const Study>(loadStudy(QFile::encodeName(path).toStdString()));
         return [this, study] { emit opened(study); };
@@ -53,7 +53,7 @@ void StudyFiles::open(const QString& path)
 
 void StudyFiles::save(const StudyPointer& result, const StudySavePoint& point, const QString& path)
 {
-    post([this, result, point, path]() -> Tell {
+    post([this, result, point, path]() -> Notification {
         saveStudy(result->study, QFile::encodeName(path).toStdString());
         return [this, path, point] { emit saved(path, point); };
     });
@@ -66,7 +66,7 @@ void StudyFiles::writeReport(const StudyPointer& result, std::optional<double> e
     write(path, [result, elapsed_s, now] {
         return studyReportHtml(result->study, result->summary,
                                {.program = programName(),
-                                .machine = machineText(),
+                                .machine = systemInfo(),
                                 .madeUtc = now,
                                 .elapsed_s = elapsed_s,
                                 .words = reportLanguage()});

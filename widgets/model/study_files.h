@@ -7,8 +7,8 @@
 namespace berg {
 
 /**
- * Reads and writes studies, their reports and tables on a thread of its own, also while one is
- * being flown; the GUI thread never waits. GUI thread.
+ * Reads and writes studies, their reports and tables on its own thread, also while a study is
+ * flown; the GUI thread never waits. GUI thread.
  */
 class StudyFiles : public QObject
 {
@@ -16,34 +16,35 @@ class StudyFiles : public QObject
 
 public:
     explicit StudyFiles(QObject* parent = nullptr);
-    /** Waits until what is being written is on disk. */
+    /** Waits until pending files are on disk. */
     ~StudyFiles() override;
 
-    /** A study file, or a report that holds one. */
+    /** Opens a study file, or a report that contains a study; `opened` or `failed` follows. */
     void open(const QString& path);
+    /** Writes a study file; `saved` with the same `point` or `failed` follows. */
     void save(const StudyPointer& result, const StudySavePoint& point, const QString& path);
     /**
-     * A page with pictures, scenarios, seeds, version and machine; `elapsed_s` of the flying, none:
-     * not known.
+     * Writes a page with images, scenarios, seeds, version and machine. `elapsed_s` is the flying
+     * time; nullopt if unknown.
      */
     void writeReport(const StudyPointer& result, std::optional<double> elapsed_s,
                      const QString& path);
-    /** A row for each setting. */
+    /** Writes a table with a row for each setting. */
     void writeTable(const StudyPointer& result, const QString& path);
 
 signals:
     void opened(const std::shared_ptr<const berg::Study>& study);
     void saved(const QString& path, const berg::StudySavePoint& point);
-    /** A report or a table. */
+    /** Emitted when a report or table was written. */
     void written(const QString& path);
-    /** Why it could not be read or written, in the user's words. */
+    /** Reports to the user why a file could not be read or written. */
     void failed(const QString& report);
 
 private:
-    /** Tells what came of a job, on the thread of the GUI. */
-    using Tell = std::function<void()>;
-    /** Does it on the thread, in turn; what it throws is told. */
-    void post(const std::function<Tell()>& job);
+    /** Emits the result of a job on the GUI thread. */
+    using Notification = std::function<void()>;
+    /** Runs a job on the thread, in order; exceptions are reported by `failed`. */
+    void post(const std::function<Notification()>& job);
     void write(const QString& path, const std::function<std::string()>& content);
 
     WorkThread m_thread;

@@ -11,10 +11,11 @@ namespace berg {
 namespace {
 
 constexpr qint64 kBetweenReports_ms = 250;
-constexpr qint64 kReportShare = 20; ///< a report takes at most this part of the time between two
+/** A report takes at most one such part of the time between two reports. */
+constexpr qint64 kReportShare = 20;
 constexpr double kLeastLearned_s = 0.5;
 
-/** Fills in which setting is the lowest in each complete case; the first of a tie. */
+/** Finds the setting with the lowest zeta in each complete case; the first one wins a tie. */
 void findBest(StudyResult& result)
 {
     const std::size_t settings = result.summary.settings.size();
@@ -46,10 +47,10 @@ StudyRunner::StudyRunner(QObject* parent)
     : QObject(parent)
     , m_task(u"study"_s,
              {.work = [this](Request& request, const std::stop_token& stop,
-                             const Task::Tell& tell) { work(request, stop, tell); },
-              .deliver = [this](Outcome outcome) { take(std::move(outcome)); },
+                             const Task::Deliver& deliver) { work(request, stop, deliver); },
+              .deliver = [this](Outcome outcome) { accept(std::move(outcome)); },
               .end = [this](const std::optional<WorkFailure>& failure) { end(failure); }},
-             WorkPriority::Low) // those it spreads the flights over have it too
+             WorkPriority::Low) // the threads that fly the missions inherit it
 {
 }
 
@@ -107,7 +108,7 @@ void StudyRunner::setReference(std::size_t setting)
     if (!m_result || setting == m_reference || setting >= m_result->summary.settings.size())
         return;
     if (m_running)
-        m_reference = setting; // the next report is made with it
+        m_reference = setting; // the next report uses it
     else
         begin(m_result->study, setting, false);
 }
@@ -146,7 +147,7 @@ void StudyRunner::noteSaved(const StudySavePoint& point)
         m_unsaved_s -= point.unsaved_s;
 }
 
-/** From what was flown just now. */
+/** Updates the pace by the missions flown just now. */
 void StudyRunner::learn(double elapsed_s)
 {
     if (!m_result || m_flown <= m_flownAtStart || elapsed_s < kLeastLearned_s)
@@ -157,7 +158,7 @@ void StudyRunner::learn(double elapsed_s)
         m_pace = elapsed_s / estimate_s;
 }
 
-void StudyRunner::work(Request& request, const std::stop_token& stop, const Task::Tell& tell)
+void StudyRunner::work(Request& request, const std::stop_token& stop, const Task::Deliver& deliver)
 {
     Outcome outcome;
     const auto fill = [&](const Study& study, std::size_t reference) {
@@ -166,13 +167,13 @@ void StudyRunner::work(Request& request, const std::stop_token& stop, const Task
     };
     QElapsedTimer sinceReport;
     sinceReport.start();
-    qint64 pause_ms = 0; // the first case is told at once
+    qint64 pause_ms = 0; // the first case is reported at once
     const auto report = [&](const Study& study, std::size_t, std::size_t) {
         if (sinceReport.elapsed() < pause_ms)
             return;
         sinceReport.restart();
         fill(study, m_reference);
-        tell(outcome);
+        deliver(outcome);
         pause_ms = std::max(kBetweenReports_ms, kReportShare * sinceReport.elapsed());
         sinceReport.restart();
     };
@@ -182,12 +183,12 @@ void StudyRunner::work(Request& request, const std::stop_token& stop, const Task
     };
     if (request.flies)
         noteFailure(failureOf([&] { fly(request.study, {.stop = stop, .onProgress = report}); }));
-    noteFailure(failureOf( // what has been flown by then
+    noteFailure(failureOf( // of the missions flown so far
         [&] { fill(request.study, request.flies ? m_reference.load() : request.reference); }));
-    tell(std::move(outcome));
+    deliver(std::move(outcome));
 }
 
-void StudyRunner::take(Outcome outcome)
+void StudyRunner::accept(Outcome outcome)
 {
     if (outcome.result) {
         m_result = std::move(outcome.result);

@@ -11,30 +11,35 @@
 
 namespace berg {
 
-/** A study and what it has come to. Immutable: shared between threads. */
+/** A study and its results. Immutable: shared between threads. */
 struct StudyResult
 {
     Study study;
     StudySummary summary;
-    std::vector<std::size_t> bestIn;     ///< by setting: complete cases in which it is the lowest
-    std::vector<std::size_t> bestByCase; ///< by `summary.cases`: the setting that is the lowest
+    /** For each setting, number of complete cases in which it has the lowest zeta. */
+    std::vector<std::size_t> bestIn;
+    /** For each of `summary.cases`, the setting with the lowest zeta. */
+    std::vector<std::size_t> bestByCase;
 };
 using StudyPointer = std::shared_ptr<const StudyResult>;
 
-/** How far a study had come when it was given to be saved: see `StudyRunner::noteSaved`. */
+/** Progress of a study when it was passed on for saving: see `StudyRunner::noteSaved`. */
 struct StudySavePoint
 {
-    std::uint64_t study = 0; ///< number of the study among those of the runner
-    double unsaved_s = 0;    ///< time of flying that the file will hold
+    std::uint64_t study = 0; ///< number of the study among those of this runner
+    double unsaved_s = 0;    ///< flying time that the file will contain, s
 };
 
-/** Cost: linear in the missions flown, apart from sorting each setting. */
+/**
+ * Returns the results of a study. Throws `std::logic_error` if it has no setting `reference`. Cost:
+ * linear in the missions flown, apart from sorting each setting.
+ */
 [[nodiscard]] StudyResult resultOf(Study study, std::size_t reference);
 
 /**
- * Flies studies on a thread of its own, which spreads them over all cores; the GUI thread never
- * waits. Results come a few times a second. What has been flown stays when it is cancelled, and
- * can be carried on. The newest start wins. GUI thread.
+ * Flies studies on its own thread, which uses all cores; the GUI thread never waits. Results come a
+ * few times a second. A cancelled study keeps its results and can be continued. A new start
+ * replaces the current study. GUI thread.
  */
 class StudyRunner : public QObject
 {
@@ -43,44 +48,49 @@ class StudyRunner : public QObject
 public:
     explicit StudyRunner(QObject* parent = nullptr);
 
-    /** Flies it from the start; ends what is under way. */
+    /** Flies a study from its start and stops the current one. */
     void start(const StudySpec& spec);
-    /** Flies what is missing of the study there is. */
+    /**
+     * Flies the missing missions of the present study, unless it has no results or is being flown.
+     */
     void carryOn();
-    /** Ends it with what has been flown: `finished` follows. */
+    /** Stops the study and keeps its results; `finished` follows. */
     void cancel();
-    /** Shows a study that was flown before; ends what is under way. */
+    /** Shows a study flown before and stops the current one. */
     void show(Study study);
-    /** As `show`, of one that is in no file of the user's. */
+    /** Shows a recovered study, which is in no file of the user. */
     void restore(Study study);
-    /** The setting that the others are compared with: `updated` follows. */
+    /** Sets the setting that the others are compared with; `updated` follows. */
     void setReference(std::size_t setting);
 
     [[nodiscard]] bool isRunning() const { return m_running; }
-    /** Null: none yet. */
+    /** Returns the present results, or null if there are none. */
     [[nodiscard]] const StudyPointer& result() const { return m_result; }
     [[nodiscard]] std::size_t flown() const { return m_flown; }
     [[nodiscard]] std::size_t count() const { return m_count; }
     [[nodiscard]] bool isComplete() const { return m_count > 0 && m_flown == m_count; }
-    /** Of what is under way, at the pace so far; none: nothing has been flown yet. */
+    /**
+     * Returns the remaining time at the present pace, s, or nullopt if no study is being flown or
+     * no mission has ended since it was started.
+     */
     [[nodiscard]] std::optional<double> timeLeft_s() const;
-    /** That flying the study took; none: flown before, or not at all. */
+    /** Returns the flying time of the study, s; nullopt if it was flown before or not at all. */
     [[nodiscard]] std::optional<double> elapsed_s() const { return m_elapsed_s; }
-    /** Time of flying that would be lost: of missions that are in no file. */
+    /** Returns the flying time that would be lost on exit, s: 0 if all missions are in a file. */
     [[nodiscard]] double unsaved_s() const;
-    /** Of the study there is, as it stands now. */
+    /** Returns the present progress, for saving. */
     [[nodiscard]] StudySavePoint savePoint() const;
-    /** What had been flown at that point is in a file. Nothing changes for another study. */
+    /** Records that the progress at that point is in a file. Ignored for another study. */
     void noteSaved(const StudySavePoint& point);
-    /** How long a study may take on this machine: learns from those flown. */
+    /** Returns the estimated duration of a study on this machine, s; learns from those flown. */
     [[nodiscard]] double estimated_s(const StudySpec& spec) const;
 
 signals:
-    /** `flown` has grown. */
+    /** Emitted when `flown` has grown. */
     void progress();
-    /** `result` has changed. */
+    /** Emitted when `result` has changed. */
     void updated();
-    /** It has come to an end; `failure` says why, in the user's words, when that is an error. */
+    /** Emitted when a study ends. `failure` is an error text for the user, or empty. */
     void finished(const QString& failure);
 
 private:
@@ -94,16 +104,16 @@ private:
     {
         Study study;
         std::size_t reference = 0;
-        bool flies = true; ///< else only the figures are made
+        bool flies = true; ///< if false, only the results are computed
     };
     using Task = LatestTask<Request, Outcome>;
     void begin(Study study, std::size_t reference, bool flies);
-    void take(Outcome outcome);
+    void accept(Outcome outcome);
     void end(const std::optional<WorkFailure>& failure);
     void learn(double elapsed_s);
     [[nodiscard]] double sinceStart_s() const;
-    // On the thread of the runner:
-    void work(Request& request, const std::stop_token& stop, const Task::Tell& tell);
+    // Runs on the task's thread.
+    void work(Request& request, const std::stop_token& stop, const Task::Deliver& deliver);
 
     StudyPointer m_result;
     std::size_t m_flown = 0;
@@ -111,13 +121,13 @@ private:
     std::size_t m_flownAtStart = 0;
     bool m_running = false;
     std::optional<double> m_elapsed_s;
-    std::uint64_t m_study = 0; ///< number of the study there is
-    double m_unsaved_s = 0;    ///< before the flight under way
-    double m_pace = 1;         ///< time taken for each second estimated
+    std::uint64_t m_study = 0; ///< number of the present study
+    double m_unsaved_s = 0;    ///< unsaved flying time before the current flight, s
+    double m_pace = 1;         ///< actual time divided by estimated time
     QElapsedTimer m_sinceStart;
-    QString m_failure;                       ///< of the one under way
-    std::atomic<std::size_t> m_reference{0}; ///< wanted, while one is being flown
-    Task m_task;                             ///< last: it ends before the rest
+    QString m_failure;                       ///< failure of the current work
+    std::atomic<std::size_t> m_reference{0}; ///< read by the thread while a study is flown
+    Task m_task; ///< last member: its thread ends before the others are destroyed
 };
 
 } // namespace berg

@@ -9,7 +9,7 @@
 namespace berg {
 namespace {
 
-constexpr double kFinest_mps = 0.001; // so that the numbers in a file stay short
+constexpr double kFinest_mps = 0.001; // rounding that keeps the numbers in files short
 
 } // namespace
 
@@ -30,7 +30,7 @@ Point windOf(double speed_mps, double from_deg)
 {
     const double psi_rad = psiFromHeading(from_deg);
     const Point towards(-std::cos(psi_rad), -std::sin(psi_rad));
-    return roundedTo(speed_mps * towards, kFinest_mps) + Point::Zero(); // no -0 in files
+    return roundedTo(speed_mps * towards, kFinest_mps) + Point::Zero(); // avoids -0 in files
 }
 
 double fastestWind_mps(double airspeed_mps, double step_mps)

@@ -24,8 +24,8 @@ WorkFailure presentFailure()
         return {.error = error, .report = errorReport(error), .isExpected = true};
     } catch (const std::bad_alloc&) {
         return {.error = Error(ErrorCode::SolverFailed, "memory", "there is not enough of it"),
-                .report = WorkFailureText::tr("There is not enough memory for this. Close other "
-                                              "programs, or ask for less.")};
+                .report = WorkFailureText::tr(
+                    "Not enough memory. Close other programs or choose a smaller task.")};
     } catch (const std::exception& fault) {
         return {.error = Error(ErrorCode::SolverFailed, "Bergwatch", fault.what()),
                 .report =

@@ -8,22 +8,25 @@
 
 namespace berg {
 
-/** Why work did not come to its end. */
+/** The reason for which work was not completed. */
 struct WorkFailure
 {
-    Error error;    ///< of the core, or SolverFailed in place of anything else that was thrown
-    QString report; ///< in the user's words
-    /** An `Error` of the core: what was worked on is as it was. Else it may be half changed. */
+    Error error;    ///< error of the core, or SolverFailed for any other exception
+    QString report; ///< text for the user
+    /**
+     * True for an `Error` of the core, which leaves the data unchanged; otherwise they may be half
+     * changed.
+     */
     bool isExpected = false;
 };
 
-/** Of the exception that is being handled. */
+/** Returns the failure of the exception that is being handled. */
 [[nodiscard]] WorkFailure presentFailure();
 
 /**
- * Does the work; whatever it throws becomes a value, memory that has run out and faults of our own
- * too. All that is done on other threads than that of the GUI is done through this: an exception
- * that leaves such a thread ends the program, and what is unsaved with it. Thread: any.
+ * Runs the work and returns its failure, if any: every exception becomes a value, also lack of
+ * memory and internal errors. All work on other threads than the GUI's runs through this: an
+ * exception that leaves such a thread ends the program and loses unsaved data. Thread: any.
  */
 template <class Work>
 [[nodiscard]] std::optional<WorkFailure> failureOf(const Work& work)

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kTauPause_ms = 100;
 constexpr int kFrame_ms = 16;
-constexpr int kNotePause_ms = 3000;
+constexpr int kRecoveryPause_ms = 3000;
 constexpr double kWorthKeeping_s = 60;
 
 } // namespace
@@ -27,7 +27,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
 {
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &Workspace::planAgain);
     connect(&m_document, &ScenarioDocument::replaced, &m_selection, &Selection::clear);
-    connect(&m_document, &ScenarioDocument::replaced, this, [this] { setGivenUp({}); });
+    connect(&m_document, &ScenarioDocument::replaced, this, [this] { setDiscarded({}); });
     connect(&m_document, &ScenarioDocument::refused, this, [this] {
         emit refused(tr("The scenario is locked in flight. Stop the flight to change it."));
     });
@@ -39,17 +39,17 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
     connect(&m_studyFiles, &StudyFiles::saved, &m_study,
             [this](const QString&, const StudySavePoint& point) {
                 m_study.noteSaved(point);
-                m_studyKeeper.follow();
+                m_studyAutosaver.follow();
             });
     m_playBack.setInterval(kFrame_ms);
     connect(&m_playBack, &QTimer::timeout, this, &Workspace::playBack);
     m_tauPause.setSingleShot(true);
     m_tauPause.setInterval(kTauPause_ms);
     connect(&m_tauPause, &QTimer::timeout, this, &Workspace::flyTau);
-    m_notePause.setSingleShot(true);
-    m_notePause.setInterval(kNotePause_ms);
-    connect(&m_notePause, &QTimer::timeout, &m_runner, &MissionRunner::requestNote);
-    connect(&m_runner, &MissionRunner::runNoted, this,
+    m_recoveryPause.setSingleShot(true);
+    m_recoveryPause.setInterval(kRecoveryPause_ms);
+    connect(&m_recoveryPause, &QTimer::timeout, &m_runner, &MissionRunner::requestRecoveryRun);
+    connect(&m_runner, &MissionRunner::recoveryRunReady, this,
             [this](const std::shared_ptr<const RunFile>& run) {
                 if (inFlight())
                     m_autosaver.setRun(run);
@@ -114,7 +114,7 @@ bool Workspace::mayIntervene() const
     return inFlight() && !m_lookedAt_s && m_record.now.phase != RunPhase::Finished;
 }
 
-std::vector<std::string> Workspace::flownAmong(const std::vector<std::string>& ids) const
+std::vector<std::string> Workspace::icebergsInFlight(const std::vector<std::string>& ids) const
 {
     std::unordered_set<std::string_view> flown;
     for (const Iceberg& iceberg : m_record.now.icebergs)
@@ -145,7 +145,7 @@ void Workspace::planAgain()
     m_curve.setScenario(m_document.scenario());
     m_forecasts.setScenario(m_document.scenario());
     m_bound.setScenario(m_document.scenario());
-    if (wasInFlight) { // another scenario was opened over the flight
+    if (wasInFlight) { // another scenario has replaced the flight
         m_record.begin(m_document.scenario());
         reportInFlight();
         emit flightChanged();
@@ -161,31 +161,31 @@ void Workspace::acceptSnapshot()
         return;
     const bool wasInFlight = inFlight();
     const bool wasFinished = m_record.now.phase == RunPhase::Finished;
-    m_record.take(std::move(*snapshot));
+    m_record.accept(std::move(*snapshot));
     m_isTakeOffAsked = m_isTakeOffAsked && !inFlight() && m_record.now.phase != RunPhase::Failed;
     updateCurve();
     if (m_record.now.phase == RunPhase::Finished && !wasFinished)
         m_runs.add(m_record);
     if (inFlight() != wasInFlight)
         reportInFlight();
-    if (m_givenUp && inFlight() && !(m_givenUp->scenario == m_record.scenario))
-        setGivenUp({}); // another world is flown now
+    if (m_discarded && inFlight() && !(m_discarded->scenario == m_record.scenario))
+        setDiscarded({}); // the world has changed since
     const RunPhase phase = m_record.now.phase;
     m_isRestoring = m_isRestoring && phase == RunPhase::Planning;
     if (phase == RunPhase::Ready || phase == RunPhase::Failed)
-        m_autosaver.setRun({}); // nor was one that was restored flown
-    if (inFlight() && !m_notePause.isActive())
-        m_notePause.start();
+        m_autosaver.setRun({}); // also a restored recovery was not flown
+    if (inFlight() && !m_recoveryPause.isActive())
+        m_recoveryPause.start();
     emit flightChanged();
 }
 
-/** What is half done ends first: it would be an edit of a scenario that is locked. */
+/** Ends pending edits first: they would change a scenario that is then locked. */
 void Workspace::prepareTakeOff()
 {
     if (inFlight())
         return;
     m_isTakeOffAsked = false;
-    emit takeOffAhead();
+    emit aboutToTakeOff();
     m_isTakeOffAsked = m_record.now.phase != RunPhase::Failed;
 }
 
@@ -243,8 +243,8 @@ void Workspace::openRun(std::shared_ptr<const RunFile> run)
 
 void Workspace::restore(FoundRecovery found)
 {
-    if (found.run && !(found.run->scenario == found.scenario))
-        found.run.reset(); // left from before an edit
+    if (found.run && !(found.run->scenario == found.scenario)) // it dates from before an edit
+        found.run.reset();                                     // left from before an edit
     m_document.restore(found.scenario, found.info.originalPath);
     m_autosaver.adopt(std::move(found.held), found.run);
     m_isRestoring = found.run != nullptr;
@@ -264,7 +264,7 @@ void Workspace::flyScenario(const Scenario& scenario, const QString& text)
 {
     if (inFlight())
         reset();
-    emit takeOffAhead();
+    emit aboutToTakeOff();
     if (isVariant(scenario))
         m_document.edit(text, [&scenario](Scenario& present) { present = scenario; });
     else
@@ -284,7 +284,7 @@ void Workspace::fly(double rate)
     }
     seekLatest();
     prepareTakeOff();
-    flyTau(); // what was wanted before comes before
+    flyTau(); // settings requested earlier take effect first
     m_runner.fly(rate);
 }
 
@@ -327,9 +327,9 @@ void Workspace::reset()
     m_placed.clear();
     m_playBack.stop();
     m_lookedAt_s.reset();
-    const std::optional<GivenUpFlight> flight = presentFlight();
-    // A longer one is still to be had: that of a moment does not take its place.
-    const bool keepsFlight = flight && flight->flown_s >= givenUp_s().value_or(0);
+    const std::optional<DiscardedFlight> flight = presentFlight();
+    // A stored longer flight is not replaced by a short one.
+    const bool keepsFlight = flight && flight->flown_s >= discardedFlight_s().value_or(0);
     m_record.begin(m_document.scenario());
     m_runner.restart(keepsFlight);
     m_curvePlan.reset();
@@ -337,47 +337,47 @@ void Workspace::reset()
     if (wasInFlight)
         reportInFlight();
     if (keepsFlight)
-        setGivenUp(flight);
+        setDiscarded(flight);
     emit flightChanged();
 }
 
-std::optional<double> Workspace::givenUp_s() const
+std::optional<double> Workspace::discardedFlight_s() const
 {
-    return m_givenUp ? std::optional(m_givenUp->flown_s) : std::nullopt;
+    return m_discarded ? std::optional(m_discarded->flown_s) : std::nullopt;
 }
 
-/** None: nothing is flown yet. */
-std::optional<Workspace::GivenUpFlight> Workspace::presentFlight() const
+/** Returns the current flight, or nullopt if nothing has been flown yet. */
+std::optional<Workspace::DiscardedFlight> Workspace::presentFlight() const
 {
     if (!inFlight() || m_record.now.time_s <= 0)
         return std::nullopt;
-    return GivenUpFlight{.scenario = m_record.scenario, .flown_s = m_record.now.time_s};
+    return DiscardedFlight{.scenario = m_record.scenario, .flown_s = m_record.now.time_s};
 }
 
-void Workspace::setGivenUp(std::optional<GivenUpFlight> flight)
+void Workspace::setDiscarded(std::optional<DiscardedFlight> flight)
 {
-    if (!flight && !m_givenUp)
+    if (!flight && !m_discarded)
         return;
-    m_givenUp = std::move(flight);
-    emit givenUpChanged();
+    m_discarded = std::move(flight);
+    emit discardedFlightChanged();
 }
 
-void Workspace::bringBackFlight()
+void Workspace::restoreFlight()
 {
-    if (!m_givenUp)
+    if (!m_discarded)
         return;
-    const Scenario scenario = m_givenUp->scenario;
-    std::optional<GivenUpFlight> present = presentFlight();
+    const Scenario scenario = m_discarded->scenario;
+    std::optional<DiscardedFlight> present = presentFlight();
     if (inFlight())
         m_runs.add(m_record);
-    emit takeOffAhead();
-    m_document.edit(tr("Bring the flight back"), [&](Scenario& s) { s = scenario; });
+    emit aboutToTakeOff();
+    m_document.edit(tr("Restore flight"), [&](Scenario& s) { s = scenario; });
     m_tauWanted.reset();
     m_playBack.stop();
     m_lookedAt_s.reset();
     m_curvePlan.reset();
-    m_runner.bringBack(scenario, present.has_value());
-    setGivenUp(std::move(present));
+    m_runner.restoreFlight(scenario, present.has_value());
+    setDiscarded(std::move(present));
 }
 
 } // namespace berg

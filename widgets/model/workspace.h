@@ -12,8 +12,8 @@
 #include "widgets/model/run_list.h"
 #include "widgets/model/scenario_document.h"
 #include "widgets/model/selection.h"
+#include "widgets/model/study_autosaver.h"
 #include "widgets/model/study_files.h"
-#include "widgets/model/study_keeper.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -24,9 +24,9 @@
 namespace berg {
 
 /**
- * What one window works on: the scenario, what is selected, and the mission planned or flown from
- * it. Decides whether a change is an edit (before take-off) or an intervention (in flight). It
- * outlives the window, which is made anew when the language changes. GUI thread.
+ * Data of one window: the scenario, the selection, and the mission planned or flown from it.
+ * Decides whether a change is an edit (before take-off) or an intervention (in flight). It outlives
+ * the window, which is recreated when the language changes. GUI thread.
  */
 class Workspace : public QObject
 {
@@ -40,129 +40,154 @@ public:
     [[nodiscard]] Autosaver& autosaver() { return m_autosaver; }
     [[nodiscard]] Selection& selection() { return m_selection; }
     [[nodiscard]] MissionRunner& runner() { return m_runner; }
-    /** Of the plan in force, before take-off and in flight. */
+    /** Returns the trade-off curve of the plan in force, before take-off and in flight. */
     [[nodiscard]] CurveRunner& curve() { return m_curve; }
-    /** Of the flight from the start, made before take-off. */
+    /** Forecasts of the flight from the start, made before take-off. */
     [[nodiscard]] PolicyForecasts& forecasts() { return m_forecasts; }
-    /** Zeta of the flight as it was chosen at take-off; nullopt while it is being predicted, or if
-     * that takes too long. */
+    /**
+     * Returns the predicted zeta for the policy at take-off; nullopt while it is being predicted,
+     * or if that takes too long.
+     */
     [[nodiscard]] std::optional<ZetaPrediction> predicted() const;
-    /** Of zeta of every flight of the scenario; the record has it too. */
+    /** Returns the lower bound on zeta of any flight of the scenario; the record has it too. */
     [[nodiscard]] BoundRunner& bound() { return m_bound; }
-    /** What was flown, at its end or when it was given up. */
+    /** Returns the runs flown, added when they end or are discarded. */
     [[nodiscard]] RunList& runs() { return m_runs; }
     [[nodiscard]] BenchmarkRunner& benchmark() { return m_benchmark; }
     [[nodiscard]] StudyRunner& study() { return m_study; }
     [[nodiscard]] StudyFiles& studyFiles() { return m_studyFiles; }
-    [[nodiscard]] StudyKeeper& studyKeeper() { return m_studyKeeper; }
+    [[nodiscard]] StudyAutosaver& studyAutosaver() { return m_studyAutosaver; }
     [[nodiscard]] ImportRunner& imports() { return m_imports; }
     [[nodiscard]] const FlightRecord& record() const { return m_record; }
     [[nodiscard]] bool inFlight() const { return m_record.inFlight(); }
-    /** Something has been flown, and has not come to its end. */
+    /** Returns whether a flight has begun and not ended. */
     [[nodiscard]] bool isMidFlight() const;
     /**
-     * What is flown, or was flown to its end, is in no run file and worth keeping: changed in
-     * flight, or a minute long. That of a moment is soon flown again, the same, and so is that of
-     * a study.
+     * Returns whether the flight is in no run file and worth saving: changed in flight, or at least
+     * a minute long. A shorter flight, or one of a study, can be repeated exactly.
      */
     [[nodiscard]] bool hasUnsavedRun() const;
-    /** The run is in a file now. */
+    /** Records that the run is in a file. */
     void noteSaved(const RunFile& run);
-    /** In force: the document's, or in flight those of the mission at the instant shown. */
+    /** Returns the settings in force: of the document, or in flight at the instant shown. */
     [[nodiscard]] const PlannerSettings& planner() const;
-    /** In force, likewise. */
+    /** Returns the wind in force, of the document or at the instant shown. */
     [[nodiscard]] Point wind_mps() const;
-    /** The UAV that alone is to visit the iceberg, in force; empty: any may. */
+    /** Returns the id of the only UAV that may visit the iceberg; empty if any may. */
     [[nodiscard]] std::string assignedUavOf(const std::string& iceberg) const;
-    /** The newest of a flight that has not ended is shown: wind, asset and icebergs can change. */
+    /**
+     * Returns whether wind, asset and icebergs can change: the newest instant of an unfinished
+     * flight is shown.
+     */
     [[nodiscard]] bool mayIntervene() const;
-    /** In flight: says so, and why, when it may not. */
+    /** Reports why an intervention is not possible in flight. Returns whether it is refused. */
     [[nodiscard]] bool refuseIntervention();
-    /** Those that are icebergs of the flight, added ones too. */
-    [[nodiscard]] std::vector<std::string> flownAmong(const std::vector<std::string>& ids) const;
+    /** Returns the ids that are icebergs of the flight, including added ones. */
+    [[nodiscard]] std::vector<std::string>
+    icebergsInFlight(const std::vector<std::string>& ids) const;
 
-    /** In flight at most ten times a second, the last one always: each is a re-plan on record. */
+    /**
+     * Sets tau. In flight at most ten times a second, the last value always: each is a recorded
+     * re-plan.
+     */
     void setTau(double tau);
+    /** Sets the policy: an edit before take-off, an intervention in flight. */
     void setPolicy(PolicyKind policy);
-    /** In flight: somebody else sees those of them now that are icebergs. */
+    /** In flight: reports that others see the icebergs among `ids` now. */
     void reportSeen(const std::vector<std::string>& ids);
-    /** In flight: sightings of others, each an intervention (`reportsOf`). */
+    /** In flight: applies sightings of others, each as an intervention (`reportsOf`). */
     void report(const std::vector<Intervention>& sightings);
-    /** In flight: those of them that are icebergs are monitored no more. Returns how many. */
+    /** In flight: stops monitoring the icebergs among `ids`. Returns how many were monitored. */
     int remove(const std::vector<std::string>& ids);
-    /** They are to be visited by this UAV alone; empty: by any. */
+    /** Assigns the icebergs to this UAV; an empty id lets any UAV visit them. */
     void assign(const std::vector<std::string>& icebergs, const std::string& uav);
-    /** In flight: what those of them that are UAVs are to do. */
+    /** In flight: sends the order to every UAV in `ids`. */
     void order(const std::vector<std::string>& ids, FlightOrder order);
+    /** Sets the wind: an edit before take-off, an intervention in flight. */
     void setWind(const Point& wind_mps);
-    /** In flight: what is to be protected is here now. */
+    /** In flight: moves the asset to its present position. */
     void moveAsset(const Point& position_m);
-    /** In flight: it is here now, under an id of its own. */
+    /** In flight: adds an iceberg at its present position, under a fresh id. */
     void addIceberg(Iceberg iceberg);
+    /** Returns the change that `undoChange` reverts, or nullopt if there is none. */
+    [[nodiscard]] std::optional<LastChange> undoableChange() const;
+    /**
+     * In flight: returns to the instant of the last change and continues from there without it. The
+     * flight since then is discarded and can be restored.
+     */
+    void undoChange();
     void setBackend(Backend backend);
     void setRoute(Route route);
 
-    /** Opens a scenario, or a run by its ending. Throws `Error`; then all stays as it was. */
+    /**
+     * Opens a scenario, or a run by its file extension. Throws `Error` and then changes nothing.
+     */
     void openFile(const QString& path);
     /**
-     * Flies this scenario to its end as fast as it goes. Where it differs from the document in seed
-     * and planner only, that is an edit under `text`; else it takes the document's place.
+     * Flies this scenario to its end as fast as possible. If it differs from the document in seed
+     * and planner only, that is an edit named `text`; else it replaces the document.
      */
     void flyScenario(const Scenario& scenario, const QString& text);
-    /** Whether `flyScenario` would only edit the document. */
+    /** Returns whether `flyScenario` would only edit the document. */
     [[nodiscard]] bool isVariant(const Scenario& scenario) const;
-    /** Opens a recorded run: its scenario, flown again as far as it went. */
+    /** Opens a recorded run: loads its scenario and replays it as far as it went. */
     void openRun(std::shared_ptr<const RunFile> run);
-    /** Takes over what a program that is gone has left. */
+    /** Takes over the recovery of a program that no longer runs. */
     void restore(FoundRecovery found);
-    /** Takes off, or carries on. `rate` simulated seconds a second, 0: as fast as possible. */
+    /** Takes off or continues at `rate` simulated seconds a second; 0 flies as fast as possible. */
     void fly(double rate);
+    /** Pauses the flight, or the playing of its record. */
     void pause();
+    /** Flies one second, or shows the instant one second later if an earlier one is shown. */
     void step();
-    /** Ends the flight: back to the start, where everything can be edited again. */
+    /** Ends the flight and returns to the start, where everything can be edited again. */
     void reset();
-    /** How far the flight was that was given up last, for another start or way; none: none was. */
-    [[nodiscard]] std::optional<double> givenUp_s() const;
-    /** Takes that flight up where it was left; of another scenario it is an edit as well. */
-    void bringBackFlight();
-    /** A new rate for a flight under way. */
+    /** Returns the flown time of the flight discarded last, s; nullopt if there is none. */
+    [[nodiscard]] std::optional<double> discardedFlight_s() const;
+    /** Restores the flight discarded last; if its scenario differs, that is an edit as well. */
+    void restoreFlight();
+    /** Sets a new rate for a flight in progress. */
     void setRate(double rate);
 
-    /** Pauses and shows this instant of what was flown; at its end the newest is shown again. */
+    /** Pauses and shows this instant of the flight; at its end, the newest instant. */
     void seek(double time_s);
+    /** Shows the newest instant. */
     void seekLatest();
-    /** The instant looked back at; none: the newest is shown. */
+    /** Returns the instant looked back at, s, or nullopt if the newest is shown. */
     [[nodiscard]] std::optional<double> lookedAt_s() const { return m_lookedAt_s; }
-    /** A second back. */
+    /** Goes back by one second. */
     void stepBack();
-    /** By `ticks` of the simulation; forward beyond what was flown it is flown. */
+    /** Moves by `ticks` simulation steps; beyond the flown part the flight continues. */
     void stepTicks(int ticks);
-    /** To the next event (`direction` > 0) or the one before. */
+    /**
+     * Goes to the next event (`direction` > 0), or to the newest instant if there is none; else to
+     * the event before, if there is one.
+     */
     void stepToEvent(int direction);
-    /** Gives up what was flown after the instant looked at. */
-    void flyOnFromHere();
-    /** Flying, or playing what was flown. */
+    /** Discards what was flown after the instant looked at and continues from there. */
+    void continueFromHere();
+    /** Returns whether the flight is flying, or its record is being played. */
     [[nodiscard]] bool isPlaying() const;
 
 signals:
-    /** `record()` is new. */
+    /** Emitted when `record()` has changed. */
     void flightChanged();
-    /** A flight is about to be asked for: what is half done to the scenario ends now. */
-    void takeOffAhead();
-    /** Take-off or reset: what may be edited has changed. */
+    /** Emitted before a flight is requested: pending edits of the scenario end now. */
+    void aboutToTakeOff();
+    /** Emitted at take-off and reset, which change what may be edited. */
     void inFlightChanged(bool inFlight);
     void refused(const QString& message);
-    /** Another flight can be brought back, or none. */
-    void givenUpChanged();
+    /** Emitted when the flight that can be restored has changed, also to none. */
+    void discardedFlightChanged();
 
 private:
-    /** What is needed to bring a flight back. */
-    struct GivenUpFlight
+    /** Data for restoring a flight. */
+    struct DiscardedFlight
     {
         Scenario scenario;
         double flown_s = 0;
     };
-    /** What tells the run of a file from others. */
+    /** Data that identify the run of a file. */
     struct SavedRun
     {
         Scenario scenario;
@@ -170,8 +195,8 @@ private:
         Metrics metrics;
         bool operator==(const SavedRun&) const = default;
     };
-    [[nodiscard]] std::optional<GivenUpFlight> presentFlight() const;
-    void setGivenUp(std::optional<GivenUpFlight> flight);
+    [[nodiscard]] std::optional<DiscardedFlight> presentFlight() const;
+    void setDiscarded(std::optional<DiscardedFlight> flight);
     void planAgain();
     void prepareTakeOff();
     void reportInFlight();
@@ -180,6 +205,7 @@ private:
     void updateCurve();
     void acceptInstant();
     void playBack();
+    void goBackTo(const ContinueRequest& request);
     [[nodiscard]] std::string freshIdInFlight() const;
     void setPlanner(const QString& text, const std::function<void(PlannerSettings&)>& change,
                     const QString& gesture = {});
@@ -189,31 +215,31 @@ private:
     Autosaver m_autosaver{m_document};
     Selection m_selection;
     FlightRecord m_record;
-    std::optional<double> m_tauWanted; ///< in flight, not yet told to the mission
+    std::optional<double> m_tauWanted; ///< in flight, not yet sent to the mission
     QTimer m_tauPause;
-    QTimer m_notePause; ///< until a flight that goes on is noted again, for a recovery
-    std::vector<std::string> m_placed;  ///< ids of icebergs added in this flight
-    std::optional<double> m_lookedAt_s; ///< wanted; the record's instant follows
-    QTimer m_playBack;                  ///< runs while what was flown is played
+    QTimer m_recoveryPause;            ///< delay until a current flight is saved for recovery again
+    std::vector<std::string> m_placed; ///< ids of icebergs added in this flight
+    std::optional<double> m_lookedAt_s; ///< requested instant; the record's instant follows
+    QTimer m_playBack;                  ///< runs while the record is played
     QElapsedTimer m_playClock;
     double m_rate = 1;
-    std::optional<SavedRun> m_savedRun;     ///< the last one that was saved or opened
-    std::uint64_t m_studyGeneration = 0;    ///< of the last flight that a study has as well
-    std::optional<GivenUpFlight> m_givenUp; ///< the mission thread has it
-    bool m_isRestoring = false;             ///< a flight, which is flown again until it is there
-    bool m_isTakeOffAsked = false;          ///< and the answer of the mission has not come
-    /** In flight, the plan the curve is of: rewrites of the history, number of the plan. */
+    std::optional<SavedRun> m_savedRun;  ///< the run saved or opened last
+    std::uint64_t m_studyGeneration = 0; ///< generation of the last flight that is also in a study
+    std::optional<DiscardedFlight> m_discarded; ///< its mission is held by the mission thread
+    bool m_isRestoring = false;                 ///< whether a recovered flight is being replayed
+    bool m_isTakeOffAsked = false; ///< whether the mission has not yet answered a take-off
+    /** Plan of the curve in flight: rewrites of the history and number of the plan. */
     std::optional<std::pair<std::uint64_t, std::size_t>> m_curvePlan;
     CurveRunner m_curve;
     PolicyForecasts m_forecasts;
     BoundRunner m_bound;
     BenchmarkRunner m_benchmark;
     StudyRunner m_study;
-    StudyKeeper m_studyKeeper{m_study};
+    StudyAutosaver m_studyAutosaver{m_study};
     StudyFiles m_studyFiles;
     ImportRunner m_imports;
     RunList m_runs;
-    MissionRunner m_runner; ///< last: its thread ends before the rest
+    MissionRunner m_runner; ///< last member: its thread ends before the others are destroyed
 };
 
 } // namespace berg

@@ -43,7 +43,7 @@ void Workspace::setPolicy(PolicyKind policy)
 void Workspace::reportSeen(const std::vector<std::string>& ids)
 {
     std::vector<Intervention> sightings;
-    for (const std::string& id : flownAmong(ids))
+    for (const std::string& id : icebergsInFlight(ids))
         sightings.push_back({.seen = id});
     report(sightings);
 }
@@ -62,7 +62,7 @@ int Workspace::remove(const std::vector<std::string>& ids)
         return 0;
     const MissionSnapshot& now = m_record.now;
     int count = 0;
-    for (const std::string& id : flownAmong(ids))
+    for (const std::string& id : icebergsInFlight(ids))
         if (now.active.at(static_cast<std::size_t>(indexOfId(now.icebergs, id)))) {
             m_runner.intervene({.removed = id});
             ++count;
@@ -82,7 +82,7 @@ void Workspace::assign(const std::vector<std::string>& icebergs, const std::stri
     }
     if (refuseIntervention())
         return;
-    for (const std::string& id : flownAmong(icebergs))
+    for (const std::string& id : icebergsInFlight(icebergs))
         m_runner.intervene({.assigned = Assignment{.iceberg = id, .uav = uav}});
 }
 
@@ -108,7 +108,7 @@ void Workspace::moveAsset(const Point& position_m)
     if (!m_record.now.asset || !inFlight() || refuseIntervention())
         return;
     Asset asset = *m_record.now.asset;
-    // An asset says where it was at time 0, and has moved since.
+    // The asset's position refers to time 0; it has moved since.
     asset.position_m = position_m - asset.velocity_mps * m_record.now.time_s;
     m_runner.intervene({.asset = asset});
 }
@@ -122,7 +122,7 @@ void Workspace::addIceberg(Iceberg iceberg)
     m_runner.intervene({.appears = std::move(iceberg)});
 }
 
-/** No id of the flight, nor of an iceberg that is on its way to it. */
+/** Returns an id that neither the flight nor an iceberg being added has. */
 std::string Workspace::freshIdInFlight() const
 {
     Scenario flown = m_record.scenario;

@@ -1,4 +1,4 @@
-// Looking back at what was flown: instants of it, playing it, and flying on in another way.
+// Looking back at the flight: showing instants, playing the record, and continuing from an instant.
 
 #include "widgets/model/workspace.h"
 
@@ -16,7 +16,7 @@ void Workspace::playBack()
         m_runner.requestInstant(time_s);
         return;
     }
-    seekLatest(); // caught up: fly on
+    seekLatest(); // at the end of the record the flight continues
     if (m_record.now.phase == RunPhase::Paused)
         m_runner.fly(m_rate);
 }
@@ -96,22 +96,44 @@ void Workspace::stepToEvent(int direction)
         seek(before->time_s);
 }
 
-void Workspace::flyOnFromHere()
+void Workspace::continueFromHere()
 {
     if (!m_lookedAt_s)
         return;
-    m_runs.add(m_record); // what is given up can still be compared
-    setGivenUp(presentFlight());
-    m_runner.flyOnFrom({.time_s = *m_lookedAt_s, .seenUntil_s = m_record.now.time_s});
+    goBackTo({.time_s = *m_lookedAt_s, .seenUntil_s = m_record.now.time_s});
+}
+
+void Workspace::goBackTo(const ContinueRequest& request)
+{
+    if (request.time_s < m_record.now.time_s)
+        m_runs.add(m_record); // the discarded flight can still be compared
+    setDiscarded(presentFlight());
+    m_runner.continueFrom(request);
     seekLatest();
+}
+
+std::optional<LastChange> Workspace::undoableChange() const
+{
+    return mayIntervene() ? m_record.now.lastChange : std::nullopt;
+}
+
+void Workspace::undoChange()
+{
+    const std::optional<LastChange> change = undoableChange();
+    if (!change)
+        return;
+    m_tauWanted.reset();
+    goBackTo({.time_s = change->first.time_s,
+              .seenUntil_s = m_record.now.time_s,
+              .interventions = change->before});
 }
 
 bool Workspace::refuseIntervention()
 {
     if (mayIntervene())
         return false;
-    emit refused(m_lookedAt_s ? tr("You are looking back. Continue from here, or go back to the "
-                                   "latest, to change this.")
+    emit refused(m_lookedAt_s ? tr("You are viewing an earlier instant. To change this, continue "
+                                   "from here or go back to the latest.")
                               : runEndedText());
     return true;
 }

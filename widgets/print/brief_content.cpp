@@ -27,7 +27,7 @@ QString startText(const ExportContent& content)
     return FlightBrief::tr("Start %1 %2 UTC").arg(text.left(10), text.mid(11, 8));
 }
 
-/** "8.2 m/s from 245°": by true north where the UAV starts. */
+/** "8.2 m/s from 245°" by true north at the UAV's start. */
 QString windText(const ExportContent& content, const QLocale& locale)
 {
     if (content.wind_mps.isZero(0))
@@ -52,13 +52,13 @@ QString currentText(const ExportContent& content, const QLocale& locale)
 QString icebergsText(const ExportContent& content)
 {
     const std::vector<bool> visited = visitedIcebergs(content);
-    std::size_t all = 0; // those that were visited and have left, too
+    std::size_t all = 0; // includes visited icebergs that have left since
     for (std::size_t i = 0; i < visited.size(); ++i)
         all += visited[i] || content.icebergs[i].isListed ? std::size_t{1} : std::size_t{0};
     return FlightBrief::tr("%1 of %2").arg(std::ranges::count(visited, true)).arg(all);
 }
 
-/** "10:59 to 19:40": of one day; "all day", "not on this day". */
+/** Interval on one day: "10:59 to 19:40", "all day", "not on this day". */
 QString spanText(const SunSpan& span)
 {
     const auto clock = [](SunTime time) {
@@ -73,8 +73,7 @@ QString spanText(const SunSpan& span)
     return span.isAboveAtNoon ? FlightBrief::tr("all day") : FlightBrief::tr("not on this day");
 }
 
-/** Sun, civil twilight and declination at the first UAV's start; nothing of the sun without a date.
- */
+/** Sun, civil twilight and declination at the first UAV's start; without a date only the latter. */
 std::vector<BriefFact> placeFacts(const ExportContent& content, const QLocale& locale)
 {
     std::vector<BriefFact> facts;
@@ -105,12 +104,12 @@ std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& 
     std::vector<BriefFact> facts{{FlightBrief::tr("Wind, true"), windText(content, locale)}};
     if (!content.scenario->current_mps.isZero(0))
         facts.push_back({FlightBrief::tr("Current, true"), currentText(content, locale)});
-    facts.push_back({content.what == ExportWhat::Track ? FlightBrief::tr("Distance")
-                                                       : FlightBrief::tr("This sortie"),
+    facts.push_back({content.what == ExportScope::Track ? FlightBrief::tr("Distance")
+                                                        : FlightBrief::tr("This sortie"),
                      distanceText(total.length_m, locale)});
-    // Of a track it is that on the ground between sorties, too.
-    facts.push_back({content.what == ExportWhat::Track ? FlightBrief::tr("Duration")
-                                                       : FlightBrief::tr("Time of flight"),
+    // The duration of a track includes time on the ground between sorties.
+    facts.push_back({content.what == ExportScope::Track ? FlightBrief::tr("Duration")
+                                                        : FlightBrief::tr("Time of flight"),
                      clockText(total.time_s)});
     facts.push_back({content.start ? FlightBrief::tr("End, UTC") : FlightBrief::tr("End"),
                      briefClock(content, total.end_s)});
@@ -122,8 +121,8 @@ std::vector<BriefFact> planningFacts(const ExportContent& content, const QLocale
 {
     return {{FlightBrief::tr("Icebergs"), icebergsText(content)},
             {FlightBrief::tr("Planned by"), policyText(content.planner, locale)},
-            {content.what == ExportWhat::Track ? FlightBrief::tr("Last plan")
-                                               : FlightBrief::tr("Order of visits"),
+            {content.what == ExportScope::Track ? FlightBrief::tr("Last plan")
+                                                : FlightBrief::tr("Order of visits"),
              planWords(content, locale)}};
 }
 
@@ -134,7 +133,7 @@ struct UavColumn
     std::function<QString(const ExportUav&)> text;
 };
 
-/** What all of them have. */
+/** Columns of every fleet. */
 std::vector<UavColumn> commonColumns(const ExportContent& content, const QLocale& locale)
 {
     return {
@@ -158,14 +157,14 @@ std::vector<UavColumn> commonColumns(const ExportContent& content, const QLocale
          }}};
 }
 
-void addOwnTotals(std::vector<UavColumn>& columns, ExportWhat what, const QLocale& locale)
+void addOwnTotals(std::vector<UavColumn>& columns, ExportScope what, const QLocale& locale)
 {
     columns.push_back({FlightBrief::tr("Icebergs"), [](const ExportUav& uav) {
                            return QString::number(std::ranges::count_if(
                                uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
                        }});
     columns.push_back(
-        {what == ExportWhat::Track ? FlightBrief::tr("Distance") : FlightBrief::tr("This sortie"),
+        {what == ExportScope::Track ? FlightBrief::tr("Distance") : FlightBrief::tr("This sortie"),
          [&locale](const ExportUav& uav) {
              return distanceText(pathTotals(uav).length_m, locale);
          }});
@@ -189,11 +188,11 @@ std::vector<QStringList> rowsOf(const std::vector<UavColumn>& columns, const Exp
     return rows;
 }
 
-/** Endurance, what of it is kept, and what is left at home; time without contact. Empty: endurances
- * have no limit, and nobody asks for the contact. */
+/** Rows of endurance, reserve, margin at home and time without radio contact; empty if endurance
+ * is unlimited and there is no ground station. */
 std::vector<QStringList> sortieRows(const ExportContent& content)
 {
-    const bool isPlanned = content.what != ExportWhat::Track;
+    const bool isPlanned = content.what != ExportScope::Track;
     const auto addLimited = [](std::vector<UavColumn>& columns, const QString& caption,
                                const auto& time_s) {
         columns.push_back({caption, [time_s](const ExportUav& uav) {
@@ -247,18 +246,18 @@ std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& lo
                        {FlightBrief::tr("Loiter turns"), [&content](const auto&) {
                             return QString::number(content.options.loiterTurns);
                         }});
-    if (areToldApart(content.uavs))
+    if (areDistinguished(content.uavs))
         addOwnTotals(columns, content.what, locale);
     return rowsOf(columns, content);
 }
 
-QString footText(ExportWhat what)
+QString footText(ExportScope what)
 {
-    return what == ExportWhat::Track
+    return what == ExportScope::Track
                ? FlightBrief::tr(
-                     "Positions WGS 84: icebergs drift, each is given where it was when "
-                     "it was reached. Courses and distances are over ground.")
-               : FlightBrief::tr("Positions WGS 84: icebergs drift, each is given where it is "
+                     "Positions are WGS 84. Icebergs drift: each is listed where it was when "
+                     "reached. Courses and distances are over ground.")
+               : FlightBrief::tr("Positions are WGS 84. Icebergs drift: each is listed where it is "
                                  "expected at arrival. Courses and distances are over ground.");
 }
 

@@ -6,31 +6,33 @@
 
 namespace berg {
 
-/** A value with what it is. */
+/** A value with its caption. */
 struct BriefFact
 {
     QString caption;
     QString value;
 };
 
-/** What the flight brief says, in the language and the units of the user. */
+/** Content of the flight brief, in the user's language and units. */
 struct BriefContent
 {
     QString title; ///< name of the scenario
-    QString about; ///< what is exported, of how much
-    QString start; ///< date and time, or that times are relative
+    QString about; ///< kind of export and its time
+    QString start; ///< date and time of the start, or a note that times are relative
     QString origin;
-    std::vector<BriefFact> flight;    ///< facts about it
-    std::vector<BriefFact> planning;  ///< the same
-    std::vector<QStringList> uavs;    ///< captions, then a row for each; all as long
-    std::vector<QStringList> sorties; ///< endurance and contact of each UAV, likewise; may be none
-    BriefCaptions captions;           ///< of the rows of the routes
-    std::vector<BriefRoute> routes;   ///< one at least; of several UAVs those that fly
-    QStringList warnings;             ///< the most important first
-    QString notes;                    ///< of the scenario
+    std::vector<BriefFact> flight;   ///< facts about the flight
+    std::vector<BriefFact> planning; ///< facts about the planning
+    std::vector<QStringList> uavs;   ///< captions, then a row per UAV; all rows have equal length
+    std::vector<QStringList>
+        sorties;                    ///< endurance and radio contact, in the same form; may be empty
+    BriefCaptions captions;         ///< captions of the route tables
+    std::vector<BriefRoute> routes; ///< at least one; in a fleet only UAVs that fly
+    QStringList warnings;           ///< most important first
+    QString notes;                  ///< notes of the scenario
     QString foot;
 };
 
+/** Returns the brief's content for an export with at least one UAV; its texts are printable. */
 [[nodiscard]] BriefContent briefContent(const ExportContent& content, const QLocale& locale);
 
 } // namespace berg

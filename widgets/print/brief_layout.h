@@ -8,17 +8,17 @@
 
 namespace berg {
 
-/** How one text of the page is set. */
+/** Style of a text on the page. */
 struct BriefType
 {
     int size_px = 12;
     bool isBold = false;
     bool isMuted = false;
-    bool isRight = false; ///< to the right edge of its box
+    bool isRight = false; ///< aligned to the right edge of its box
     bool operator==(const BriefType&) const = default;
 };
 
-/** One line of text; the box is as wide as it, or wider. */
+/** One line of text in a box that is at least as wide. */
 struct BriefText
 {
     QRectF rect;
@@ -26,20 +26,21 @@ struct BriefText
     BriefType type;
 };
 
+/** A line on the page. */
 struct BriefRule
 {
     QLineF line;
     bool isStrong = false;
 };
 
-/** A sign in the colour of a UAV. */
+/** A square in the colour of a UAV. */
 struct BriefSign
 {
     QRectF rect;
-    std::size_t uav = 0; ///< place among those of the content
+    std::size_t uav = 0; ///< index in the content
 };
 
-/** Where everything of the page goes, at 96 to the inch. */
+/** Positions of all parts of a page, at 96 per inch. */
 struct BriefLayout
 {
     QSizeF page;
@@ -49,18 +50,21 @@ struct BriefLayout
     std::vector<BriefSign> signs;
 };
 
-/** From the edges of the paper: 12.7 mm. */
+/** Distance from the paper's edges: 12.7 mm. */
 inline constexpr double kBriefMargin_px = 48;
-/** The smallest type, 6.75 pt. */
+/** Smallest font size: 6.75 pt. */
 inline constexpr int kSmallestBriefType_px = 9;
 
-/** Without hinting, so that texts are as wide on each paint device and at each size. */
+/**
+ * Returns the font of a text. It has no hinting, so that texts are equally wide on every device and
+ * at every size.
+ */
 [[nodiscard]] QFont briefFont(const BriefType& type);
 
 /**
- * Everything on one page of this size, which is A4 or Letter: a long table in smaller type and in
- * two columns; what then does not fit is cut, with a line that says how much. Thread: any with a
- * QGuiApplication (fonts).
+ * Lays out the brief on one A4 or Letter page. A long table is set in a smaller font and in two
+ * columns; if it still does not fit, it is cut, and a line gives the number of rows left out. Runs
+ * on any thread with a QGuiApplication (fonts).
  */
 [[nodiscard]] BriefLayout layOutBrief(const BriefContent& content, const QSizeF& page);
 

@@ -16,9 +16,9 @@ namespace berg {
 namespace {
 
 constexpr int kMinuteDecimals = 2; // 18 m
-constexpr double kLater_s = 0.5;   // times are shown in whole seconds
+constexpr double kLater_s = 0.5;   // tolerance, because times are in whole seconds
 
-/** A way with its length up to each point. */
+/** A path with its length up to each point. */
 class MeasuredPath
 {
 public:
@@ -63,19 +63,20 @@ void setPlace(BriefCells& cells, const ExportContent& content, const Point& posi
         longitudeText(place.longitude_deg, kMinuteDecimals, locale);
 }
 
-/** Of the least known of the icebergs in view there. */
+/** Sigma of the least certain iceberg of a visit. */
 double sigmaAt_m2(const ExportContent& content, const Visit& visit)
 {
     double most_m2 = 0;
     for (const int index : icebergsOf(visit)) {
         const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(index));
-        const double ahead_s = content.what == ExportWhat::Track ? 0 : visit.time_s - content.now_s;
+        const double ahead_s =
+            content.what == ExportScope::Track ? 0 : visit.time_s - content.now_s;
         most_m2 = std::max(most_m2, now.sigmaAfter_m2(ahead_s));
     }
     return most_m2;
 }
 
-/** Writes one row after the other. */
+/** Builds the rows of a route. */
 class RouteRows
 {
 public:
@@ -123,7 +124,7 @@ public:
         add(TimedPoint{.position_m = visit.position_m, .time_s = visit.time_s}, std::move(cells));
     }
 
-    /** What was flown after the last visit. */
+    /** Adds the part of a track after the last visit. */
     void addEnd()
     {
         if (m_path.end().time_s < m_last.time_s + kLater_s)
@@ -180,7 +181,7 @@ BriefCaptions briefCaptions(const ExportContent& content)
         captions.names[placeOf(column)] = name;
         captions.units[placeOf(column)] = unit;
     };
-    const bool isFlown = content.what == ExportWhat::Track;
+    const bool isFlown = content.what == ExportScope::Track;
     set(BriefColumn::Name, FlightBrief::tr("Iceberg"));
     set(BriefColumn::Latitude, FlightBrief::tr("Latitude"));
     set(BriefColumn::Longitude, FlightBrief::tr("Longitude"));
@@ -202,14 +203,14 @@ BriefRoute briefRoute(const ExportContent& content, std::size_t uav, const QLoca
     const ExportUav& flown = content.uavs.at(uav);
     const MeasuredPath path(flown);
     RouteRows rows(content, path, locale);
-    const bool isTrack = content.what == ExportWhat::Track;
+    const bool isTrack = content.what == ExportScope::Track;
     for (const Visit& visit : flown.visits)
-        if (visit.iceberg >= 0 || !isTrack) // what was flown has no way home that was not
+        if (visit.iceberg >= 0 || !isTrack) // a track contains no planned flight home
             rows.add(visit);
     if (isTrack)
         rows.addEnd();
     return {.uav = uav,
-            .name = areToldApart(content.uavs) ? printable(titleOf(flown.uav)) : QString(),
+            .name = areDistinguished(content.uavs) ? printable(titleOf(flown.uav)) : QString(),
             .rows = rows.taken()};
 }
 

@@ -1,6 +1,6 @@
 #include "widgets/print/brief_table_layout.h"
 
-#include "widgets/print/brief_setting.h"
+#include "widgets/print/brief_surroundings.h"
 
 #include <QFontMetricsF>
 
@@ -13,18 +13,18 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kGutter_px = 16;   // between two columns of the page
-constexpr double kLeastGap_px = 6;  // between two cells
-constexpr double kSpareText_px = 1; // texts are no wider than they were measured
-constexpr double kLeastName = 5.5;  // of an iceberg, times the size of the type
-constexpr double kWidestName = 18;  // the same
-constexpr int kMeasured_px = 100;   // widths are proportional to the size
+constexpr double kGutter_px = 16;   // between tables side by side
+constexpr double kLeastGap_px = 6;  // between cells
+constexpr double kSpareText_px = 1; // tolerance of measured text widths
+constexpr double kLeastName = 5.5;  // smallest width of iceberg names, relative to the font size
+constexpr double kWidestName = 18;  // largest width of iceberg names, relative to the font size
+constexpr int kMeasured_px = 100;   // measuring size; widths are proportional to it
 
-/** What is left out where the page is too narrow, the least needed first. */
+/** Columns dropped on a narrow page, the least important first. */
 constexpr std::array kDispensable = {BriefColumn::SecondUncertainty, BriefColumn::LegTime,
                                      BriefColumn::FirstUncertainty, BriefColumn::GroundSpeed};
 
-/** Of the captions: two lines, closer than those of the table. */
+/** Height of the captions: two lines, closer than those of the table. */
 double captionsHeight_px(int size_px)
 {
     return std::round(2.5 * size_px);
@@ -105,8 +105,8 @@ double BriefTable::heightOf_px(const std::vector<Line>& lines, const BriefTableS
            static_cast<double>(longest) * linePitch_px(style.size_px);
 }
 
-/** The most lines that fit: as many rows of each UAV; of more UAVs than there is room for, the
- * first row of the first of them. */
+/** Lines that fit: an equal number of rows for each UAV, as many as possible. If even one row each
+ * is too much, the first row of the first UAVs. */
 std::vector<BriefTable::Line> BriefTable::linesFor(double room_px,
                                                    const BriefTableStyle& style) const
 {
@@ -144,7 +144,7 @@ bool BriefTable::fitsInto(const QSizeF& room, const BriefTableStyle& style) cons
                std::min(m_widths[name], kLeastName) * style.size_px;
 }
 
-/** Of each column; 0: it is left out. */
+/** Widths of the columns; zero if a column is dropped. */
 std::array<double, kBriefColumns> BriefTable::widthsIn(double width_px, int size_px) const
 {
     std::array<double, kBriefColumns> widths_px{};
@@ -164,7 +164,7 @@ std::array<double, kBriefColumns> BriefTable::widthsIn(double width_px, int size
     return widths_px;
 }
 
-/** Over the whole width, the number close to the name. */
+/** Positions of the cells, spread over the whole width, with the number close to the name. */
 std::vector<BriefTable::Cell> BriefTable::cellsFor(double width_px, int size_px) const
 {
     const std::array<double, kBriefColumns> widths_px = widthsIn(width_px, size_px);
@@ -225,12 +225,12 @@ void BriefTable::setLine(BriefLayout& layout, const Line& line, const std::vecto
         return;
     case LineKind::More:
         setText(layout, strip,
-                FlightBrief::tr("and %1 more; the whole list: export CSV").arg(line.row),
+                FlightBrief::tr("and %1 more; export CSV for the whole list").arg(line.row),
                 {.size_px = size_px, .isBold = true});
         return;
     case LineKind::MoreUavs:
         setText(layout, strip,
-                FlightBrief::tr("and %1 more UAVs; the whole list: export CSV").arg(line.row),
+                FlightBrief::tr("and %1 more UAVs; export CSV for the whole list").arg(line.row),
                 {.size_px = size_px, .isBold = true});
         return;
     }

@@ -4,41 +4,42 @@
 
 namespace berg {
 
-/** Type and columns of the table of the brief. */
+/** Font size and number of page columns of the brief's table. */
 struct BriefTableStyle
 {
     int size_px = 12;
-    int columns = 1; ///< of the page, side by side
+    int columns = 1; ///< tables side by side on the page
 };
 
-/** The table of a brief, cut where there is no room for the whole of it. */
+/** Table of a brief, which is cut if it does not fit. */
 class BriefTable
 {
 public:
+    /** Measures the content, which must outlive the table. */
     explicit BriefTable(const BriefContent& content);
 
-    /** The whole table does, with names of icebergs long enough to tell them apart. */
+    /** Returns true if the whole table fits, with iceberg names long enough to be distinct. */
     [[nodiscard]] bool fitsInto(const QSizeF& room, const BriefTableStyle& style) const;
 
-    /** Of the table in a room of this height, cut if need be. */
+    /** Returns the height of the table, which is cut to `room_px` if necessary. */
     [[nodiscard]] double heightIn_px(double room_px, const BriefTableStyle& style) const;
 
-    /** Sets it into `room`, each UAV cut to the same number of rows if need be. */
+    /** Adds the table to the layout, each UAV cut to the same number of rows if necessary. */
     void setInto(BriefLayout& layout, const QRectF& room, const BriefTableStyle& style) const;
 
 private:
     enum class LineKind
     {
-        Name, ///< of the UAV
+        Name, ///< name of the UAV
         Row,
-        More, ///< so many rows are left out
+        More, ///< number of rows left out
         MoreUavs
     };
     struct Line
     {
         LineKind kind = LineKind::Row;
         std::size_t route = 0;
-        std::size_t row = 0; ///< of `More` and `MoreUavs`, how many
+        std::size_t row = 0; ///< row index; for `More` and `MoreUavs` the number left out
     };
     /** A column of cells on the page. */
     struct Cell
@@ -64,8 +65,8 @@ private:
                   const QRectF& strip, const BriefType& type) const;
 
     const BriefContent& m_content;
-    std::size_t m_mostRows = 0;                   ///< of one UAV
-    std::array<double, kBriefColumns> m_widths{}; ///< for type of 1 px
+    std::size_t m_mostRows = 0;                   ///< largest number of rows per UAV
+    std::array<double, kBriefColumns> m_widths{}; ///< by column, for a font size of 1 px
 };
 
 } // namespace berg

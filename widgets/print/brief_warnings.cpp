@@ -1,8 +1,8 @@
 #include "widgets/print/brief_warnings.h"
 
 #include "core/io/export/export_notes.h"
-#include "core/scenario/advice.h"
 #include "core/scenario/daylight.h"
+#include "core/scenario/scenario_warnings.h"
 #include "core/scenario/validate.h"
 #include "widgets/model/asset_approach.h"
 #include "widgets/print/brief_table.h"
@@ -24,9 +24,9 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr int kMostNames = 60; // of a list; more than lines have room for
+constexpr int kMostNames = 60; // names per list; more than fit on the lines
 
-/** What is exported as a scenario: altitudes and speeds chosen, the wind of now, names to print. */
+/** Scenario as exported: chosen altitudes and speeds, the present wind, printable names. */
 Scenario exportedScenario(const ExportContent& content)
 {
     Scenario scenario = *content.scenario;
@@ -43,30 +43,30 @@ Scenario exportedScenario(const ExportContent& content)
     return scenario;
 }
 
-/** Those that say the same of several icebergs or UAVs as one line, where the first one is. */
+/** Findings of this severity; equal ones for several icebergs or UAVs are one line. */
 QStringList issueLines(const Scenario& scenario, const std::vector<Issue>& issues,
                        Severity severity)
 {
     QStringList texts;
-    std::map<QString, QStringList> owners;
+    std::map<QString, std::vector<const Issue*>> alike;
     for (const Issue& issue : issues) {
         if (issue.severity != severity)
             continue;
         const QString text = issueText(issue).simplified();
-        const QString line = issueLine(issue, scenario).simplified();
-        if (!owners.contains(text))
+        if (!alike.contains(text))
             texts << text;
-        owners[text] << line.chopped(text.size()); // "berg-1: ", empty when it is of none
+        alike[text].push_back(&issue);
     }
     QStringList lines;
     for (const QString& text : texts) {
-        QStringList names = owners[text];
-        if (names.size() == 1) {
-            lines << names.front() + text;
+        const std::vector<const Issue*>& issuesOfText = alike[text];
+        if (issuesOfText.size() == 1) {
+            lines << issueLine(*issuesOfText.front(), scenario).simplified();
             continue;
         }
-        for (QString& name : names)
-            name.chop(2);
+        QStringList names;
+        for (const Issue* const issue : issuesOfText)
+            names << issueOwner(*issue, scenario).simplified();
         lines << FlightBrief::tr("%1 (%2): %3")
                      .arg(text)
                      .arg(names.size())
@@ -85,7 +85,7 @@ bool visitsNothing(const ExportContent& content)
     return std::ranges::all_of(content.uavs, isIdle);
 }
 
-/** "Lost (2): B04, B07" of the icebergs for which `test` holds; nothing of none. */
+/** "Lost (2): B04, B07" for the icebergs that pass `test`; empty if none does. */
 template <class Test>
 QStringList namedLine(const QString& sentence, const ExportContent& content, const Test& test)
 {
@@ -104,7 +104,7 @@ QStringList namedLine(const QString& sentence, const ExportContent& content, con
     return {sentence.arg(count).arg(names.join(u", "_s))};
 }
 
-/** Icebergs in the inner ring of the asset or on their way into it, the first to enter first. */
+/** Icebergs in the asset's inner ring or on course for it, in order of entry. */
 QStringList alarmLines(const ExportContent& content, const QLocale& locale)
 {
     std::multimap<double, QString> entries;
@@ -125,25 +125,26 @@ QStringList icebergLines(const ExportContent& content)
             return content.icebergs[i].isListed && content.icebergs[i].state == state;
         };
     };
-    QStringList lines = namedLine(FlightBrief::tr("Lost, not where they were expected (%1): %2"),
-                                  content, is(IcebergState::Lost)) +
-                        namedLine(FlightBrief::tr("Given up after a search (%1): %2"), content,
-                                  is(IcebergState::GivenUp));
-    // One leg, or one UAV of several, leaves icebergs out on purpose.
-    if (content.what == ExportWhat::FirstLeg || content.uavs.size() < content.scenario->uavs.size())
+    QStringList lines =
+        namedLine(FlightBrief::tr("Lost, not found where expected (%1): %2"), content,
+                  is(IcebergState::Lost)) +
+        namedLine(FlightBrief::tr("Search given up (%1): %2"), content, is(IcebergState::GivenUp));
+    // Exports of one leg or of some UAVs omit icebergs intentionally.
+    if (content.what == ExportScope::FirstLeg ||
+        content.uavs.size() < content.scenario->uavs.size())
         return lines;
     const std::vector<bool> visited = visitedIcebergs(content);
     lines << namedLine(
-        content.what == ExportWhat::Track ? FlightBrief::tr("Not flown to (%1): %2")
-                                          : FlightBrief::tr("Not in the order (%1): %2"),
+        content.what == ExportScope::Track ? FlightBrief::tr("Not visited (%1): %2")
+                                           : FlightBrief::tr("Not in the order (%1): %2"),
         content, [&](std::size_t i) { return content.icebergs[i].isListed && !visited[i]; });
     return lines;
 }
 
-/** Visits of a plan from which one in ten or more of the icebergs is out of view. */
+/** Visits of a plan that miss an iceberg with a probability of 10 % or more. */
 QStringList missLines(const ExportContent& content, const QLocale& locale)
 {
-    constexpr double kToldBelow = 0.9;
+    constexpr double kReportedBelow = 0.9;
     QStringList names;
     for (const ExportUav& uav : content.uavs)
         for (const Visit& visit : uav.visits) {
@@ -152,15 +153,16 @@ QStringList missLines(const ExportContent& content, const QLocale& locale)
             double chance = 1;
             for (const int iceberg : icebergsOf(visit))
                 chance = std::min(chance, chanceInView(content, uav, visit, iceberg).value_or(1));
-            if (chance < kToldBelow && names.size() < kMostNames)
+            if (chance < kReportedBelow && names.size() < kMostNames)
                 names << printable(titleOf(content, visit)) + u' ' + chanceText(chance, locale);
         }
     if (names.isEmpty())
         return names;
-    return {FlightBrief::tr("Chance of being in view on arrival: %1").arg(names.join(u", "_s))};
+    return {
+        FlightBrief::tr("Probability of being in view on arrival: %1").arg(names.join(u", "_s))};
 }
 
-/** UAVs without an iceberg, when others have one. */
+/** UAVs without an iceberg while others have one. */
 QStringList idleLines(const ExportContent& content)
 {
     QStringList names;
@@ -174,14 +176,14 @@ QStringList idleLines(const ExportContent& content)
 
 QStringList planLines(const ExportContent& content, const QLocale& locale)
 {
-    if (content.what == ExportWhat::Track || visitsNothing(content) || content.plan.fellBack ||
+    if (content.what == ExportScope::Track || visitsNothing(content) || content.plan.fellBack ||
         !traitsOf(content.planner.policy).solves() || content.plan.status == SolveStatus::Optimal)
         return {};
-    return {FlightBrief::tr("The order is not proven to be the best one: %1.")
-                .arg(planWords(content, locale))};
+    return {
+        FlightBrief::tr("The order is not proven optimal: %1.").arg(planWords(content, locale))};
 }
 
-/** Two UAVs fly too near in altitude to pass each other. */
+/** Returns whether two UAVs are too close in altitude to pass each other. */
 bool sharesLayer(const ExportContent& content)
 {
     std::vector<double> altitudes_m;
@@ -197,8 +199,8 @@ QStringList ruleLines(const ExportContent& content, const QLocale& locale)
 {
     QStringList lines;
     if (const std::size_t crossing = legsThatCross(content); crossing > 0)
-        lines << FlightBrief::tr("Straight legs that lead out of the geofence or through a no-fly "
-                                 "area: %1. The UAV goes round.")
+        lines << FlightBrief::tr("Straight legs that leave the geofence or cross a no-fly area: "
+                                 "%1. The UAV flies around.")
                      .arg(crossing);
     if (content.geofence)
         lines << FlightBrief::tr("Geofence in force: stay inside the area.");
@@ -213,14 +215,14 @@ QStringList ruleLines(const ExportContent& content, const QLocale& locale)
                      .arg(distanceText(content.asset->standoff_m, locale, 3, DistanceUnit::Metric),
                           heightsText(0, content.standoff->ceiling_m, locale));
     if (content.scenario->separation_m > 0 && sharesLayer(content))
-        lines << FlightBrief::tr("UAVs in one altitude layer: keep them %1 apart, nothing steers "
-                                 "them.")
+        lines << FlightBrief::tr("UAVs share an altitude layer: keep them %1 apart. They do not "
+                                 "avoid each other.")
                      .arg(distanceText(content.scenario->separation_m, locale, 3,
                                        DistanceUnit::Metric));
     return lines;
 }
 
-/** Take-off before the flight, and landing, outside of daylight; nothing without a date. */
+/** Take-off (before the flight) and landing outside daylight; empty without a date. */
 std::vector<Issue> darkIssues(const ExportContent& content, const ExportUav& uav)
 {
     if (!content.start || isIdle(uav))
@@ -236,7 +238,7 @@ std::vector<Issue> darkIssues(const ExportContent& content, const ExportUav& uav
                   .to = content.frame.toGeographic(uav.home_m)});
 }
 
-/** Turns take time that legs and arrivals are without. */
+/** Loiter turns take time that legs and arrivals do not include. */
 QStringList loiterLines(const ExportContent& content, const QLocale& locale)
 {
     if (content.options.loiterTurns == 0)
@@ -257,8 +259,8 @@ QStringList loiterLines(const ExportContent& content, const QLocale& locale)
             tooLong << printable(titleOf(uav.uav));
     }
     QStringList lines{
-        FlightBrief::tr("Times are without the loiter turns: %1 more at each "
-                        "iceberg, %2 in all.")
+        FlightBrief::tr("Times do not include the loiter turns, which add %1 at each iceberg, %2 "
+                        "in total.")
             .arg(roughDurationText(each_s, locale), roughDurationText(all_s, locale))};
     if (!tooLong.isEmpty())
         lines << FlightBrief::tr("With the loiter turns the endurance is too short: %1")
@@ -319,7 +321,7 @@ QStringList briefWarnings(const ExportContent& content, const QLocale& locale)
 {
     const Scenario scenario = exportedScenario(content);
     std::vector<Issue> issues = validate(scenario);
-    if (content.what != ExportWhat::Track)
+    if (content.what != ExportScope::Track)
         for (const ExportUav& uav : content.uavs) {
             const PlannedPath path = plannedPath(content, uav);
             std::ranges::move(sortieIssues(uav.row, sortieOutlook(scenario, uav.uav, path),
@@ -331,8 +333,8 @@ QStringList briefWarnings(const ExportContent& content, const QLocale& locale)
     for (const QString& line : issueLines(scenario, issues, Severity::Error))
         lines << FlightBrief::tr("Error: %1").arg(line);
     if (content.plan.fellBack && !visitsNothing(content))
-        lines << FlightBrief::tr("The planner reached its limit without an order: the rest of the "
-                                 "plan before, or the nearest iceberg, is flown.");
+        lines << FlightBrief::tr("The planner reached its limit without an order. The UAV flies "
+                                 "the rest of the previous plan, or to the nearest iceberg.");
     lines << loiterLines(content, locale) << alarmLines(content, locale)
           << ruleLines(content, locale) << missLines(content, locale) << icebergLines(content)
           << issueLines(scenario, issues, Severity::Warning) << idleLines(content)

@@ -10,17 +10,19 @@
 
 namespace berg {
 
-/** By iceberg of the content: visited by one of its ways. */
+/** Returns, by iceberg of the content, true if any UAV visits it. */
 [[nodiscard]] std::vector<bool> visitedIcebergs(const ExportContent& content);
 
-/** "Proven optimal", "Within 0.8 % of optimal", ...: how good the plan is known to be. */
+/**
+ * Returns a text about the quality of the plan: "Proven optimal", "Within 0.8 % of optimal", ...
+ */
 [[nodiscard]] QString planWords(const ExportContent& content, const QLocale& locale);
 
-/** What the crew must know, the most important first: findings about the scenario as it is
- * exported, the plan, icebergs left out, the fence and the distance to be kept. */
+/** Returns the warnings for the crew, most important first, for example findings about the exported
+ * scenario, icebergs left out, the endurance, the geofence and the required separation. */
 [[nodiscard]] QStringList briefWarnings(const ExportContent& content, const QLocale& locale);
 
-/** What the UAV is to fly, home left out; not for what was flown. */
+/** Returns the planned path of a UAV up to its last visit. The export must not be a track. */
 [[nodiscard]] PlannedPath plannedPath(const ExportContent& content, const ExportUav& uav);
 
 } // namespace berg

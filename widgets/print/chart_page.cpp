@@ -23,20 +23,20 @@ namespace {
 constexpr QSize kPage_px(1120, 980);
 constexpr double kHead_px = 60;
 constexpr double kChart_px = (980 - kHead_px) / 2; // height
-constexpr int kTitle_px = 18;                      // size of type
+constexpr int kTitle_px = 18;                      // font size
 
 struct ChartPageText
 {
     Q_DECLARE_TR_FUNCTIONS(ChartPageText)
 };
 
-/** What the page is painted from. */
+/** Data that the page is painted from. */
 struct ChartSheet
 {
     QString title;
     QString subtitle;
     Theme theme = Theme::light();
-    std::vector<TimeFigure> charts; ///< from above
+    std::vector<TimeFigure> charts; ///< from top to bottom
 };
 
 void paintHead(QPainter& painter, const ChartSheet& sheet)
@@ -85,7 +85,7 @@ PicturePage chartPage(const ExportContent& content, const QLocale& locale)
     std::array contents{missionChart(ChartKind::Zeta, record, locale),
                         missionChart(ChartKind::Sigma, record, locale)};
     for (TimeLine& line : contents[1].lines)
-        line.label = printable(line.label); // a name, which may hold anything
+        line.label = printable(line.label); // labels are names, which may contain any character
     for (TimeChartContent& chart : contents)
         chart.emptyText = ChartPageText::tr("Nothing was flown");
     sheet->charts =

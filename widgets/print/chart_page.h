@@ -8,8 +8,9 @@
 namespace berg {
 
 /**
- * Zeta with the sum of sigma, and below it sigma of each iceberg, over the whole flight, light.
- * Throws `Error{InvalidInput}` when nothing was flown. Thread: any with a QGuiApplication (fonts).
+ * Returns a page with the charts of zeta and of sigma per iceberg over the whole flight, in the
+ * light theme. Throws `Error{InvalidInput}` if nothing was flown. Runs on any thread with a
+ * QGuiApplication.
  */
 [[nodiscard]] PicturePage chartPage(const ExportContent& content, const QLocale& locale);
 

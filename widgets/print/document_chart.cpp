@@ -7,7 +7,7 @@
 namespace berg {
 namespace {
 
-constexpr double kShortest_s = 1e-3; // an axis has to have a length
+constexpr double kShortest_s = 1e-3; // smallest length of an axis
 
 } // namespace
 

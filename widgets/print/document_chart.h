@@ -7,9 +7,8 @@
 namespace berg {
 
 /**
- * The charts that `TimeChart` shows, all of them, for paper and other paint
- * devices: of this size, their plots one below the other. Thread: any with a
- * QGuiApplication.
+ * Returns complete charts as in `TimeChart` for paper and other paint devices. Each has this size;
+ * the plots are aligned above each other. Runs on any thread with a QGuiApplication.
  */
 [[nodiscard]] std::vector<TimeFigure> documentCharts(std::span<const TimeChartContent> contents,
                                                      const Theme& theme, const QSizeF& size_px,

@@ -10,7 +10,7 @@
 namespace berg {
 namespace {
 
-constexpr double kLookScale = 1.5; // sharp where there is room for most of a page
+constexpr double kLookScale = 1.5; // sharp when most of a page is visible
 
 } // namespace
 
@@ -44,7 +44,7 @@ ExportPaint exportPaint(const QLocale& locale)
                     return ExportPainting{
                         .file = [page,
                                  ending = endingOf(format)] { return pictureFile(*page, ending); },
-                        .look = [page] { return pictureImage(*page, kLookScale); }};
+                        .image = [page] { return pictureImage(*page, kLookScale); }};
                 }};
 }
 

@@ -19,13 +19,13 @@ struct ExportPicture
     Q_DECLARE_TR_FUNCTIONS(ExportPicture)
 };
 
-/** Where its way begins, or at the end of what it has flown. */
+/** UAV at the start of its path, or at the end of its track. */
 MapUav mapUavOf(const ExportUav& uav, const ExportContent& content)
 {
     MapUav drawn = mapUav(*content.scenario, uav.row);
     drawn.position_m = uav.uav.position_m;
     drawn.psi_rad = psiFromHeading(uav.uav.heading_deg);
-    if (content.what == ExportWhat::Track && !uav.track.empty()) {
+    if (content.what == ExportScope::Track && !uav.track.empty()) {
         drawn.position_m = uav.track.back().state.position_m;
         drawn.psi_rad = uav.track.back().state.psi_rad;
     }
@@ -43,7 +43,7 @@ MapRoute flownRoute(const ExportUav& uav)
     return route;
 }
 
-/** Where the path turns on the leg that ends at `visit`, after that which ended at `from_s`. */
+/** Turns on the leg that ends at `visit`, after the previous leg ended at `from_s`. */
 std::vector<Point> cornersOf(const ExportUav& uav, double from_s, const Visit& visit)
 {
     std::vector<Point> corners;
@@ -53,7 +53,7 @@ std::vector<Point> cornersOf(const ExportUav& uav, double from_s, const Visit& v
     return corners;
 }
 
-/** `places`: of each iceberg of the content in the picture, -1: not in it. */
+/** `places` maps icebergs of the content to indices in the picture; -1 means not shown. */
 MapRoute plannedRoute(const ExportUav& uav, const std::vector<int>& places)
 {
     MapRoute route;
@@ -67,7 +67,7 @@ MapRoute plannedRoute(const ExportUav& uav, const std::vector<int>& places)
         if (place >= 0)
             route.plan.push_back(place);
         else
-            route.thisSortie = static_cast<int>(route.plan.size()); // and then home
+            route.thisSortie = static_cast<int>(route.plan.size()); // followed by the flight home
     }
     return route;
 }
@@ -96,14 +96,14 @@ MapIceberg mapIcebergOf(const ExportIceberg& iceberg, const ExportContent& conte
     drawn.status = statusOf(iceberg.state);
     if (iceberg.state != IcebergState::Expected)
         drawn.appears_s = 0;
-    if (drawn.circle_m > 0) // round an estimate, which a track has not
-        drawn.circle_m = content.what == ExportWhat::Track ? 0 : radius95_m(iceberg.sigma_m2);
+    if (drawn.circle_m > 0) // circles belong to estimates, which a track lacks
+        drawn.circle_m = content.what == ExportScope::Track ? 0 : radius95_m(iceberg.sigma_m2);
     drawn.ringEntry_s = ringEntry_s(content, iceberg);
     drawn.id = printable(drawn.id);
     return drawn;
 }
 
-/** Icebergs that are listed; where each is in the picture. */
+/** Adds the listed icebergs; returns the index in the picture for each iceberg, or -1. */
 std::vector<int> addIcebergs(MapPicture& picture, const ExportContent& content)
 {
     std::vector<int> places;
@@ -120,7 +120,7 @@ std::vector<int> addIcebergs(MapPicture& picture, const ExportContent& content)
 void addUav(MapPicture& picture, const ExportContent& content, const ExportUav& uav,
             const std::vector<int>& places)
 {
-    const bool isFlown = content.what == ExportWhat::Track;
+    const bool isFlown = content.what == ExportScope::Track;
     picture.uavs.push_back(mapUavOf(uav, content));
     picture.routes.push_back(isFlown ? flownRoute(uav) : plannedRoute(uav, places));
     if (picture.routes.back().thisSortie)

@@ -5,15 +5,16 @@
 
 namespace berg {
 
-/** Map of what is exported: the ways of the UAVs as they are written, and the icebergs, with names
- * that can be printed. */
+/** Returns the map of an export: the UAVs' paths as written to the file, and the icebergs, with
+ * printable names. */
 [[nodiscard]] MapPicture exportPicture(const ExportContent& content);
 
-/** Wind of then, for maps that stand alone. */
+/** Returns the wind at the time of the export, for maps that stand alone. */
 [[nodiscard]] MapAir exportAir(const ExportContent& content);
 
-/** When the iceberg enters the inner ring of the asset, seconds from then; 0: it is inside; none:
- * not until the horizon, or it is not there. */
+/** Returns the time until the iceberg enters the asset's inner ring, s; zero inside. Returns
+ * nullopt if it does not enter within the horizon, if it is not present, or if there is no asset.
+ */
 [[nodiscard]] std::optional<double> ringEntry_s(const ExportContent& content,
                                                 const ExportIceberg& iceberg);
 

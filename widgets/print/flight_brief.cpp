@@ -15,14 +15,14 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-// At 96 to the inch.
+// Paper sizes at 96 per inch.
 constexpr QSize kA4_px{794, 1123};
 constexpr QSize kLetter_px{816, 1056};
 
-// Of the map: its type and symbols are made for the screen.
+// Scales of the map, because its fonts and symbols are made for the screen.
 constexpr double kMapScale = 0.78;
-constexpr double kDenseMapScale = 0.67; // its ids are as small as type may be
-constexpr std::size_t kDense = 24;      // icebergs
+constexpr double kDenseMapScale = 0.67; // ids get the smallest permitted size
+constexpr std::size_t kDense = 24;      // number of icebergs from which the map is dense
 
 constexpr qsizetype kLongestLabel = 28;
 
@@ -30,14 +30,14 @@ constexpr int kTextFlags = Qt::TextSingleLine | Qt::TextDontClip;
 constexpr QColor kMuted(0x4a, 0x4a, 0x4a);
 constexpr QColor kFaint(0xc8, 0xc8, 0xc8);
 
-/** All that the page is painted from. */
+/** Data that the page is painted from. */
 struct Brief
 {
     Theme theme = Theme::light();
     QLocale locale;
     MapPicture picture;
     BriefLayout layout;
-    MapLayout map; ///< in pixels of the map, which are smaller
+    MapLayout map; ///< in map pixels, which are smaller than those of the page
     double mapScale = kMapScale;
 
     [[nodiscard]] MapStyle style() const { return {.theme = theme, .locale = locale}; }
@@ -48,7 +48,7 @@ QString labelOf(const QString& name)
     return name.size() <= kLongestLabel ? name : name.left(kLongestLabel - 1) + u'…';
 }
 
-/** The map of the export with the wind, and names short enough for labels. */
+/** Map of the export with wind, and names short enough for labels. */
 MapPicture printedPicture(const ExportContent& content)
 {
     MapPicture picture = exportPicture(content);

@@ -9,17 +9,19 @@
 namespace berg {
 
 /**
- * A page to be printed and taken along: map, order with coordinates, legs and times, wind, what to
- * look out for; where a permit is applied for, a second one about the operation. A4, or Letter
- * where the locale is imperial as in the USA. The page holds all that it paints; the content may
- * go. Thread: any with a QGuiApplication (fonts).
+ * Returns a page to print and carry along: map, order with coordinates, legs and times, wind and
+ * warnings. With an operation volume it has a second page about it. The size is `briefPage_px`. The
+ * page owns its data; the content may be destroyed. Runs on any thread with a QGuiApplication
+ * (fonts).
  */
 [[nodiscard]] PicturePage flightBrief(const ExportContent& content, const QLocale& locale);
 
-/** A4 or Letter, at 96 to the inch. */
+/**
+ * Returns the page size at 96 per inch: A4, or Letter for locales that are imperial as in the USA.
+ */
 [[nodiscard]] QSize briefPage_px(const QLocale& locale);
 
-/** Rules and texts of a page. */
+/** Paints the lines and texts of a page, but not its map and signs. */
 void paintLayout(QPainter& painter, const BriefLayout& layout);
 
 } // namespace berg

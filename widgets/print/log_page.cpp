@@ -7,7 +7,7 @@
 #include "widgets/charts/mission_charts.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/picture/scenario_picture.h"
-#include "widgets/print/brief_setting.h"
+#include "widgets/print/brief_surroundings.h"
 #include "widgets/print/brief_table.h"
 #include "widgets/print/document_chart.h"
 #include "widgets/print/export_picture.h"
@@ -30,22 +30,24 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
+/** Words that the log as a web page has as well are translated once, in this context. */
 struct LogText
 {
-    Q_DECLARE_TR_FUNCTIONS(LogText)
+    Q_DECLARE_TR_FUNCTIONS(Report)
 };
 
 constexpr BriefType kHeading{.size_px = 12, .isBold = true};
 constexpr BriefType kWords{.size_px = 10};
 
 constexpr double kGap_px = 9;
-constexpr double kChart_px = 330; ///< height
+constexpr double kChart_px = 330; // height of the chart
 constexpr double kMapScale = 0.78;
 constexpr std::size_t kMostPages = 3;
 
-QString timeOrNever(const ExportContent& content, const std::optional<double>& time_s)
+QString timeOr(const ExportContent& content, const std::optional<double>& time_s,
+               const QString& missing)
 {
-    return time_s ? briefClock(content, *time_s) : LogText::tr("never");
+    return time_s ? briefClock(content, *time_s) : missing;
 }
 
 std::vector<BriefFact> factsOf(const ExportContent& content, const FlightLog& log,
@@ -73,17 +75,22 @@ std::vector<BriefFact> factsOf(const ExportContent& content, const FlightLog& lo
 std::vector<QStringList> uavRows(const ExportContent& content, const FlightLog& log,
                                  const QLocale& locale)
 {
-    std::vector<QStringList> rows{{LogText::tr("UAV"), LogText::tr("Visits planned"),
-                                   LogText::tr("flown"), LogText::tr("Distance planned"),
-                                   LogText::tr("flown"), LogText::tr("Time planned"),
-                                   LogText::tr("aloft"), LogText::tr("Outside the geography")}};
-    for (const LogUav& uav : log.uavs)
+    std::vector<QStringList> rows{
+        {LogText::tr("UAV"), LogText::tr("Visits planned"), LogText::tr("flown"),
+         LogText::tr("Distance planned"), LogText::tr("flown"), LogText::tr("Time planned"),
+         LogText::tr("aloft"), LogText::tr("Took off"), LogText::tr("Landed")}};
+    if (content.operation)
+        rows.front() << LogText::tr("Outside the flight geography");
+    for (const LogUav& uav : log.uavs) {
         rows.push_back({printable(titleOf(content.mission->scenario().uavs[uav.row])),
                         locale.toString(static_cast<qulonglong>(uav.plannedVisits)),
                         locale.toString(uav.visits), distanceText(uav.plannedLength_m, locale),
                         distanceText(uav.flown_m, locale), clockText(uav.plannedTime_s),
-                        clockText(uav.aloft_s),
-                        content.operation ? clockText(uav.outside_s) : u"–"_s});
+                        clockText(uav.aloft_s), timeOr(content, uav.tookOff_s, u"–"_s),
+                        timeOr(content, uav.landed_s, u"–"_s)});
+        if (content.operation)
+            rows.back() << clockText(uav.outside_s);
+    }
     return rows;
 }
 
@@ -96,7 +103,8 @@ std::vector<QStringList> sightingRows(const ExportContent& content, const Flight
                                    LogText::tr("95 % within")}};
     for (const LogIceberg& iceberg : log.icebergs)
         rows.push_back({printable(titleOf(content.mission->icebergs()[iceberg.iceberg])),
-                        timeOrNever(content, iceberg.first_s), timeOrNever(content, iceberg.last_s),
+                        timeOr(content, iceberg.first_s, LogText::tr("never")),
+                        timeOr(content, iceberg.last_s, LogText::tr("never")),
                         locale.toString(iceberg.visits), clockText(iceberg.longestUnseen_s),
                         significantText(iceberg.sigma_m2, 3, locale),
                         radius95Text(iceberg.sigma_m2, locale)});
@@ -120,7 +128,7 @@ QStringList deviationLines(const ExportContent& content, const FlightLog& log,
     return lines;
 }
 
-/** All pages, each with rules and texts; the first has room for map and chart. */
+/** All pages with lines and texts; the first one has room for map and chart. */
 struct LogSheets
 {
     std::vector<BriefLayout> pages;
@@ -128,56 +136,56 @@ struct LogSheets
     QRectF chart;
 };
 
-/** Sets one block after the other, on a new page when one is full. */
+/** Lays out blocks from top to bottom, and starts a new page when one is full. */
 class LogLayout
 {
 public:
-    explicit LogLayout(const QSizeF& page) : m_set(page) {}
+    explicit LogLayout(const QSizeF& page) : m_composer(page) {}
 
     LogSheets laidOut(const ExportContent& content, const FlightLog& log, const QLocale& locale)
     {
-        m_set.line(LogText::tr("Flight log: %1").arg(pageTitle(content)), kBriefTitle);
-        m_set.line(pathsText(content), kBriefHead);
-        m_set.rule(true);
-        m_set.setFacts(factsOf(content, log, locale), 3);
-        m_set.rule(false);
-        m_set.setUavTable(uavRows(content, log, locale));
-        m_set.taken(kGap_px);
-        const QRectF& free = m_set.free;
+        m_composer.line(LogText::tr("Flight log: %1").arg(pageTitle(content)), kBriefTitle);
+        m_composer.line(pathsText(content), kBriefHead);
+        m_composer.rule(true);
+        m_composer.setFacts(factsOf(content, log, locale), 3);
+        m_composer.rule(false);
+        m_composer.setUavTable(uavRows(content, log, locale));
+        m_composer.takeStrip(kGap_px);
+        const QRectF& free = m_composer.free;
         m_sheets.chart = QRectF(free.left(), free.bottom() - kChart_px, free.width(), kChart_px);
         m_sheets.map = free.adjusted(0, 0, 0, -kChart_px - kGap_px);
         turn();
         setTable(LogText::tr("Sightings"), sightingRows(content, log, locale));
         setLines(LogText::tr("Deviations"), deviationLines(content, log, locale));
         setHashes(content, log);
-        m_sheets.pages.push_back(std::move(m_set.layout));
+        m_sheets.pages.push_back(std::move(m_composer.layout));
         return std::move(m_sheets);
     }
 
 private:
     void turn()
     {
-        const QSizeF page = m_set.layout.page;
-        m_sheets.pages.push_back(std::move(m_set.layout));
-        m_set = PageSetting(page);
+        const QSizeF page = m_composer.layout.page;
+        m_sheets.pages.push_back(std::move(m_composer.layout));
+        m_composer = PageComposer(page);
     }
 
     [[nodiscard]] bool isLastPage() const { return m_sheets.pages.size() + 1 == kMostPages; }
 
-    /** Lines that still fit on this page and those that may follow, the first pages full. */
+    /** Number of lines that fit on this page above a reserved height of `keep_px`. */
     [[nodiscard]] qsizetype room(double line_px, double keep_px) const
     {
         return static_cast<qsizetype>(
-            std::floor(std::max(0.0, m_set.free.height() - keep_px) / line_px));
+            std::floor(std::max(0.0, m_composer.free.height() - keep_px) / line_px));
     }
 
-    /** A row a line, the first column wide; what does not fit goes onto the next page. */
+    /** Sets a table with a wide first column; rows that do not fit go to the next page. */
     void setTable(const QString& heading, const std::vector<QStringList>& rows)
     {
-        m_set.line(heading, kHeading);
+        m_composer.line(heading, kHeading);
         const double line_px = linePitch_px(kWords.size_px);
         setRow(rows.front(), kBriefCaption);
-        const double keep_px = 14 * line_px; // for what follows
+        const double keep_px = 14 * line_px; // reserved for the blocks that follow
         for (std::size_t i = 1; i < rows.size(); ++i) {
             if (room(line_px, isLastPage() ? keep_px : 0) < 2) {
                 if (isLastPage()) {
@@ -189,20 +197,20 @@ private:
             }
             setRow(rows[i], kWords);
         }
-        m_set.taken(kGap_px);
+        m_composer.takeStrip(kGap_px);
     }
 
     void setRow(const QStringList& cells, const BriefType& type)
     {
-        constexpr double kFirst = 0.28; // of the width
-        const QRectF strip = m_set.taken(linePitch_px(type.size_px));
+        constexpr double kFirst = 0.28; // share of the width
+        const QRectF strip = m_composer.takeStrip(linePitch_px(type.size_px));
         const double first_px = kFirst * strip.width();
         const double other_px = (strip.width() - first_px) /
                                 static_cast<double>(std::max<qsizetype>(1, cells.size() - 1));
         BriefType right = type;
         right.isRight = true;
         for (qsizetype i = 0; i < cells.size(); ++i)
-            setText(m_set.layout,
+            setText(m_composer.layout,
                     i == 0 ? QRectF(strip.left(), strip.top(), first_px, strip.height())
                            : QRectF(strip.left() + first_px + static_cast<double>(i - 1) * other_px,
                                     strip.top(), other_px, strip.height()),
@@ -215,7 +223,7 @@ private:
         const double hashes_px = 8 * line_px;
         if (room(line_px, hashes_px) < 4 && !isLastPage())
             turn();
-        m_set.line(heading, kHeading);
+        m_composer.line(heading, kHeading);
         for (qsizetype i = 0; i < lines.size(); ++i) {
             if (room(line_px, hashes_px) < 2) {
                 if (isLastPage()) {
@@ -224,22 +232,23 @@ private:
                 }
                 turn();
             }
-            m_set.line(lines[i], kWords);
+            m_composer.line(lines[i], kWords);
         }
-        m_set.taken(kGap_px);
+        m_composer.takeStrip(kGap_px);
     }
 
     template <class Count>
     void setMore(Count count)
     {
-        m_set.line(LogText::tr("and %1 more; all of them: export log-html").arg(count), kWords);
+        m_composer.line(LogText::tr("and %1 more; all of them: export log-html").arg(count),
+                        kWords);
     }
 
-    /** Of as many UAVs as there is room for. */
+    /** Sets the plan hashes of as many UAVs as fit. */
     void setHashes(const ExportContent& content, const FlightLog& log)
     {
-        m_set.line(LogText::tr("SHA-256 of the first plan as a file of the format wpl"),
-                   kBriefCaption);
+        m_composer.line(LogText::tr("SHA-256 of the first plan as a file of the format wpl:"),
+                        kBriefCaption);
         const double line_px = linePitch_px(kWords.size_px);
         for (std::size_t i = 0; i < log.uavs.size(); ++i) {
             if (i + 1 < log.uavs.size() && room(line_px, 0) < 2) {
@@ -247,24 +256,24 @@ private:
                 break;
             }
             const LogUav& uav = log.uavs[i];
-            m_set.line(
+            m_composer.line(
                 u"%1  %2"_s.arg(QString::fromStdString(uav.planHash),
                                 printable(titleOf(content.mission->scenario().uavs[uav.row]))),
                 kWords);
         }
     }
 
-    PageSetting m_set; ///< the page that is being set
+    PageComposer m_composer; ///< the present page
     LogSheets m_sheets;
 };
 
-/** All that the pages are painted from. */
+/** Data that the pages are painted from. */
 struct LogBook
 {
     Theme theme = Theme::light();
     QLocale locale;
     MapPicture picture;
-    MapLayout map; ///< in pixels of the map, which are smaller
+    MapLayout map; ///< in map pixels, which are smaller than those of the page
     std::vector<TimeFigure> charts;
     LogSheets sheets;
 };

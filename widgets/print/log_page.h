@@ -8,10 +8,10 @@
 namespace berg {
 
 /**
- * The log of a flight (`flightLog`) on two pages, three where there is much to tell: planned
- * against flown, the map of what was flown, zeta against prediction; sightings; deviations,
- * program, seed and hash of the plan. A4 or Letter as the flight brief. Throws as `flightLog`.
- * Thread: any with a QGuiApplication (fonts).
+ * Returns the log of a flight (`flightLog`) on two or three pages: planned and flown values, map of
+ * the flight, zeta and its prediction; sightings; deviations, program, seed, plan's hash. The size
+ * is that of the flight brief. Throws like `flightLog`. Runs on any thread with a QGuiApplication
+ * (fonts).
  */
 [[nodiscard]] PicturePage logPage(const ExportContent& content, const QLocale& locale);
 

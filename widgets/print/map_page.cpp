@@ -23,11 +23,11 @@ namespace berg {
 namespace {
 
 constexpr QSize kPage_px(1120, 700);
-constexpr double kVisit_px = 3;         // radius of its dot
-constexpr double kDenseVisit_px = 1.6;  // where there are many
-constexpr double kTimeHeight_px = 14;   // of the time beside it
-constexpr std::size_t kMostTimes = 60;  // or they hide the ways
-constexpr double kFarthestTime_px = 24; // farther off nobody sees whose it is
+constexpr double kVisit_px = 3;         // radius of a visit's dot
+constexpr double kDenseVisit_px = 1.6;  // radius if there are many visits
+constexpr double kTimeHeight_px = 14;   // height of the time beside a dot
+constexpr std::size_t kMostTimes = 60;  // more would hide the paths
+constexpr double kFarthestTime_px = 24; // a farther label would be ambiguous
 constexpr double kUavClearance_px = 17;
 
 struct MapPageText
@@ -35,16 +35,16 @@ struct MapPageText
     Q_DECLARE_TR_FUNCTIONS(MapPageText)
 };
 
-/** A visit that was flown: where the UAV was. */
+/** Flown visit at the position of the UAV. */
 struct VisitDot
 {
     QPointF at_px;
     QColor colour;
     QString time;
-    QRectF timeRect{}; ///< null: there is no room
+    QRectF timeRect{}; ///< null if there is no room
 };
 
-/** What the page is painted from. */
+/** Data that the page is painted from. */
 struct MapSheet
 {
     MapPicture picture;
@@ -86,7 +86,7 @@ std::vector<MapReadout> flownFigures(const ExportContent& content, const QLocale
     return figures;
 }
 
-/** None without a way. */
+/** Readouts of a planned export; empty without a path. */
 std::vector<MapReadout> plannedFigures(const ExportContent& content, const QLocale& locale)
 {
     double length_m = 0;
@@ -102,8 +102,8 @@ std::vector<MapReadout> plannedFigures(const ExportContent& content, const QLoca
     return {{.caption = MapPageText::tr("This sortie"),
              .value = significantText(unit.fromSi(length_m), 3, locale),
              .unit = unit.name},
-            {.caption = areToldApart(content.uavs) ? MapPageText::tr("Longest flight")
-                                                   : MapPageText::tr("Flight time"),
+            {.caption = areDistinguished(content.uavs) ? MapPageText::tr("Longest flight")
+                                                       : MapPageText::tr("Flight time"),
              .value = clockText(longest_s),
              .unit = {}},
             {.caption = MapPageText::tr("Visits"),
@@ -111,7 +111,7 @@ std::vector<MapReadout> plannedFigures(const ExportContent& content, const QLoca
              .unit = {}}};
 }
 
-/** Of a track with points, by time. */
+/** Interpolated position at a time, on a track with points. */
 Point placeAt_m(const std::vector<TrackPoint>& track, double time_s)
 {
     const auto next = std::ranges::lower_bound(track, time_s, {}, &TrackPoint::time_s);
@@ -125,7 +125,7 @@ Point placeAt_m(const std::vector<TrackPoint>& track, double time_s)
 std::vector<VisitDot> dotsOf(const ExportContent& content, const MapSheet& sheet)
 {
     std::vector<VisitDot> dots;
-    if (content.what != ExportWhat::Track)
+    if (content.what != ExportScope::Track)
         return dots;
     for (const ExportUav& uav : content.uavs) {
         const std::vector<TrackPoint> track = uav.track.all();
@@ -139,7 +139,7 @@ std::vector<VisitDot> dotsOf(const ExportContent& content, const MapSheet& sheet
     return dots;
 }
 
-/** In pieces that are long enough to tell where it is. */
+/** Adds a track in pieces long enough to approximate its position. */
 void addTrack(std::vector<QLineF>& lines, const MapRoute& route, const MapViewTransform& view)
 {
     constexpr double kPiece_px = 8;
@@ -186,7 +186,7 @@ double distance_px(const QRectF& rect, const QPointF& at_px)
     return QLineF(at_px, near_px).length();
 }
 
-/** Times beside the dots, where nothing else is. */
+/** Places times beside the dots where they cover nothing. */
 void placeTimes(MapSheet& sheet)
 {
     if (sheet.visits.size() > kMostTimes)
@@ -244,8 +244,8 @@ PicturePage mapPage(const ExportContent& content, const QLocale& locale)
     MapPicture& picture = sheet->picture;
     picture.title = pageTitle(content);
     picture.subtitle = pageSubtitle(content, pathsText(content), locale);
-    picture.readouts = content.what == ExportWhat::Track ? flownFigures(content, locale)
-                                                         : plannedFigures(content, locale);
+    picture.readouts = content.what == ExportScope::Track ? flownFigures(content, locale)
+                                                          : plannedFigures(content, locale);
     picture.air = exportAir(content);
     sheet->layout = arrangeMap(picture, {.theme = sheet->theme, .locale = locale},
                                QRectF(QPointF(0, 0), kPage_px));

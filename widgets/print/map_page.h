@@ -8,8 +8,9 @@
 namespace berg {
 
 /**
- * The map of what is exported as a page of its own, light: ways, icebergs, visits of a track, title
- * with figures, legend, scale bar, wind. Thread: any with a QGuiApplication (fonts).
+ * Returns the map of an export as a page of its own in the light theme: paths, icebergs, visits of
+ * a track, title with readouts, legend, scale bar, wind. Runs on any thread with a QGuiApplication
+ * (fonts).
  */
 [[nodiscard]] PicturePage mapPage(const ExportContent& content, const QLocale& locale);
 

@@ -1,6 +1,6 @@
 #include "widgets/print/operation_page.h"
 
-#include "widgets/print/brief_setting.h"
+#include "widgets/print/brief_surroundings.h"
 #include "widgets/print/page_text.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
@@ -24,9 +24,9 @@ constexpr BriefType kHeading{.size_px = 11, .isBold = true};
 constexpr BriefType kWords{.size_px = 11};
 
 constexpr double kGap_px = 9;
-constexpr double kBlankLine_px = 24; ///< to write on
-constexpr int kBlankLines = 2;       ///< of what is filled in by hand
-constexpr int kMostLines = 4;        ///< of a text
+constexpr double kBlankLine_px = 24; // height of a line for handwriting
+constexpr int kBlankLines = 2;       // lines of an entry filled in by hand
+constexpr int kMostLines = 4;        // lines of a text
 constexpr double kBox_px = 9;
 
 QString metres(double length_m, const QLocale& locale)
@@ -47,7 +47,7 @@ std::vector<BriefFact> volumeFacts(const OperationVolume& volume, const QLocale&
         {OperationPage::tr("Adjacent area, width"), metres(volume.adjacent_m, locale)}};
 }
 
-/** With the numbers put in. */
+/** Formulas with values inserted. */
 QStringList formulasOf(const Scenario& scenario, const OperationVolume& volume,
                        const QLocale& locale)
 {
@@ -58,9 +58,9 @@ QStringList formulasOf(const Scenario& scenario, const OperationVolume& volume,
     };
     return {
         scenario.geofence
-            ? OperationPage::tr("Flight geography: inside of the geofence.")
-            : OperationPage::tr("Flight geography: all places that a plan may lead to, and %1 m "
-                                "round them.")
+            ? OperationPage::tr("Flight geography: inside the geofence.")
+            : OperationPage::tr("Flight geography: all places that a plan may reach, plus a margin "
+                                "of %1 m.")
                   .arg(number(o.margin_m)),
         u"S_CV = %1 + %2 + %3 + v · %4 s + v²/(g tan %5°) = %6 m"_s.arg(
             number(o.positionError_m), number(o.pathError_m), number(o.mapError_m),
@@ -73,7 +73,7 @@ QStringList formulasOf(const Scenario& scenario, const OperationVolume& volume,
         u"S_AA = v · %1 s, %2 … %3 m = %4 m"_s.arg(number(o.adjacent_s), number(o.adjacentLeast_m),
                                                    number(o.adjacentMost_m),
                                                    number(volume.adjacent_m)),
-        OperationPage::tr("Formulas and usual constants: calculator of Digisky 3.3.0, after the "
+        OperationPage::tr("Formulas and default constants: Digisky calculator 3.3.0, based on the "
                           "guide of the Swiss FOCA; not an authority's own text."),
         OperationPage::tr("The outlines are in the KML, KMZ and GeoJSON exports.")};
 }
@@ -103,103 +103,106 @@ std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& lo
     return rows;
 }
 
-/** Sets one block after the other from the top of the page. */
+/** Lays out the blocks of the page from top to bottom. */
 class OperationLayout
 {
 public:
-    explicit OperationLayout(const QSizeF& page) : m_set(page)
+    explicit OperationLayout(const QSizeF& page) : m_composer(page)
     {
-        m_set.free.setBottom(m_set.free.bottom() - linePitch_px(kBriefFoot.size_px) - kGap_px);
+        m_composer.free.setBottom(m_composer.free.bottom() - linePitch_px(kBriefFoot.size_px) -
+                                  kGap_px);
     }
 
     BriefLayout laidOut(const OperationContent& content)
     {
-        QRectF& free = m_set.free;
+        QRectF& free = m_composer.free;
         const double foot_px = linePitch_px(kBriefFoot.size_px);
-        setText(m_set.layout, QRectF(free.left(), free.bottom() + kGap_px, free.width(), foot_px),
-                OperationPage::tr("Made by Bergwatch from the scenario. It says nothing about "
-                                  "whether the operation may be flown."),
+        setText(m_composer.layout,
+                QRectF(free.left(), free.bottom() + kGap_px, free.width(), foot_px),
+                OperationPage::tr("Made by Bergwatch from the scenario. It does not imply that "
+                                  "the operation may be flown."),
                 kBriefFoot);
         for (const QString& text : wrapped(content.title, kBriefTitle, free.width(), kMostLines))
-            m_set.line(text, kBriefTitle);
-        m_set.line(content.about, kBriefHead);
-        m_set.rule(true);
-        m_set.setFacts(content.volume, 3);
-        m_set.taken(kGap_px);
+            m_composer.line(text, kBriefTitle);
+        m_composer.line(content.about, kBriefHead);
+        m_composer.rule(true);
+        m_composer.setFacts(content.volume, 3);
+        m_composer.takeStrip(kGap_px);
         for (const QString& formula : content.formulas)
             for (const QString& text : wrapped(formula, kWords, free.width(), kMostLines))
-                m_set.line(text, kWords);
-        m_set.taken(kGap_px);
-        m_set.rule(false);
-        m_set.setUavTable(content.uavs);
-        m_set.taken(kGap_px);
-        m_set.rule(false);
+                m_composer.line(text, kWords);
+        m_composer.takeStrip(kGap_px);
+        m_composer.rule(false);
+        m_composer.setUavTable(content.uavs);
+        m_composer.takeStrip(kGap_px);
+        m_composer.rule(false);
         for (const BriefFact& paper : content.papers)
             setPaper(paper);
         setChecklist(content.checklist);
-        return std::move(m_set.layout);
+        return std::move(m_composer.layout);
     }
 
 private:
     void blankLine(double left_px)
     {
-        const double y = m_set.taken(kBlankLine_px).bottom();
-        m_set.layout.rules.push_back({QLineF(left_px, y, m_set.free.right(), y), false});
+        const double y = m_composer.takeStrip(kBlankLine_px).bottom();
+        m_composer.layout.rules.push_back({QLineF(left_px, y, m_composer.free.right(), y), false});
     }
 
     void setPaper(const BriefFact& paper)
     {
-        m_set.line(paper.caption, kBriefCaption);
-        const QStringList words = wrapped(paper.value, kWords, m_set.free.width(), kMostLines);
+        m_composer.line(paper.caption, kBriefCaption);
+        const QStringList words = wrapped(paper.value, kWords, m_composer.free.width(), kMostLines);
         if (paper.value.isEmpty())
             for (int i = 0; i < kBlankLines; ++i)
-                blankLine(m_set.free.left());
+                blankLine(m_composer.free.left());
         else
             for (const QString& text : words)
-                m_set.line(text, kWords);
-        m_set.taken(kGap_px);
+                m_composer.line(text, kWords);
+        m_composer.takeStrip(kGap_px);
     }
 
-    /** A box before each item; at the end lines for what is not foreseen. */
+    /** Sets a check box before each item, or blank lines if there are no items. */
     void setChecklist(const QStringList& items)
     {
-        m_set.line(OperationPage::tr("Checklist"), kHeading);
+        m_composer.line(OperationPage::tr("Checklist"), kHeading);
         qsizetype shown = 0;
-        while (shown < items.size() && m_set.free.height() > 2 * kBlankLine_px)
+        while (shown < items.size() && m_composer.free.height() > 2 * kBlankLine_px)
             setItem(items[shown++]);
         if (shown < items.size()) {
-            m_set.line(OperationPage::tr("and %1 more").arg(items.size() - shown), kWords);
+            m_composer.line(OperationPage::tr("and %1 more").arg(items.size() - shown), kWords);
             return;
         }
         constexpr qsizetype kMostBlank = 6;
         for (qsizetype i = 0;
-             items.isEmpty() && i < kMostBlank && m_set.free.height() > kBlankLine_px; ++i)
+             items.isEmpty() && i < kMostBlank && m_composer.free.height() > kBlankLine_px; ++i)
             setItem({});
     }
 
     void setItem(const QString& item)
     {
-        const QRectF strip = m_set.taken(kBlankLine_px);
+        const QRectF strip = m_composer.takeStrip(kBlankLine_px);
         const QRectF box(strip.left(), strip.bottom() - kBox_px - 2, kBox_px, kBox_px);
         for (const QLineF& side :
              {QLineF(box.topLeft(), box.topRight()), QLineF(box.topRight(), box.bottomRight()),
               QLineF(box.bottomRight(), box.bottomLeft()), QLineF(box.bottomLeft(), box.topLeft())})
-            m_set.layout.rules.push_back({side, true});
+            m_composer.layout.rules.push_back({side, true});
         const double left_px = box.right() + kGap_px;
         if (item.isEmpty())
-            m_set.layout.rules.push_back(
+            m_composer.layout.rules.push_back(
                 {QLineF(left_px, box.bottom(), strip.right(), box.bottom()), false});
         const double height_px = linePitch_px(kWords.size_px);
         QRectF line(left_px, box.center().y() - height_px / 2, strip.right() - left_px, height_px);
         const QStringList words = wrapped(item, kWords, line.width(), kMostLines);
         for (const QString& text : words) {
-            setText(m_set.layout, line, text, kWords);
+            setText(m_composer.layout, line, text, kWords);
             line.translate(0, height_px);
         }
-        m_set.taken(height_px * static_cast<double>(std::max<qsizetype>(words.size(), 1) - 1));
+        m_composer.takeStrip(height_px *
+                             static_cast<double>(std::max<qsizetype>(words.size(), 1) - 1));
     }
 
-    PageSetting m_set;
+    PageComposer m_composer;
 };
 
 } // namespace
@@ -214,8 +217,8 @@ QStringList linesOf(const std::string& utf8)
     return lines;
 }
 
-/** In one paragraph, what is one line each still told apart. */
-QString runOn(const std::string& utf8)
+/** Joins lines to one paragraph, separated by dots. */
+QString oneParagraph(const std::string& utf8)
 {
     return linesOf(utf8).join(u" \u00b7 "_s);
 }
@@ -231,10 +234,10 @@ OperationContent operationContent(const ExportContent& content, const QLocale& l
             .volume = volumeFacts(*content.operation, locale),
             .formulas = formulasOf(*content.scenario, *content.operation, locale),
             .uavs = uavRows(content, locale),
-            .papers = {{OperationPage::tr("Crew"), runOn(operation.crew)},
+            .papers = {{OperationPage::tr("Crew"), oneParagraph(operation.crew)},
                        {OperationPage::tr("Call sign"), printable(operation.callSign)},
-                       {OperationPage::tr("Contacts"), runOn(operation.contacts)},
-                       {OperationPage::tr("Command link"), runOn(operation.link)},
+                       {OperationPage::tr("Contacts"), oneParagraph(operation.contacts)},
+                       {OperationPage::tr("Command link"), oneParagraph(operation.link)},
                        {OperationPage::tr("Date and signatures"), {}}},
             .checklist = linesOf(operation.checklist)};
 }

@@ -4,22 +4,24 @@
 
 namespace berg {
 
-/** What the page about the operation says, in the language and the units of the user. */
+/** Content of the page about the operation volume, in the user's language and units. */
 struct OperationContent
 {
-    QString title;                 ///< that it is a proposal
+    QString title;                 ///< marks the page as a proposal
     QString about;                 ///< name of the scenario
     std::vector<BriefFact> volume; ///< heights and widths
-    QStringList formulas;          ///< how they come about, and after whom
-    std::vector<QStringList> uavs; ///< captions, then reserve and weather limits of each
-    std::vector<BriefFact> papers; ///< crew, call sign, ...; empty values are filled in by hand
-    QStringList checklist;         ///< its items; none: blank lines
+    QStringList formulas;          ///< derivation of the values, with source
+    std::vector<QStringList> uavs; ///< captions, then reserve and weather limits per UAV
+    std::vector<BriefFact> papers; ///< crew, call sign etc.; empty values are filled in by hand
+    QStringList checklist;         ///< items; if empty, blank lines are printed
 };
 
+/** Returns the content of the page; the export must have an operation volume. */
 [[nodiscard]] OperationContent operationContent(const ExportContent& content,
                                                 const QLocale& locale);
 
-/** The page that follows the flight brief; what does not fit is cut, with a line that says so. */
+/** Lays out the page that follows the flight brief. Checklist items that do not fit are left out,
+ * and a line gives their number. */
 [[nodiscard]] BriefLayout layOutOperation(const OperationContent& content, const QSizeF& page);
 
 } // namespace berg

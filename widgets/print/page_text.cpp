@@ -31,16 +31,16 @@ QString pathsText(const ExportContent& content)
 {
     const QString now = MissionClock{.start = content.start}.text(content.now_s);
     switch (content.what) {
-    case ExportWhat::FirstLeg:
+    case ExportScope::FirstLeg:
         return content.now_s > 0 ? PageText::tr("First leg at %1").arg(now)
                                  : PageText::tr("First leg");
-    case ExportWhat::Order:
+    case ExportScope::Order:
         return content.now_s > 0 ? PageText::tr("Planned order at %1").arg(now)
                                  : PageText::tr("Planned order");
-    case ExportWhat::Path:
+    case ExportScope::Path:
         return content.now_s > 0 ? PageText::tr("Planned path with turns at %1").arg(now)
                                  : PageText::tr("Planned path with turns");
-    case ExportWhat::Track:
+    case ExportScope::Track:
         return PageText::tr("Flown until %1").arg(now);
     }
     return {};

@@ -7,15 +7,15 @@
 
 namespace berg {
 
-// Words on exported pages.
+// Texts on exported pages.
 
-/** Name of the scenario. */
+/** Returns the printable name of the scenario, or "Untitled". */
 [[nodiscard]] QString pageTitle(const ExportContent& content);
 
-/** What the page shows, as it was chosen: "Flown until 16:40". */
+/** Returns the kind and time of the export, for example "Flown until 16:40". */
 [[nodiscard]] QString pathsText(const ExportContent& content);
 
-/** `what`, how it was planned, and when it starts, if that is known. */
+/** Joins `what`, the policy, and the start of the run if it is known. */
 [[nodiscard]] QString pageSubtitle(const ExportContent& content, const QString& what,
                                    const QLocale& locale);
 

@@ -22,7 +22,7 @@ bool isUnseen(char32_t c)
     case QChar::Separator_Line:
     case QChar::Separator_Paragraph:
         return true;
-    default: // the letters, marks and signs of all scripts
+    default: // letters, marks and symbols of all scripts
         return false;
     }
 }

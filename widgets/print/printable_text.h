@@ -7,9 +7,9 @@
 namespace berg {
 
 /**
- * A text of the user as one line that any page can take: without control characters, line ends and
- * characters that turn the direction of what comes after them, with at most two marks on a letter.
- * Text written from right to left keeps its direction to itself.
+ * Makes a user's text printable on one line: control characters and line ends become single blanks,
+ * characters that change the writing direction of following text are removed, and marks are limited
+ * to two per letter. Right-to-left text is isolated from its surroundings.
  */
 [[nodiscard]] QString printable(const QString& text);
 [[nodiscard]] QString printable(const std::string& utf8);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kRole = "accessibleRole";
 
-/** Asks for the role when it is wanted: a widget may be known before it has been given its own. */
+/** Reads the role on demand, because the interface may be created before the role is set. */
 class RoleInterface : public QAccessibleWidget
 {
 public:
@@ -28,7 +28,7 @@ public:
         return widget()->isWindow() ? QAccessible::Window : QAccessibleWidget::role();
     }
 
-    /** What can be scrolled with the keys, but has no name, is called as what it is in. */
+    /** A focusable widget without a name takes the name of its nearest named ancestor. */
     [[nodiscard]] QString text(QAccessible::Text kind) const override
     {
         QString name = QAccessibleWidget::text(kind);
@@ -36,7 +36,7 @@ public:
             return name;
         for (const QWidget* in = widget(); name.isEmpty() && in != nullptr; in = in->parentWidget())
             name = in->accessibleName().isEmpty() ? in->windowTitle() : in->accessibleName();
-        return name.remove(QStringLiteral("[*]")); // the place for the mark of changes in a title
+        return name.remove(QStringLiteral("[*]")); // placeholder of the mark of changes in a title
     }
 
     [[nodiscard]] QStringList actionNames() const override
@@ -59,7 +59,7 @@ public:
         if (name != showMenuAction())
             return QAccessibleWidget::doAction(name);
         const QPoint middle = widget()->rect().center();
-        QCoreApplication::postEvent( // a menu may be open for long, and who asked waits
+        QCoreApplication::postEvent( // posted, because a menu may stay open while the caller waits
             widget(), new QContextMenuEvent(QContextMenuEvent::Keyboard, middle,
                                             widget()->mapToGlobal(middle)));
     }
@@ -69,8 +69,8 @@ private:
 };
 
 /**
- * A list to choose from as screen readers know it: "label: value", and its actions choose. Qt tells
- * the value alone, and takes no choice but by keys and pointer.
+ * A combo box for screen readers: named "label: value", with actions that choose. Qt reports only
+ * the value and offers no choice except by keys and pointer.
  */
 class AccessibleCombo : public QAccessibleWidget
 {
@@ -128,7 +128,8 @@ public:
         const bool isNext = name == increaseAction();
         if (name == showMenuAction())
             combo().view()->isVisible() ? combo().hidePopup() : combo().showPopup();
-        else if (isNext || name == decreaseAction()) // by key, so that it is acted upon
+        else if (isNext ||
+                 name == decreaseAction()) // by key, so that the combo box emits its signals
             QCoreApplication::postEvent(&combo(), new QKeyEvent(QEvent::KeyPress,
                                                                 isNext ? Qt::Key_Down : Qt::Key_Up,
                                                                 Qt::NoModifier));
@@ -140,7 +141,7 @@ private:
     [[nodiscard]] QComboBox& combo() const { return *static_cast<QComboBox*>(widget()); }
 };
 
-/** Called for the class of the object, then for those it comes from, until one is known. */
+/** Creates the interface of an object; Qt calls it for its class, then for the base classes. */
 QAccessibleInterface* interfaceOf(const QString& className, QObject* object)
 {
     auto* const widget = qobject_cast<QWidget*>(object);
@@ -166,7 +167,7 @@ void setAccessibleRole(QWidget& widget, QAccessible::Role role)
 
 void followSelection(QAbstractItemView& list)
 {
-    // Queued: what selects by making current has not done that yet.
+    // Queued, because a selection made through the current item has not set that yet.
     QObject::connect(
         list.selectionModel(), &QItemSelectionModel::selectionChanged, &list,
         [&list] {

@@ -8,21 +8,21 @@ class QWidget;
 namespace berg {
 
 /**
- * What a screen reader calls a widget that is painted by us, of which Qt knows only that it is one.
- * Its context menu and its actions become what can be done with it.
+ * Sets the role that screen readers report for a custom-painted widget. Its context menu and its
+ * actions become accessible actions.
  */
 void setAccessibleRole(QWidget& widget, QAccessible::Role role);
 
 /**
- * What becomes selected in a list of single selection becomes the current one too: screen readers
- * do only the former, keys and pointer both.
+ * Makes the selected item of a single-selection list its current one as well: screen readers only
+ * select, while keys and pointer do both.
  */
 void followSelection(QAbstractItemView& list);
 
 /**
- * From now on widgets have the role that `setAccessibleRole` gave them, those that only hold others
- * are groups, which Qt leaves without a role, and lists to choose from say what they are of. Once
- * per program, when there is an application.
+ * Installs the accessibility interfaces: widgets get the role set by `setAccessibleRole`, pure
+ * containers become groups, which Qt leaves without a role, and combo boxes report their label.
+ * Call it once per program, after the application was created.
  */
 void installAccessibleRoles();
 

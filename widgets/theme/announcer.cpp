@@ -8,7 +8,7 @@ namespace berg {
 namespace {
 
 constexpr int kInterval_ms = 1000;
-constexpr qsizetype kMost = 4; ///< sentences at a time; a fast flight has more than can be heard
+constexpr qsizetype kMost = 4; // sentences per announcement; fast flights have too many to hear
 
 } // namespace
 
@@ -19,17 +19,17 @@ Announcer::Announcer(QWidget* parent) : QWidget(parent)
     setFixedSize(1, 1);
     m_timer.setSingleShot(true);
     m_timer.setInterval(kInterval_ms);
-    connect(&m_timer, &QTimer::timeout, this, &Announcer::tell);
+    connect(&m_timer, &QTimer::timeout, this, &Announcer::announce);
 }
 
 void Announcer::say(const QString& text)
 {
     m_due << text;
     if (!m_timer.isActive())
-        tell();
+        announce();
 }
 
-void Announcer::tell()
+void Announcer::announce()
 {
     if (m_due.isEmpty())
         return;
@@ -37,10 +37,10 @@ void Announcer::tell()
         m_due.mid(std::max<qsizetype>(0, m_due.size() - kMost)).join(QStringLiteral(". ")));
     m_due.clear();
     m_timer.start();
-    // Readers speak a notification when it comes into sight; Qt 6.4 has no other way to say so.
+    // Screen readers speak a notification when it is shown; Qt 6.4 has no dedicated event.
     QAccessibleEvent shown(this, QAccessible::ObjectShow);
     QAccessible::updateAccessibility(&shown);
-    emit told(accessibleName());
+    emit announced(accessibleName());
 }
 
 } // namespace berg

@@ -6,8 +6,8 @@
 namespace berg {
 
 /**
- * Tells screen readers what happens without their user having gone there: a notification of AT-SPI.
- * Is not seen itself. What comes within a second is told together, and of very much only the last.
+ * Announces events to screen readers as AT-SPI notifications; the widget itself is invisible.
+ * Sentences within a second are announced together, and of many only the last.
  */
 class Announcer : public QWidget
 {
@@ -16,16 +16,18 @@ class Announcer : public QWidget
 public:
     explicit Announcer(QWidget* parent = nullptr);
 
+    /** Announces a sentence, at once or with others within a second. */
     void say(const QString& text);
 
 signals:
-    void told(const QString& text);
+    /** These sentences were announced. */
+    void announced(const QString& text);
 
 private:
-    void tell();
+    void announce();
 
     QStringList m_due;
-    QTimer m_timer; ///< running: something was told a moment ago
+    QTimer m_timer; ///< running for a second after an announcement
 };
 
 } // namespace berg

@@ -3,8 +3,10 @@
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/theme.h"
 
+#include <QImage>
 #include <QMainWindow>
 #include <QPainter>
+#include <QPlainTextEdit>
 #include <QStyleOptionDockWidget>
 #include <QStyleOptionSlider>
 #include <QTabBar>
@@ -16,9 +18,9 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kInk = 0.55; // share of the text's colour, the rest is what it stands on
+constexpr double kInk = 0.55; // share of the text colour; the rest is the background
 constexpr double kGroove_px = 4;
-constexpr int kTabSpace_px = 14; // beside the name of a dock on its tab
+constexpr int kTabSpace_px = 14; // space beside the name on a dock tab
 
 QPen outlinePen(const QStyleOption& option)
 {
@@ -26,7 +28,54 @@ QPen outlinePen(const QStyleOption& option)
     return {mixed(ground, option.palette.color(QPalette::WindowText), kInk), 1};
 }
 
-/** Fusion's dots between docks are white and black, whatever the palette. */
+/** Returns whether the palette is that of the night theme: texts have almost no blue. */
+bool isNight(const QPalette& palette)
+{
+    const QColor text = palette.color(QPalette::WindowText);
+    return text.redF() > 2 * text.blueF() && text.redF() > 2 * text.greenF();
+}
+
+/** Returns whether a field's outline is invisible: Fusion draws it darker than a dark window. */
+bool lacksOutline(const QStyleOption& option)
+{
+    constexpr int kDark = 64; // on a scale of 255
+    return option.palette.color(QPalette::Window).lightness() < kDark &&
+           !option.state.testFlag(QStyle::State_HasFocus);
+}
+
+void drawFieldOutline(const QStyleOption& option, QPainter& painter)
+{
+    constexpr double kRadius_px = 2;
+    const PainterState saved(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    constexpr double kNightInk = 0.8; // red on black is fainter
+    painter.setPen(isNight(option.palette)
+                       ? QPen(mixed(option.palette.color(QPalette::Window),
+                                    option.palette.color(QPalette::WindowText), kNightInk),
+                              1)
+                       : outlinePen(option));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), kRadius_px,
+                            kRadius_px);
+}
+
+/** Redraws an image in shades of one colour. */
+QPixmap inShadesOf(const QColor& colour, const QPixmap& picture)
+{
+    QImage image = picture.toImage().convertToFormat(QImage::Format_ARGB32);
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor was = image.pixelColor(x, y);
+            QColor shade = mixed(Qt::black, colour, static_cast<double>(was.lightnessF()));
+            shade.setAlphaF(was.alphaF());
+            image.setPixelColor(x, y, shade);
+        }
+    QPixmap shaded = QPixmap::fromImage(image);
+    shaded.setDevicePixelRatio(picture.devicePixelRatio());
+    return shaded;
+}
+
+/** Draws the handle between docks, whose dots are always white and black in Fusion. */
 void drawGrip(const QStyleOption& option, QPainter& painter)
 {
     constexpr int kGrip_px = 16;
@@ -38,7 +87,7 @@ void drawGrip(const QStyleOption& option, QPainter& painter)
     painter.drawLine(centre - half, centre + half);
 }
 
-/** Towards the lower right corner, where windows of widgets have it. */
+/** Draws the size grip towards the lower right corner, its place in widget windows. */
 void drawSizeGrip(const QStyleOption& option, QPainter& painter)
 {
     constexpr int kStep_px = 4;
@@ -51,7 +100,7 @@ void drawSizeGrip(const QStyleOption& option, QPainter& painter)
         painter.drawLine(corner - QPoint(line * kStep_px, 0), corner - QPoint(0, line * kStep_px));
 }
 
-/** A line below, in the place of Fusion's white and black ones. */
+/** Draws a line below a tool bar instead of Fusion's white and black ones. */
 void drawToolBar(const QStyleOption& option, QPainter& painter)
 {
     const PainterState saved(painter);
@@ -60,7 +109,7 @@ void drawToolBar(const QStyleOption& option, QPainter& painter)
     painter.drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
 }
 
-/** Of docks. */
+/** Returns whether the widget is a tab bar of docks. */
 bool isOfDocks(const QWidget* widget)
 {
     return qobject_cast<const QTabBar*>(widget) != nullptr &&
@@ -69,7 +118,7 @@ bool isOfDocks(const QWidget* widget)
 
 } // namespace
 
-/** Tabs that have no room are scrolled. */
+/** Dock tabs are scrolled rather than elided if there is no room. */
 void ContrastStyle::polish(QWidget* widget)
 {
     QProxyStyle::polish(widget);
@@ -91,6 +140,10 @@ void ContrastStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
     if (element == PE_IndicatorDockWidgetResizeHandle)
         return drawGrip(*option, *painter);
     QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const bool isField = element == PE_FrameLineEdit ||
+                         (element == PE_Frame && qobject_cast<const QPlainTextEdit*>(widget));
+    if (isField && lacksOutline(*option))
+        return drawFieldOutline(*option, *painter);
     const bool isCircle = element == PE_IndicatorRadioButton;
     if (!isCircle && element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck)
         return;
@@ -106,7 +159,7 @@ void ContrastStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
     }
 }
 
-/** A dock that is a window with a frame has its title there. */
+/** Leaves out the title of a dock that is a window, because the window frame shows it. */
 void ContrastStyle::drawControl(ControlElement element, const QStyleOption* option,
                                 QPainter* painter, const QWidget* widget) const
 {
@@ -123,7 +176,7 @@ void ContrastStyle::drawControl(ControlElement element, const QStyleOption* opti
     QProxyStyle::drawControl(element, &bare, painter, widget);
 }
 
-/** The buttons of a dock's title are in the colour of its text: Qt's own are black or white. */
+/** Draws the buttons of dock titles in the text colour; Qt's own are black or white. */
 void ContrastStyle::drawTitleButton(const QStyleOptionToolButton& button, QPainter* painter,
                                     const QWidget& widget) const
 {
@@ -138,7 +191,7 @@ void ContrastStyle::drawTitleButton(const QStyleOptionToolButton& button, QPaint
     QProxyStyle::drawComplexControl(CC_ToolButton, &inked, painter, &widget);
 }
 
-/** The groove up to the handle in the colour of what is chosen. */
+/** Draws a slider's groove, with the part up to the handle in the highlight colour. */
 void ContrastStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                        QPainter* painter, const QWidget* widget) const
 {
@@ -146,6 +199,11 @@ void ContrastStyle::drawComplexControl(ComplexControl control, const QStyleOptio
     if (button != nullptr && widget != nullptr && !button->icon.isNull() &&
         widget->objectName().startsWith(u"qt_dockwidget_"_s))
         return drawTitleButton(*button, painter, *widget);
+    if (const auto* number = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+        number != nullptr && number->frame && lacksOutline(*option)) {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        return drawFieldOutline(*option, *painter);
+    }
     const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
     if (control != CC_Slider || slider == nullptr ||
         !slider->subControls.testFlag(SC_SliderGroove) || slider->orientation != Qt::Horizontal) {
@@ -171,6 +229,19 @@ void ContrastStyle::drawComplexControl(ComplexControl control, const QStyleOptio
     QStyleOptionSlider rest(*slider);
     rest.subControls &= ~SC_SliderGroove;
     QProxyStyle::drawComplexControl(control, &rest, painter, widget);
+}
+
+QIcon ContrastStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
+                                  const QWidget* widget) const
+{
+    QIcon usual = QProxyStyle::standardIcon(which, option, widget);
+    const bool isOfBox = which == SP_MessageBoxInformation || which == SP_MessageBoxWarning ||
+                         which == SP_MessageBoxCritical || which == SP_MessageBoxQuestion;
+    if (!isOfBox || widget == nullptr || !isNight(widget->palette()))
+        return usual;
+    const int size_px = pixelMetric(PM_MessageBoxIconSize, option, widget);
+    return inShadesOf(widget->palette().color(QPalette::WindowText),
+                      usual.pixmap(QSize(size_px, size_px), widget->devicePixelRatioF()));
 }
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QIcon>
 #include <QProxyStyle>
 
 class QStyleOptionToolButton;
@@ -7,9 +8,9 @@ class QStyleOptionToolButton;
 namespace berg {
 
 /**
- * The style of the desktop with what can be told apart at 3 : 1 (WCAG 2.1, 1.4.11): outlines of
- * boxes and circles to be ticked, grooves of sliders, and buttons in the titles of docks. Names on
- * the tabs of docks are whole.
+ * The desktop's style with a contrast of at least 3 : 1 (WCAG 2.1, 1.4.11) for outlines of check
+ * boxes and radio buttons, fields on dark backgrounds, grooves of sliders, and buttons in dock
+ * titles. Names on dock tabs are not elided.
  */
 class ContrastStyle : public QProxyStyle
 {
@@ -28,6 +29,9 @@ public:
                      const QWidget* widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                             QPainter* painter, const QWidget* widget) const override;
+    /** Icons of message boxes, in the red of the text in the night theme. */
+    [[nodiscard]] QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
+                                     const QWidget* widget) const override;
 
 private:
     void drawTitleButton(const QStyleOptionToolButton& button, QPainter* painter,

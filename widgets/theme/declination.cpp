@@ -12,7 +12,7 @@ namespace {
 
 std::atomic<double> declinationInUse_deg{0};
 
-/** 2026.5 in the middle of 2026. */
+/** Year with fraction: 2026.5 in the middle of 2026. */
 double decimalYear(SunTime time)
 {
     using namespace std::chrono;

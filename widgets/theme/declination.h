@@ -9,23 +9,24 @@
 
 namespace berg {
 
-/** Setting of the user: the declination typed in, degrees, positive east. */
+/** Key of the user's setting: the typed declination, degrees, positive east. */
 inline constexpr const char* kDeclinationKey = "units/declination";
-/** Largest declination that can be typed, either way, degrees. */
+/** Largest absolute declination that can be typed, degrees. */
 inline constexpr int kMostDeclination_deg = 180;
 
-/** 0 if there is none or no number. */
+/** Reads the typed declination, clamped to the limit; zero if it is missing or not a number. */
 [[nodiscard]] double readDeclination_deg(const QSettings& settings);
 
-/** The one typed in, of the process as `shownUnits`; any thread may read. */
+/** Typed declination of this process, degrees, positive east; any thread may read it. */
 [[nodiscard]] double typedDeclination_deg();
+/** Sets the typed declination of this process. */
 void setTypedDeclination(double declination_deg);
 
 /**
- * Declination for courses by magnetic north, degrees, positive east, as `shownUnits().north` has
- * it: typed, or of the World Magnetic Model at place and time. Returns nullopt if courses are shown
- * by true north alone, and of the model without a time, outside its years, or where a compass is of
- * no use (`magneticDeclination_deg`).
+ * Declination for courses by magnetic north, degrees, positive east, as `shownUnits().north`
+ * selects: typed, or from the World Magnetic Model at place and time. Returns nullopt if courses
+ * are shown by true north only; with the model also without a time, outside the model's years, or
+ * where a compass is useless (`magneticDeclination_deg`).
  */
 [[nodiscard]] std::optional<double> shownDeclination_deg(LatLon place,
                                                          const std::optional<SunTime>& time);

@@ -14,12 +14,12 @@ namespace berg {
 namespace {
 
 constexpr double kGrid_px = 24;
-constexpr double kLine_px = 1.8;   ///< on the grid
-constexpr double kDisabled = 0.55; ///< of the way from the ink to the ground
+constexpr double kLine_px = 1.8;   // line width on the grid
+constexpr double kDisabled = 0.55; // share of the background in a disabled icon
 
 /**
- * The drawings of the icons as path data, absolute coordinates on the grid, y down: M, L, C and Z
- * as in SVG 1.1, and O for a circle (centre x, y, radius). Tokens are parted by one space.
+ * Drawings of the icons as path data, absolute coordinates on the grid, y down: M, L, C and Z as in
+ * SVG 1.1, and O for a circle (centre x, y, radius). Tokens are separated by one space.
  */
 constexpr std::array<std::pair<IconName, const char16_t*>, kIconCount> kDrawings = {{
     {IconName::Play, u"M 7 4.5 L 19 12 L 7 19.5 Z"},
@@ -74,7 +74,7 @@ constexpr std::array<std::pair<IconName, const char16_t*>, kIconCount> kDrawings
     {IconName::More, u"M 3 3 L 12 12 L 3 21 M 12 3 L 21 12 L 12 21"},
 }};
 
-/** The drawing of that icon; a fault in its path data is a bug. */
+/** Drawing of an icon; throws `std::logic_error` for invalid path data. */
 QPainterPath pathOf(IconName name)
 {
     const auto* const drawing =
@@ -122,7 +122,7 @@ public:
     {
         QColor usual;
         QColor disabled;
-        QColor selected; ///< in a row that is
+        QColor selected; ///< in a selected row
     };
 
     LineIconEngine(const QPainterPath& path, const Inks& inks) : m_path(path), m_inks(inks) {}

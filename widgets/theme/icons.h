@@ -6,6 +6,7 @@
 
 namespace berg {
 
+/** Icons of the program. */
 enum class IconName
 {
     Play,
@@ -29,19 +30,19 @@ enum class IconName
     Save,
     NewFile,
     Proven,   ///< a tick in a circle
-    Estimate, ///< two waves: about
+    Estimate, ///< two waves: approximate
     Warning,
-    Fault, ///< a cross in an octagon: nothing goes on before it is fixed
+    Fault, ///< a cross in an octagon: must be fixed first
     Hint,  ///< an i in a circle
     Locked,
     Pin,
-    More ///< what there is no room for
+    More ///< further items without room
 };
 inline constexpr int kIconCount = static_cast<int>(IconName::More) + 1;
 
 /**
- * Line icon on a grid of 24 px in the theme's text colour, fainter when disabled; drawn anew, so
- * sharp, at every size.
+ * Line icon on a 24 px grid in the theme's text colour, fainter when disabled. It is drawn as
+ * vectors and therefore sharp at every size.
  */
 [[nodiscard]] QIcon icon(IconName name, const Theme& theme);
 

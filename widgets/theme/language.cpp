@@ -11,8 +11,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** With the dates and numbers of the user's country where that speaks it; English elsewhere counts
- * days before months and to 24 hours. */
+/** Locale for a language: with the user's country if the languages agree; otherwise English is
+ * British, which writes the day before the month and uses 24 hours. */
 QLocale localeOf(const QString& language)
 {
     const QLocale system = QLocale::system();

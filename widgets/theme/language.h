@@ -5,9 +5,9 @@
 namespace berg {
 
 /**
- * Translators of one language ("nb"), its own words and Qt's, and its locale; empty: the system's
- * language. Languages we have no words in speak English, which has a translation of its own for
- * plural forms.
+ * Installs translations (ours and Qt's) and the default locale of a language such as "nb"; an empty
+ * name means the system's language. Languages without translation fall back to English, which has a
+ * translation for plural forms.
  */
 void installLanguage(const QString& language);
 

@@ -23,7 +23,7 @@ struct MissionClockText
     Q_DECLARE_TR_FUNCTIONS(MissionClockText)
 };
 
-/** Rounded to whole seconds. */
+/** Date and time, rounded to whole seconds. */
 QDateTime instant(UtcTime start, double time_s)
 {
     const double start_ms = static_cast<double>(start.time_since_epoch().count());
@@ -31,7 +31,7 @@ QDateTime instant(UtcTime start, double time_s)
                                          QTimeZone::utc());
 }
 
-/** "+1" on the day after that of the start; empty on the same day. */
+/** "+1" on the day after the start; empty on the same day. */
 QString dayText(UtcTime start, const QDateTime& instant)
 {
     const qint64 later = berg::instant(start, 0).date().daysTo(instant.date());

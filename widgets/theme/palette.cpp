@@ -8,7 +8,7 @@ namespace berg {
 
 namespace {
 
-/** That of marks in boxes and the like, which has a role of its own from Qt 6.6 on. */
+/** Sets the colour of check marks and the like, which has its own role from Qt 6.6 on. */
 template <class Palette>
 void setAccent(Palette& palette, const QColor& colour)
 {
@@ -44,7 +44,8 @@ QPalette paletteOf(const Theme& theme)
     palette.setColor(QPalette::Mid, mixed(window, theme.text, 0.25));
     palette.setColor(QPalette::Dark, mixed(window, theme.text, 0.35));
     palette.setColor(QPalette::Shadow, mixed(window, Qt::black, 0.6));
-    const QColor disabled = mixed(window, theme.text, 0.45);
+    // Fading red on black loses more contrast, and values locked in flight must remain readable.
+    const QColor disabled = mixed(window, theme.text, theme.isNight ? 0.7 : 0.45);
     for (const QPalette::ColorRole role :
          {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, disabled);
@@ -55,7 +56,7 @@ QPalette paletteOf(const Theme& theme)
 QColor uavColour(const Theme& theme, int index)
 {
     // Vermillion is the first; bluish green, reddish purple, blue, sky blue, yellow follow. Orange
-    // is left out: dark enough for a light sea it is vermillion to most colour-blind.
+    // is left out: a shade dark enough for a light sea looks like vermillion to most colour-blind.
     constexpr std::array<QRgb, kUavColours - 1> kOnLight = {0x00795b, 0xab4f87, 0x004a80, 0x2983ba,
                                                             0x524c00};
     constexpr std::array<QRgb, kUavColours - 1> kOnDark = {0x12b886, 0xe7a8d0, 0x3d8fdd, 0x9ad6f7,
@@ -70,7 +71,7 @@ QColor uavColour(const Theme& theme, int index)
 
 bool systemPaletteIsDark()
 {
-    // Qt tells the desktop's palette only while no other one is set.
+    // Qt reports the desktop's palette only while no other one is set.
     const QPalette own = QApplication::palette();
     QApplication::setPalette(QPalette());
     const double luminance = relativeLuminance(QApplication::palette().color(QPalette::Window));

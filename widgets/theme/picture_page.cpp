@@ -19,13 +19,13 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kPictureScale = 2; // device pixels of a PNG for each of the layout
+constexpr double kPictureScale = 2; // pixels of a PNG per layout unit
 constexpr int kLayout_dpi = 96;
 
 void paintPage(const PicturePage& page, QPainter& painter)
 {
-    painter.setRenderHint(QPainter::Antialiasing); // `render` of widgets takes the painter's hints
-    painter.fillRect(QRect(QPoint(0, 0), page.size_px), Qt::white); // an SVG has no ground
+    painter.setRenderHint(QPainter::Antialiasing); // `QWidget::render` uses the painter's hints
+    painter.fillRect(QRect(QPoint(0, 0), page.size_px), Qt::white); // SVG has no background
     page.paint(painter);
 }
 
@@ -42,12 +42,12 @@ void paintSvg(const PicturePage& page, QBuffer& buffer)
     svg.setResolution(kLayout_dpi);
     svg.setSize(page.size_px);
     svg.setViewBox(QRect(QPoint(0, 0), page.size_px));
-    svg.setTitle(u"T"_s); // setTitle() below knows the page's
+    svg.setTitle(u"T"_s); // replaced by setTitle() below
     svg.setDescription(u"D"_s);
     paintPage(page, svg);
 }
 
-/** Puts title and description in their places: Qt 6.4 writes them as they are, Qt 6.8 escapes them.
+/** Inserts title and description afterwards, because Qt 6.4 does not escape them and Qt 6.8 does.
  */
 void setTitle(const PicturePage& page, QByteArray& svg)
 {
@@ -58,7 +58,7 @@ void setTitle(const PicturePage& page, QByteArray& svg)
     replace("<desc>D</desc>", u"<desc>%1</desc>"_s.arg(page.description.toHtmlEscaped()));
 }
 
-/** Names may hold what XML 1.0 cannot; Qt writes it as it is. */
+/** Removes characters that XML 1.0 does not allow; names may contain them, and Qt writes them. */
 void removeUnwritable(QByteArray& svg)
 {
     svg.replace("\xEF\xBF\xBE", "").replace("\xEF\xBF\xBF", ""); // U+FFFE and U+FFFF
@@ -67,20 +67,20 @@ void removeUnwritable(QByteArray& svg)
     });
 }
 
-/** Without what Qt says again of every shape: half of a map. */
+/** Removes attributes that Qt repeats for every shape: half of a map's size. */
 void compact(QByteArray& svg)
 {
     svg.replace(" vector-effect=\"none\"", "");
     svg.replace(" transform=\"matrix(1,0,0,1,0,0)\"", "");
-    QByteArray kept;
-    kept.reserve(svg.size());
+    QByteArray compacted;
+    compacted.reserve(svg.size());
     for (const QByteArray& line : svg.split('\n'))
-        if (!line.isEmpty() && !line.startsWith("font-family=\"")) // texts have fonts of their own
-            kept += line + '\n';
-    svg = kept;
+        if (!line.isEmpty() && !line.startsWith("font-family=\"")) // texts set their own fonts
+            compacted += line + '\n';
+    svg = compacted;
 }
 
-/** Moves what the table at the end of a PDF says of objects behind `from` by `by` bytes. */
+/** Shifts the offsets in a PDF's cross-reference table of objects behind `from` by `by` bytes. */
 void moveObjects(QByteArray& pdf, qsizetype from, qsizetype by)
 {
     constexpr qsizetype kDigits = 10;
@@ -101,11 +101,12 @@ void moveObjects(QByteArray& pdf, qsizetype from, qsizetype by)
     pdf.replace(start, end - start, QByteArray::number(table));
 }
 
-/** Replaces the times at which Qt made a PDF by the day before all days. */
+/** Replaces the creation times in a PDF by a constant, so that equal pages give equal files. */
 void removeDates(QByteArray& pdf)
 {
     const QByteArray day = "20000101000000Z";
-    for (const QByteArray key : {"/CreationDate (D:", "/ModDate (D:"}) { // length by time zone
+    for (const QByteArray key :
+         {"/CreationDate (D:", "/ModDate (D:"}) { // its length depends on the time zone
         const qsizetype found = pdf.indexOf(key);
         if (found < 0)
             continue;
@@ -114,16 +115,16 @@ void removeDates(QByteArray& pdf)
         pdf.replace(at, length, day);
         moveObjects(pdf, at, day.size() - length);
     }
-    const QByteArray instant = "2000-01-01T00:00:00+00:00"; // as long as all of the metadata's
-    for (const QByteArray key :
-         {"xmp:CreateDate=\"", "xmp:ModifyDate=\"", "xmp:MetadataDate=\""}) { // from Qt 6.8 on
+    const QByteArray instant = "2000-01-01T00:00:00+00:00"; // same length as in the metadata
+    for (const QByteArray key : {"xmp:CreateDate=\"", "xmp:ModifyDate=\"",
+                                 "xmp:MetadataDate=\""}) { // written since Qt 6.8
         const qsizetype found = pdf.indexOf(key);
         if (found >= 0)
             pdf.replace(found + key.size(), instant.size(), instant);
     }
 }
 
-/** Gives the same document the same identity. Qt 6.4 writes none, Qt 6.8 a random one. */
+/** Derives the document id from the title. Qt 6.4 writes none, Qt 6.8 a random one. */
 template <class Writer>
 void setIdentity(Writer& pdf, const QString& title)
 {

@@ -13,40 +13,40 @@ class QPainter;
 
 namespace berg {
 
-/** Ends of the names of picture files. */
+/** File name extensions of picture formats. */
 inline constexpr std::array kPictureEndings = {"png", "svg", "pdf"};
 
 /** A picture on a page of its own. */
 struct PicturePage
 {
-    QSize size_px; ///< of the layout, at 96 to the inch; PNG has twice as many
+    QSize size_px; ///< layout size at 96 per inch; PNG has twice as many pixels
     QString title;
     QString description;
-    std::function<void(QPainter&)> paint;                  ///< within `size_px`, on white
-    std::vector<std::function<void(QPainter&)>> more = {}; ///< further pages, in a PDF alone
+    std::function<void(QPainter&)> paint;                  ///< paints within `size_px`, on white
+    std::vector<std::function<void(QPainter&)>> more = {}; ///< further pages, in PDF only
 };
 
-/** Pages of one size. */
+/** Pages of equal size. */
 struct PdfPages
 {
-    QSize size_px; ///< of the layout, at 96 to the inch
+    QSize size_px; ///< layout size at 96 per inch
     QString title;
     int count = 0;
-    std::function<void(QPainter&, int)> paint; ///< the page of that number, from 0
+    std::function<void(QPainter&, int)> paint; ///< paints the page of this number, from zero
 };
 
-/** The pages as a PDF; the same pages, the same bytes. */
+/** Renders pages to PDF; equal pages give equal bytes. */
 [[nodiscard]] std::string pdfFile(const PdfPages& pages);
 
-/** `scale` pixels for each of the layout. */
+/** Renders the picture to an image with `scale` pixels per layout unit. */
 [[nodiscard]] QImage pictureImage(const PicturePage& page, double scale);
 
-/** The picture as a file of one of `kPictureEndings`; the same page, the same bytes. */
+/** Renders the picture to one of `kPictureEndings`; equal pages give equal bytes. */
 [[nodiscard]] std::string pictureFile(const PicturePage& page, const QString& ending);
 
 /**
- * Writes the picture that the end of `path` names. Throws `Error`: Unsupported for another end than
- * `kPictureEndings`, FileUnwritable.
+ * Writes the picture to `path` in the format given by its extension. Throws `Error`: Unsupported
+ * for an extension other than `kPictureEndings`, FileUnwritable.
  */
 void writePicture(const PicturePage& page, const QString& path);
 

@@ -21,14 +21,14 @@ constexpr double kNauticalMile_m = 1852;
 constexpr double kKilometre_m = 1000;
 constexpr double kHour_s = 3600;
 constexpr double kFoot_m = 0.3048;
-constexpr double kNoAngle_deg = 1e-9; ///< from lines that belong to neither hemisphere
+constexpr double kNoAngle_deg = 1e-9; // tolerance of lines that belong to no hemisphere
 
 struct QuantityText
 {
     Q_DECLARE_TR_FUNCTIONS(QuantityText)
 };
 
-/** Without the unit; hundreds of feet, as charts of airspace have them, are exact. */
+/** Feet without unit; heights near a multiple of 100 ft, as on airspace charts, are exact. */
 QString feetText(double height_m, const QLocale& locale)
 {
     const double height_ft = height_m / kFoot_m;
@@ -36,7 +36,7 @@ QString feetText(double height_m, const QLocale& locale)
     return fixedText(std::abs(height_ft - round_ft) < 1 ? round_ft : height_ft, 0, locale);
 }
 
-/** An angle >= 0 in the form chosen. */
+/** An angle >= 0 in the selected form. */
 QString shownAngle(double angle_deg, int decimals, const QLocale& locale)
 {
     QString text = QString::fromStdString(angleText(angle_deg, shownUnits().coordinates, decimals));
@@ -214,7 +214,7 @@ QString fixedSpeedText(double speed_mps, int decimals, const QLocale& locale)
 
 ShownUnit radius95Unit(double largest_m2)
 {
-    constexpr double kLeast_nmi = 0.1; // less is said in metres: "0.003 nmi" tells nobody anything
+    constexpr double kLeast_nmi = 0.1; // smaller radii are in metres: "0.003 nmi" is hard to grasp
     constexpr double kLeast_km = 0.9995;
     const ShownUnit unit = longDistanceUnit();
     const double least = shownUnits().distance == DistanceUnit::Nautical ? kLeast_nmi : kLeast_km;

@@ -19,7 +19,7 @@ constexpr std::array<QRgb, 13> kReds = {0xffbe0000, 0xffc8170c, 0xffd02a15, 0xff
                                         0xffe35432, 0xffe9613b, 0xffef6c45, 0xfff3794f, 0xfff6865a,
                                         0xfff99264, 0xfffc9e6e, 0xffffaa78};
 
-// Where the stretch for each background ends so that 3 : 1 holds against sea and panels.
+// Ends of the sections for which 3 : 1 holds against sea and panels.
 constexpr double kLightEnd = 0.52;
 constexpr double kDarkStart = 0.42;
 

@@ -7,15 +7,15 @@
 namespace berg {
 
 /**
- * Colour of the uncertainty sigma: a stretch of viridis (van der Walt and Smith 2015, CC0), which
- * is perceptually even and safe for colour-blind eyes. The stretch is the one whose every colour
- * keeps 3 : 1 against the background, and urgent stands out: dark on light, bright on dark. By
- * night it runs from a dark to a light red, in even steps of lightness too.
+ * Colour scale of the uncertainty sigma: a section of viridis (van der Walt and Smith 2015, CC0),
+ * which is perceptually uniform and safe for colour-blind eyes. Every colour of the section keeps
+ * 3 : 1 against the background, and high values stand out: dark on light, bright on dark. The night
+ * scale runs from a dark to a light red, uniform in lightness.
  */
 class SigmaScale
 {
 public:
-    /** What the colours are seen on. */
+    /** Background of the colours. */
     enum class Ground : std::uint8_t
     {
         Light,
@@ -24,10 +24,10 @@ public:
     };
     explicit SigmaScale(Ground ground) : m_ground(ground) {}
 
-    /** Colour at `fraction` of the scale, clamped to [0, 1]; 1 is the most uncertain. */
+    /** Colour at `fraction` of the scale, clamped to [0, 1]; one is the most uncertain. */
     [[nodiscard]] QColor at(double fraction) const;
 
-    /** Colour of `sigma_m2` on a scale that ends at `full_m2`; the lowest colour when that is 0. */
+    /** Colour of `sigma_m2` on a scale that ends at `full_m2`; the lowest one if that is zero. */
     [[nodiscard]] QColor colour(double sigma_m2, double full_m2) const;
 
 private:

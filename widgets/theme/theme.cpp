@@ -19,7 +19,7 @@ double linear(float given)
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
 }
 
-/** The colours of both appearances side by side. */
+/** Both usual appearances, with their colours side by side. */
 Theme usual(bool isDark)
 {
     const auto of = [isDark](const QColor& light, const QColor& dark) {
@@ -30,7 +30,7 @@ Theme usual(bool isDark)
     theme.sea = of(0xe6eff4, 0x0e1a23);
     theme.land = of(0xe7e1d3, 0x27313a);
     theme.coast = of(0x74827c, 0x71828e);
-    theme.graticule = of(0x6c7e88, QColor(0x96, 0xbe, 0xd7, 158)); // seen on sea and land alike
+    theme.graticule = of(0x6c7e88, QColor(0x96, 0xbe, 0xd7, 158)); // visible on sea and land
     theme.graticuleText = of(0x4c626f, 0x8aa0ae);
     theme.ice = of(0xffffff, 0xf2f7fa);
     theme.ink = of(0x22313b, 0xc3d0d8);
@@ -136,7 +136,7 @@ QColor Theme::toned(const QColor& colour) const
 {
     if (!isNight)
         return colour;
-    // The lightness L* of CIE, 0 to 100; those of the scale of sigma are its upper part.
+    // CIE lightness L*, 0 to 100; the scale of sigma covers the upper part.
     constexpr double kDarkest = 41;
     constexpr double kLightest = 77;
     const double luminance = relativeLuminance(colour);

@@ -1,5 +1,7 @@
 #include "widgets/theme/typed_quantity.h"
 
+#include "core/base/unit_names.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
@@ -16,79 +18,49 @@ namespace {
 
 constexpr double kMinute_s = 60;
 
-/** A name as the texts that are shown have it in the language of the window. */
-QString shownName(const char* pattern)
+QString textOf(std::string_view text)
 {
-    return QCoreApplication::translate("QuantityText", pattern).remove(u"%1"_s).trimmed().toLower();
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-enum class Dimension
+/** Name of a unit in the window's language; empty if that has no name of its own. */
+QString shownName(const NamedUnit& unit)
 {
-    Length,
-    Speed,
-    Time,
-    Angle,
-    Share,
-    Temperature
-};
-
-/** A unit by the names that people write, the one of our fields first; small letters. */
-struct NamedUnit
-{
-    Dimension dimension;
-    double inSi;
-    QStringList names;
-};
-
-std::array<NamedUnit, 15> namedUnits()
-{
-    constexpr double kNauticalMile_m = 1852;
-    constexpr double kFoot_m = 0.3048;
-    constexpr double kHour_s = 3600;
-    return {{
-        {Dimension::Length, 1, {u"m"_s, u"metres"_s, u"meters"_s}},
-        {Dimension::Length, 1000, {u"km"_s}},
-        {Dimension::Length, kNauticalMile_m, {u"nmi"_s, shownName("nmi"), u"nm"_s, u"sm"_s}},
-        {Dimension::Length, kFoot_m, {u"ft"_s, u"feet"_s, u"'"_s, u"′"_s}},
-        {Dimension::Speed, 1, {u"m/s"_s, u"mps"_s}},
-        {Dimension::Speed, 1000 / kHour_s, {u"km/h"_s, u"kmh"_s, u"kph"_s}},
-        {Dimension::Speed,
-         kNauticalMile_m / kHour_s,
-         {u"kn"_s, shownName("kn"), u"kt"_s, u"kts"_s, u"knots"_s, u"nd"_s}},
-        {Dimension::Time, 1, {u"s"_s, shownName("%1 s"), u"sec"_s, u"seconds"_s, u"sek"_s}},
-        {Dimension::Time,
-         kMinute_s,
-         {u"min"_s, shownName("%1 min"), u"m"_s, u"mins"_s, u"minutes"_s, u"′"_s}},
-        {Dimension::Time,
-         kHour_s,
-         {u"h"_s, shownName("%1 h"), u"hr"_s, u"hrs"_s, u"hours"_s, u"t"_s}},
-        {Dimension::Time, 24 * kHour_s, {u"d"_s, u"days"_s}},
-        {Dimension::Angle, 1, {u"°"_s, u"deg"_s, u"degrees"_s}},
-        {Dimension::Share, 1, {u"%"_s, u"percent"_s}},
-        {Dimension::Temperature, 1, {u"°c"_s, u"c"_s, u"°"_s}},
-        {Dimension::Angle, 180 / M_PI, {u"rad"_s}},
-    }};
+    static constexpr std::array kShown{"nmi", "kn", "%1 s", "%1 min", "%1 h"};
+    const QString own = textOf(unit.names.begin()[0]);
+    for (const char* pattern : kShown)
+        if (QString::fromLatin1(pattern).remove(u"%1"_s).trimmed() == own)
+            return QCoreApplication::translate("QuantityText", pattern)
+                .remove(u"%1"_s)
+                .trimmed()
+                .toLower();
+    return {};
 }
 
-/** The unit of a field: its name is the first of its names, or that in the window's language. */
-std::optional<NamedUnit> unitOfField(const QString& name)
+/** Finds the unit of a field by its first name, or its name in the window's language. Returns null
+ * for areas and variances, which accept numbers only. */
+const NamedUnit* unitOfField(const QString& name)
 {
     const QString small = name.trimmed().toLower();
-    for (NamedUnit& unit : namedUnits())
-        if (unit.names.mid(0, 2).contains(small))
-            return std::move(unit);
-    return std::nullopt;
+    for (const NamedUnit& unit : namedUnits())
+        if (unit.dimension != Dimension::Area && unit.dimension != Dimension::Growth &&
+            (small == textOf(unit.names.begin()[0]) ||
+             (!small.isEmpty() && small == shownName(unit))))
+            return &unit;
+    return nullptr;
 }
 
 std::optional<double> inSi(Dimension dimension, const QString& name)
 {
+    if (const std::optional<double> known = unitInSi(dimension, name.toStdString()))
+        return known;
     for (const NamedUnit& unit : namedUnits())
-        if (unit.dimension == dimension && unit.names.contains(name.toLower()))
+        if (unit.dimension == dimension && name.toLower() == shownName(unit) && !name.isEmpty())
             return unit.inSi;
     return std::nullopt;
 }
 
-/** In which a comma is never between thousands. */
+/** C locale without group separators, so that a comma never separates thousands. */
 QLocale plainLocale()
 {
     QLocale plain = QLocale::c();
@@ -109,7 +81,7 @@ std::optional<double> numberOf(QString text, const QLocale& locale)
     return isGood ? std::optional(number) : std::nullopt;
 }
 
-/** A number and what stands behind it. */
+/** A number with its unit. */
 struct Part
 {
     QString number;
@@ -119,7 +91,7 @@ struct Part
 std::vector<Part> partsOf(QString text)
 {
     for (QChar& c : text)
-        if (c.isSpace()) // also those between thousands that do not break
+        if (c.isSpace()) // includes no-break spaces between thousands
             c = u' ';
     static const QRegularExpression kPart(
         u"\\G\\s*([+−-]?[.,]?\\d(?:[.,\\d]|\\s(?=\\d{3}(?!\\d)))*)\\s*([^\\d\\s:+−.,-][^\\d:+]*)?"_s);
@@ -135,7 +107,7 @@ std::vector<Part> partsOf(QString text)
     return parts;
 }
 
-/** Seconds of parts from the largest to the one that counts `last_s`. */
+/** Time in seconds of parts separated by colons, the last of which counts `last_s` seconds each. */
 std::optional<double> colonTime(const QStringList& parts, double last_s)
 {
     if (parts.size() > 3)
@@ -151,7 +123,7 @@ std::optional<double> colonTime(const QStringList& parts, double last_s)
     return time_s * last_s;
 }
 
-/** Of numbers with units, the largest first; their sum. */
+/** Sum of numbers with units in SI; several numbers are allowed for times only. */
 std::optional<double> sumOf(const std::vector<Part>& parts, Dimension dimension, double plain,
                             const QLocale& locale)
 {
@@ -190,13 +162,13 @@ std::optional<double> durationValue(const QString& text, double plain_s, const Q
 
 bool hasOtherUnits(const QString& unit)
 {
-    return unitOfField(unit).has_value();
+    return unitOfField(unit) != nullptr;
 }
 
 std::optional<double> typedNumber(const QString& text, const QString& unit, const QLocale& locale)
 {
     const QString trimmed = text.trimmed();
-    const std::optional<NamedUnit> own = unitOfField(unit);
+    const NamedUnit* own = unitOfField(unit);
     if (!own)
         return numberOf(trimmed, locale);
     if (own->dimension == Dimension::Time && trimmed.contains(u':')) {
@@ -205,7 +177,7 @@ std::optional<double> typedNumber(const QString& text, const QString& unit, cons
     }
     const std::vector<Part> parts = partsOf(trimmed);
     if (parts.size() == 1 && parts.front().unit.isEmpty())
-        return numberOf(parts.front().number, locale); // not by way of SI, which would round it
+        return numberOf(parts.front().number, locale); // conversion via SI would round it
     const std::optional<double> value = sumOf(parts, own->dimension, own->inSi, locale);
     return value ? std::optional(*value / own->inSi) : std::nullopt;
 }

@@ -8,7 +8,7 @@ namespace berg {
 namespace {
 
 std::atomic<Units> unitsInUse{Units{}};
-// Any thread reads them, many times in each frame.
+// Any thread reads the units, many times per frame.
 static_assert(decltype(unitsInUse)::is_always_lock_free);
 
 } // namespace

@@ -8,59 +8,61 @@
 
 namespace berg {
 
+/** Unit of distances. */
 enum class DistanceUnit : std::uint8_t
 {
     Metric,  ///< m and km
     Nautical ///< nautical miles of 1852 m
 };
 
+/** Unit of speeds. */
 enum class SpeedUnit : std::uint8_t
 {
     MetresPerSecond,
     Knots
 };
 
-/** How drift, current, wind and the way of an asset are shown and typed. */
+/** Form in which drift, current, wind and an asset's velocity are shown. */
 enum class VectorForm : std::uint8_t
 {
-    Direction, ///< speed and direction: wind from there, all else towards it
+    Direction, ///< speed and direction: wind comes from it, all others go towards it
     Components ///< east and north
 };
 
+/** Unit of heights. */
 enum class HeightUnit : std::uint8_t
 {
     Metres,
     Feet
 };
 
-/** Whether courses are shown by magnetic north beside true north, and by which declination. */
+/** Whether courses by magnetic north are shown besides true north, and with which declination. */
 enum class NorthForm : std::uint8_t
 {
-    True,  ///< by true north alone
-    Model, ///< the World Magnetic Model, at place and date
-    Typed  ///< `typedDeclination_deg`
+    True,  ///< true north only
+    Model, ///< World Magnetic Model at place and date
+    Typed  ///< typed declination (`typedDeclination_deg`)
 };
 
-/** How the instants of a run are shown if its scenario has a start; else they are elapsed times. */
+/** Form of the times of a run if its scenario has a start; otherwise they are elapsed times. */
 enum class TimeForm : std::uint8_t
 {
     Utc,
     Elapsed ///< since the start of the run
 };
 
-/** Which way of saying how uncertain a position is comes first; the other is beside it. */
+/** Which measure of position uncertainty comes first; the other one is shown beside it. */
 enum class UncertaintyForm : std::uint8_t
 {
-    Sigma,   ///< the variance along each axis, m²
-    Radius95 ///< of the circle that holds it with 95 %
+    Sigma,   ///< variance along each axis, m²
+    Radius95 ///< radius of the 95 % position circle
 };
 
 /**
- * What distances, heights, speeds, places and times are shown and typed in; one unit for each
- * quantity. Files, the command line and everything inside are SI. Sizes of things and the
- * cross-track error are metres in any case.
+ * Units in which quantities are shown and typed, one per quantity. Files, the command line and all
+ * internal values are SI. Object sizes and the cross-track error are always in metres.
  */
-struct alignas(8) Units // one word: Clang stores others by a function of a library
+struct alignas(8) Units // one word: for other sizes Clang's atomics need a library
 {
     DistanceUnit distance = DistanceUnit::Metric;
     SpeedUnit speed = SpeedUnit::MetresPerSecond;
@@ -74,13 +76,14 @@ struct alignas(8) Units // one word: Clang stores others by a function of a libr
 };
 
 /**
- * Those in use: of the process, as the default `QLocale` is. Whoever makes windows sets them
- * before, and makes the window anew when they change. Any thread may read.
+ * Units of this process, like the default `QLocale`. Set them before creating windows, and recreate
+ * windows after a change. Any thread may read them.
  */
 [[nodiscard]] Units shownUnits();
+/** Sets the units of this process. */
 void setShownUnits(const Units& units);
 
-// Settings of the user: the key of each quantity, and the values it takes, the default first.
+// Keys of the user's settings with their values, the default first.
 inline constexpr const char* kDistanceUnitKey = "units/distance"; ///< metric, nautical
 inline constexpr const char* kSpeedUnitKey = "units/speed";       ///< mps, knots
 inline constexpr const char* kCoordinateFormKey =
@@ -91,7 +94,7 @@ inline constexpr const char* kNorthFormKey = "units/north";    ///< true, model,
 inline constexpr const char* kTimeFormKey = "units/times";     ///< utc, elapsed
 inline constexpr const char* kUncertaintyFormKey = "units/uncertainty"; ///< sigma, radius
 
-/** What is not there or unknown is the default. */
+/** Reads the units; a missing or unknown value means the default. */
 [[nodiscard]] Units readUnits(const QSettings& settings);
 
 } // namespace berg

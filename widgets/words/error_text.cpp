@@ -28,23 +28,23 @@ QString errorText(ErrorCode code)
         return ErrorText::tr("The file cannot be written. Check that the folder exists, that you "
                              "have permission to write there and that the disk is not full.");
     case ErrorCode::FileTooLarge:
-        return ErrorText::tr("The file is too large to be one of Bergwatch's.");
+        return ErrorText::tr("The file is too large for a Bergwatch file.");
     case ErrorCode::SyntaxError:
-        return ErrorText::tr("The file is not well-formed JSON. Correct it at the place named.");
+        return ErrorText::tr("This is not a Bergwatch file, or it is damaged at the place named.");
     case ErrorCode::WrongFormat:
-        return ErrorText::tr("The file is of another kind than the one expected here.");
+        return ErrorText::tr("This file is of a different type than expected here.");
     case ErrorCode::UnsupportedVersion:
         return ErrorText::tr("The file was made by a newer version of Bergwatch. Update the "
                              "program to open it.");
     case ErrorCode::InvalidInput:
-        return ErrorText::tr("The values named cannot be used. Correct them and try again.");
+        return ErrorText::tr("These values are not valid. Correct them and try again.");
     case ErrorCode::Unsupported:
         return ErrorText::tr("This version of Bergwatch cannot do that.");
     case ErrorCode::SolverFailed:
-        return ErrorText::tr("The planner failed. Choose another planner back end.");
+        return ErrorText::tr("The planner failed. Choose another solver.");
     case ErrorCode::ReplayMismatch:
-        return ErrorText::tr("Flying the run again gave another result than the one it recorded. "
-                             "It may come from another version of Bergwatch.");
+        return ErrorText::tr("The replay of the run differs from the recording. The file may come "
+                             "from another version of Bergwatch.");
     }
     return {};
 }
@@ -53,7 +53,7 @@ QString errorReport(const Error& error)
 {
     QString report =
         u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorText(error.code()));
-    constexpr qsizetype kMostLines = 12; // a box of more would not fit a screen
+    constexpr qsizetype kMostLines = 12; // a box with more lines would not fit a screen
     QStringList lines = issueLines(error);
     if (const qsizetype more = lines.size() - kMostLines; more > 0)
         lines = lines.first(kMostLines)

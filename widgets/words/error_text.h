@@ -6,12 +6,12 @@
 
 namespace berg {
 
-/** What happened and what to do about it, in one translated sentence. */
+/** Returns what went wrong and what to do about it, as translated sentences. */
 [[nodiscard]] QString errorText(ErrorCode code);
 
 /**
- * The whole report of a failure: the file or field concerned, the sentence of its code, then one
- * line for each finding with its field.
+ * Returns the full report of a failure: the file or field concerned, the sentence of its code, then
+ * one line for each finding with its field.
  */
 [[nodiscard]] QString errorReport(const Error& error);
 

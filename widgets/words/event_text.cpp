@@ -37,7 +37,8 @@ public:
         {PlanReason::Fleet, QT_TR_NOOP("another UAV needed a plan")},
     };
 };
-static_assert(std::size(EventText::kReasons) == std::size_t(PlanReason::Fleet)); // but for None
+// All reasons except None.
+static_assert(std::size(EventText::kReasons) == std::size_t(PlanReason::Fleet));
 
 QString nameOf(int index, const std::vector<Iceberg>& icebergs)
 {
@@ -61,7 +62,7 @@ QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& ice
             shortPolicyText({.policy = event.policy, .tau = event.tau}, locale).toStdString()};
     const ReportWords words = reportLanguage();
     return QString::fromStdString(eventSentence(
-        event, names, [&words](std::string_view english) { return words.said(english); }));
+        event, names, [&words](std::string_view english) { return words.translated(english); }));
 }
 
 QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs,

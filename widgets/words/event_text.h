@@ -9,21 +9,21 @@
 namespace berg {
 
 /**
- * One line of the event list, e.g. "03:21  berg-7 reached". Icebergs and UAVs by index; of several
- * UAVs it is said which one it was. In the language and the units of the window.
+ * Returns a line of the event list in the language and units of the window, e.g. "03:21  berg-7
+ * reached". Icebergs and UAVs are looked up by index; the UAV is named if there are several.
  */
 [[nodiscard]] QString eventText(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
                                 const std::vector<Uav>& uavs, const QLocale& locale,
                                 const MissionClock& clock = {});
 
-/** The same without the time. */
+/** Returns the sentence of the line without the time. */
 [[nodiscard]] QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& icebergs,
                                     const std::vector<Uav>& uavs, const QLocale& locale);
 
-/** Why a plan was made, e.g. "iceberg reached". */
+/** Returns the reason for a plan, e.g. "iceberg reached", or an empty text for none. */
 [[nodiscard]] QString planReasonText(PlanReason reason);
 
-/** "berg-3, berg-1, berg-2": the order of a plan by name. */
+/** Returns the order of a plan by name: "berg-3, berg-1, berg-2". */
 [[nodiscard]] QString planOrderText(const PlanEvent& plan, const std::vector<Iceberg>& icebergs);
 
 } // namespace berg

@@ -1,9 +1,7 @@
 #include "widgets/words/export_text.h"
 
 #include "core/base/error.h"
-#include "widgets/theme/quantity_text.h"
 #include "widgets/words/error_text.h"
-#include "widgets/words/field_names.h"
 #include "widgets/words/issue_text.h"
 
 #include <QCoreApplication>
@@ -34,15 +32,16 @@ ExportFormatText missionText(std::string_view id)
         return {.group = group,
                 .name = ExportText::tr("Mission plan"),
                 .tool = u"QGroundControl"_s,
-                .about = ExportText::tr("Mission items with altitude, speed and radii, the "
-                                        "geofence and a rally point at home; no take-off and no "
-                                        "landing. Also read by Mission Planner and MAVSDK. One UAV "
-                                        "a file.")};
+                .about =
+                    ExportText::tr("Mission items with altitude, speed and radii, the "
+                                   "geofence and a rally point at home; no take-off and no "
+                                   "landing. Also read by Mission Planner and MAVSDK. One file "
+                                   "per UAV.")};
     return {.group = group,
             .name = ExportText::tr("Waypoint list"),
             .tool = u"ArduPilot"_s,
             .about = ExportText::tr("Mission items as QGC WPL 110, the first row home, for Mission "
-                                    "Planner and MAVProxy. No geofence. One UAV a file.")};
+                                    "Planner and MAVProxy. No geofence. One file per UAV.")};
 }
 
 ExportFormatText mapText(std::string_view id)
@@ -116,9 +115,9 @@ ExportFormatText pageText(std::string_view id)
         return {.group = group,
                 .name = ExportText::tr("Flight brief"),
                 .tool = ExportText::tr("Paper"),
-                .about = ExportText::tr("To print and take along: map, order with coordinates, "
-                                        "legs and times, wind, warnings; with an operation "
-                                        "volume, a second page about it.")};
+                .about = ExportText::tr("To print and carry: map, order with coordinates, legs and "
+                                        "times, wind, warnings; plus a second page if there is an "
+                                        "operation volume.")};
     if (id == "log")
         return {.group = group,
                 .name = ExportText::tr("Flight log"),
@@ -134,27 +133,6 @@ ExportFormatText pageText(std::string_view id)
                               : ExportText::tr("Zeta and the uncertainty of every iceberg over "
                                                "the time of the flight.");
     return {.group = group, .name = pageName(id), .tool = tool, .about = about};
-}
-
-QString wholeText(double value, const QLocale& locale)
-{
-    return fixedText(value, 0, locale);
-}
-
-QString autopilotSentence(const ExportNote& note, const QLocale& locale)
-{
-    const QString tool = stringOf(note.tool);
-    const QString limit = wholeText(note.limit, locale);
-    if (note.kind == ExportNoteKind::WholeSpeed)
-        return ExportText::tr("%1 shows the cruise speed as a whole number: %2 m/s becomes %3 m/s. "
-                              "The speed in the mission is exact.")
-            .arg(tool, fixedText(note.value, 2, locale), limit);
-    if (note.kind == ExportNoteKind::LoiterInSteps)
-        return ExportText::tr("%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes "
-                              "%3 m.")
-            .arg(tool, wholeText(note.value, locale), limit);
-    return ExportText::tr("%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m.")
-        .arg(tool, wholeText(note.value, locale), limit);
 }
 
 } // namespace
@@ -191,7 +169,7 @@ ExportEffect effectOf(ExportNoteKind kind)
     case ExportNoteKind::NothingToFly:
     case ExportNoteKind::LegsCross:
     case ExportNoteKind::OptionNotUsed:
-        return ExportEffect::Told;
+        return ExportEffect::Note;
     case ExportNoteKind::FenceAcross180:
     case ExportNoteKind::NoHeights:
     case ExportNoteKind::PathAsWaypoints:
@@ -212,7 +190,7 @@ ExportEffect effectOf(ExportNoteKind kind)
 QString exportEffectText(ExportEffect effect)
 {
     switch (effect) {
-    case ExportEffect::Told:
+    case ExportEffect::Note:
         return ExportText::tr("Good to know");
     case ExportEffect::Changed:
         return ExportText::tr("Changed");
@@ -224,49 +202,10 @@ QString exportEffectText(ExportEffect effect)
 
 QString exportNoteText(const ExportNote& note, const QLocale& locale)
 {
-    const int count = static_cast<int>(note.value);
-    switch (note.kind) {
-    case ExportNoteKind::OneFileEach:
-        return ExportText::tr("A file holds one UAV: %n files are written, named after the UAVs.",
-                              nullptr, count);
-    case ExportNoteKind::NoTimes:
-        return ExportText::tr("The scenario has no start time, so the file has no dates.");
-    case ExportNoteKind::NoFence:
-        return ExportText::tr("The format has no place for the geofence.");
-    case ExportNoteKind::NoNoFly:
-        return ExportText::tr("The format has no place for no-fly areas and the stand-off ring.");
-    case ExportNoteKind::NoHeights:
-        return ExportText::tr("No-fly areas have no heights in it: those at the altitude of the "
-                              "UAV are written.");
-    case ExportNoteKind::FenceAcross180:
-        return ExportText::tr("%1 may draw the fence the long way round: it crosses the "
-                              "antimeridian.")
-            .arg(stringOf(note.tool));
-    case ExportNoteKind::VisitsOnly:
-        return ExportText::tr("The places where icebergs were reached are written, not the track.");
-    case ExportNoteKind::PathAsWaypoints:
-        return ExportText::tr("The path becomes %n waypoints close to it.", nullptr, count);
-    case ExportNoteKind::AcceptanceCut:
-    case ExportNoteKind::LoiterInSteps:
-    case ExportNoteKind::WholeSpeed:
-        return autopilotSentence(note, locale);
-    case ExportNoteKind::ChoiceNotUsed:
-        return ExportText::tr("The file is about the whole flight, whatever is chosen.");
-    case ExportNoteKind::NothingToFly:
-        return ExportText::tr("%n UAVs have no iceberg to visit.", nullptr, count);
-    case ExportNoteKind::LegsCross:
-        return ExportText::tr("Straight legs that lead out of the geofence or through a no-fly "
-                              "area: %1. Export the path instead: it leads round.")
-            .arg(count);
-    case ExportNoteKind::LaterSorties:
-        return ExportText::tr("This sortie alone is written. Icebergs of the order left for later "
-                              "ones: %1.")
-            .arg(count);
-    case ExportNoteKind::OptionNotUsed:
-        return ExportText::tr("Nothing in the file depends on: %1.")
-            .arg(fieldName("export." + std::string(note.tool)));
-    }
-    throw std::logic_error("exportNoteText: unknown kind");
+    std::vector<IssueArgument> arguments = noteArguments(note);
+    if (note.kind == ExportNoteKind::OptionNotUsed)
+        arguments = {FieldPath{"export." + std::string(note.tool)}};
+    return coreText(notePattern(note.kind), arguments, locale);
 }
 
 QString exportRefusalText(const Error& error)

@@ -7,42 +7,48 @@
 
 namespace berg {
 
-/** What readers of a format have in common. */
+/** Groups of formats with similar readers. */
 enum class ExportGroup
 {
     Autopilots,
     Maps,
-    Pages, ///< pictures and print
+    Pages, ///< images and print
     Tables
 };
 
-/** What one format is for, in the user's words. */
+/** Description of an export format for the user. */
 struct ExportFormatText
 {
     ExportGroup group = ExportGroup::Tables;
     QString name; ///< "GPX"
-    QString tool; ///< that it is meant for
+    QString tool; ///< program or device the format is meant for
     QString about;
 };
 
+/** Returns the title of a group. */
 [[nodiscard]] QString exportGroupText(ExportGroup group);
+/** Returns the description of a format. */
 [[nodiscard]] ExportFormatText exportFormatText(const ExportFormat& format);
 
-/** What becomes of something that was asked for. */
+/** Effect of an export on requested content. */
 enum class ExportEffect
 {
-    Told,    ///< nothing is lost
-    Changed, ///< by the tool or the format
+    Note,    ///< nothing is lost
+    Changed, ///< changed by the tool or the format
     LeftOut
 };
 
+/** Returns the effect that a note reports. */
 [[nodiscard]] ExportEffect effectOf(ExportNoteKind kind);
 [[nodiscard]] QString exportEffectText(ExportEffect effect);
 
-/** A note as a sentence with its numbers. */
+/** Returns a note as a sentence with its numbers. */
 [[nodiscard]] QString exportNoteText(const ExportNote& note, const QLocale& locale);
 
-/** Why an export cannot be, from what `exportContent` threw: the option and the reason. */
+/**
+ * Returns why an export is impossible, from the `Error` of `exportContent`: the option and the
+ * reason.
+ */
 [[nodiscard]] QString exportRefusalText(const Error& error);
 
 } // namespace berg

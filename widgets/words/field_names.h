@@ -7,10 +7,14 @@
 
 namespace berg {
 
-/** What the window calls the field of a finding, by its path in the file; unknown ones as there. */
+/** Returns the translation of the English words of a row of `fieldsOf`. */
+[[nodiscard]] QString fieldWords(const char* english);
+
+/** Returns the window's label of a finding's field by its path in the file; empty if it has none.
+ */
 [[nodiscard]] QString fieldName(const std::string& field);
 
-/** A number of that field, in SI, in the unit that the window shows it in. */
+/** Returns a value of that field, or of its own quantity, in the unit that the window uses. */
 [[nodiscard]] QString fieldValue(const std::string& field, const IssueArgument& value,
                                  const QLocale& locale);
 

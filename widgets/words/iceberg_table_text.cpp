@@ -10,14 +10,14 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-/** How often each separator is there outside quotes. */
+/** Numbers of separators outside quotes. */
 struct SeparatorCount
 {
     int tabs = 0;
     int semicolons = 0;
     int commas = 0;
     int points = 0;
-    int mostCommas = 0; ///< in a line
+    int mostCommas = 0; ///< highest number in one line
 };
 
 SeparatorCount countSeparators(const QString& text)
@@ -52,7 +52,7 @@ QChar separatorOf(const QString& text, const QLocale& locale)
     return count.commas == 0 || isDecimal ? u'\t' : u',';
 }
 
-/** Reads cell by cell. */
+/** Reads a text cell by cell. */
 class CellReader
 {
 public:
@@ -68,7 +68,7 @@ public:
                 ++m_at;
                 line.push_back(readCell());
             }
-            ++m_at; // the line end
+            ++m_at; // skips the line end
         }
         return lines;
     }
@@ -87,7 +87,7 @@ private:
         return m_text.sliced(from, m_at - from);
     }
 
-    /** A quote in a quoted cell is doubled. */
+    /** Reads a quoted cell, in which quotes are doubled. */
     [[nodiscard]] QString readQuoted()
     {
         QString cell;
@@ -128,7 +128,7 @@ std::optional<double> numberOf(const QString& text, const QLocale& locale)
     QString plain;
     for (const QChar c : text)
         if (!c.isSpace())
-            plain += c == QChar(0x2212) ? QChar(u'-') : c; // the minus sign of typesetting
+            plain += c == QChar(0x2212) ? QChar(u'-') : c; // U+2212 MINUS SIGN
     QString withPoint = plain;
     if (plain.count(locale.decimalPoint()) == 1 &&
         (locale.decimalPoint() == u"."_s || !plain.contains(u'.')))
@@ -151,7 +151,8 @@ QString exactText(double value, const QLocale& locale)
 
 QString copiedAngle(double angle_deg, const QLocale& locale)
 {
-    constexpr int kMostDecimals = 15; // 1e-10 m; near zero the shortest exact text has hundreds
+    // 1e-10 m; near zero the shortest exact text has hundreds of decimals.
+    constexpr int kMostDecimals = 15;
     QString text = exactText(angle_deg, locale);
     if (const qsizetype point = text.indexOf(locale.decimalPoint());
         point >= 0 && text.size() > point + 1 + kMostDecimals)

@@ -21,25 +21,6 @@ struct ImportWords
     Q_DECLARE_TR_FUNCTIONS(ImportWords)
 
 public:
-    static constexpr Named<ImportNote> kNotes[]{
-        {ImportNote::VelocityUnknown, QT_TR_NOOP("velocity unknown")},
-        {ImportNote::TimeUnknown, QT_TR_NOOP("no time: counts as seen at the start")},
-        {ImportNote::VelocityGiven, QT_TR_NOOP("velocity from the file")},
-        {ImportNote::VelocityClamped, QT_TR_NOOP("velocity limited to 5 m/s per axis")},
-        {ImportNote::GrowthEstimated, QT_TR_NOOP("q estimated")},
-        {ImportNote::GrowthClamped, QT_TR_NOOP("q limited to 10⁶ m²/s")},
-        {ImportNote::Stationary, QT_TR_NOOP("stationary")},
-        {ImportNote::Repeated, QT_TR_NOOP("several sightings at one time")},
-        {ImportNote::Jumped, QT_TR_NOOP("sightings at impossible places not used")},
-        {ImportNote::TrackAttached, QT_TR_NOOP("recorded track")},
-        {ImportNote::NoTrack, QT_TR_NOOP("no track: not sighted after the start")},
-        {ImportNote::Older, QT_TR_NOOP("older than what the scenario has")},
-        {ImportNote::SeenLater, QT_TR_NOOP("sighted only after the start")},
-        {ImportNote::DriftedAway, QT_TR_NOOP("more than 1000 km from the origin at the start")},
-        {ImportNote::TooMany, QT_TR_NOOP("the scenario is full")},
-        {ImportNote::IdTaken, QT_TR_NOOP("a UAV has this id")},
-    };
-
     static constexpr Named<ImportOutcome> kOutcomes[]{
         {ImportOutcome::Added, QT_TR_NOOP("new")},
         {ImportOutcome::Updated, QT_TR_NOOP("updated")},
@@ -63,35 +44,14 @@ public:
         {SightingField::Area, QT_TR_NOOP("Area")},
         {SightingField::SizeClass, QT_TR_NOOP("Size class")},
         {SightingField::Remarks, QT_TR_NOOP("Remarks")},
+        {SightingField::Source, QT_TR_NOOP("Source")},
     };
 
-    /** With the reason where it is left out; counts are told with those that begin with one. */
-    static constexpr Named<SceneNote> kScene[]{
-        {SceneNote::UavsTaken, QT_TR_N_NOOP("%n UAVs")},
-        {SceneNote::AreaTaken, QT_TR_NOOP("the area")},
-        {SceneNote::FenceTaken, QT_TR_NOOP("the area as geofence")},
-        {SceneNote::AssetTaken, QT_TR_NOOP("the asset")},
-        {SceneNote::NoFlyTaken, QT_TR_N_NOOP("%n no-fly areas")},
-        {SceneNote::InUse, QT_TR_NOOP("UAVs, area and asset (the scenario has its own)")},
-        {SceneNote::UavsTooMany, QT_TR_N_NOOP("%n UAVs (too many)")},
-        {SceneNote::UavsTooFar, QT_TR_N_NOOP("%n UAVs (more than 1000 km from the origin)")},
-        {SceneNote::AreaUnreadable, QT_TR_NOOP("an area (unreadable)")},
-        {SceneNote::AreaCorners, QT_TR_NOOP("the area (too few or too many corners)")},
-        {SceneNote::AreaTooFar, QT_TR_NOOP("the area (more than 1000 km from the origin)")},
-        {SceneNote::AreaCrossing, QT_TR_NOOP("the area (touches or crosses itself)")},
-        {SceneNote::AreaInParts, QT_TR_NOOP("the area (in several parts)")},
-        {SceneNote::AreasMore, QT_TR_N_NOOP("%n further areas")},
-        {SceneNote::AreaHoles, QT_TR_N_NOOP("%n holes of the area")},
-        {SceneNote::FenceCircles, QT_TR_N_NOOP("%n circles of the geofence")},
-        {SceneNote::FenceCorners, QT_TR_NOOP("the geofence (too many corners)")},
-        {SceneNote::FenceOutside, QT_TR_NOOP("the geofence (a UAV starts or lands outside)")},
-        {SceneNote::NoFlyUnfit,
-         QT_TR_N_NOOP(
-             "%n no-fly areas (a UAV starts or lands in them, or their heights are wrong)")},
-        {SceneNote::RallyPoints, QT_TR_N_NOOP("%n rally points")},
-        {SceneNote::AssetsMore, QT_TR_N_NOOP("%n further assets")},
-        {SceneNote::AssetTooFar, QT_TR_NOOP("the asset (more than 1000 km from the origin)")},
-        {SceneNote::NumberWrong, QT_TR_N_NOOP("%n numbers out of range")},
+    static constexpr Named<VelocitySource> kVelocitySources[]{
+        {VelocitySource::Nothing, QT_TR_NOOP("unknown")},
+        {VelocitySource::Fixes, QT_TR_NOOP("positions")},
+        {VelocitySource::File, QT_TR_NOOP("file")},
+        {VelocitySource::Both, QT_TR_NOOP("both")},
     };
 
     static constexpr Named<std::string_view> kFormats[]{
@@ -109,7 +69,7 @@ public:
         {"csv", QT_TR_NOOP("Any table (CSV)")},
     };
 
-    /** Of the codes that mean something else for sightings than for files of ours. */
+    /** Sentences of the codes that have another meaning for sightings than for our own files. */
     static constexpr Named<ErrorCode> kErrors[]{
         {ErrorCode::FileTooLarge,
          QT_TR_NOOP(
@@ -117,15 +77,14 @@ public:
         {ErrorCode::SyntaxError,
          QT_TR_NOOP("The file is broken. Correct it at the place named, or export it again.")},
         {ErrorCode::WrongFormat,
-         QT_TR_NOOP("This is no file of sightings that can be recognised. If it is a table, name "
-                    "its columns for latitude and longitude.")},
+         QT_TR_NOOP("Bergwatch does not recognise this file. If it is a table, choose its latitude "
+                    "and longitude columns below.")},
         {ErrorCode::InvalidInput, QT_TR_NOOP("Nothing of it can be used like this.")},
     };
 };
-static_assert(std::size(ImportWords::kNotes) == std::size_t(ImportNote::IdTaken) + 1);
 static_assert(std::size(ImportWords::kOutcomes) == std::size_t(ImportOutcome::LeftOut) + 1);
 static_assert(std::size(ImportWords::kFields) == kSightingFieldNames.size());
-static_assert(std::size(ImportWords::kScene) == std::size_t(SceneNote::NumberWrong) + 1);
+static_assert(std::size(ImportWords::kVelocitySources) == std::size_t(VelocitySource::Both) + 1);
 
 constexpr double kHour_s = 3600;
 constexpr double kDay_s = 24 * kHour_s;
@@ -136,26 +95,21 @@ QString errorSentence(ErrorCode code)
     return own.empty() ? errorText(code) : ImportWords::tr(own.c_str());
 }
 
-bool isTaken(SceneNote note)
-{
-    return note == SceneNote::UavsTaken || note == SceneNote::AreaTaken ||
-           note == SceneNote::FenceTaken || note == SceneNote::AssetTaken ||
-           note == SceneNote::NoFlyTaken;
-}
-
-/** Part of a scene. */
-QString sceneWords(const SceneFinding& finding)
-{
-    const std::string english = nameOf(ImportWords::kScene, finding.note);
-    const int count = english.starts_with("%n") ? static_cast<int>(finding.count) : -1;
-    return ImportWords::tr(english.c_str(), nullptr, count);
-}
-
 } // namespace
 
 QString importNoteSentence(ImportNote note)
 {
-    return ImportWords::tr(nameOf(ImportWords::kNotes, note).c_str());
+    return coreWords(importNoteText(note));
+}
+
+QString velocitySourceText(const ImportedIceberg& iceberg, const QLocale& locale)
+{
+    const QString from =
+        ImportWords::tr(nameOf(ImportWords::kVelocitySources, iceberg.velocityFrom).c_str());
+    return iceberg.velocityFrom == VelocitySource::Nothing
+               ? from
+               : ImportWords::tr("%1, %2", "source, age")
+                     .arg(from, ageText(iceberg.velocityAge_s, locale));
 }
 
 QString importOutcomeWord(ImportOutcome outcome)
@@ -189,21 +143,35 @@ QString importSummary(const ImportResult& result)
     add(result.outsideArea, QT_TRANSLATE_N_NOOP("ImportWords", "%n sightings outside the area"));
     add(result.outsideTime, QT_TRANSLATE_N_NOOP("ImportWords", "%n sightings outside the time"));
     add(result.rejected.count, QT_TRANSLATE_N_NOOP("ImportWords", "%n rows rejected"));
+    add(result.noted.count, QT_TRANSLATE_N_NOOP("ImportWords", "%n rows changed"));
     return parts.isEmpty() ? ImportWords::tr("Nothing to import") : parts.join(u", "_s);
 }
 
 QString sceneSummary(const std::vector<SceneFinding>& findings)
 {
-    QStringList taken;
-    QStringList leftOut;
-    for (const SceneFinding& finding : findings)
-        (isTaken(finding.note) ? taken : leftOut) << sceneWords(finding);
-    QStringList lines;
-    if (!taken.isEmpty())
-        lines << ImportWords::tr("Also from the file: %1").arg(taken.join(u", "_s));
-    if (!leftOut.isEmpty())
-        lines << ImportWords::tr("Left out: %1").arg(leftOut.join(u", "_s));
-    return lines.join(u'\n');
+    QStringList parts;
+    for (const SceneFinding& finding : findings) {
+        const QString words = coreWords(sceneNotePattern(finding.note), finding.count);
+        parts << (finding.detail.empty()
+                      ? words
+                      : u"%1: %2"_s.arg(words, QString::fromStdString(finding.detail)));
+    }
+    return parts.isEmpty() ? QString()
+                           : ImportWords::tr("From the file: %1").arg(parts.join(u"; "_s));
+}
+
+QString farSightingsText(const ImportResult& result, bool isInto)
+{
+    const auto count = static_cast<int>(result.tooFar);
+    if (count == 0)
+        return {};
+    return isInto ? ImportWords::tr("%n sightings are more than 1000 km from the origin of this "
+                                    "scenario. Import them into a new one, or choose others with "
+                                    "Inside.",
+                                    nullptr, count)
+                  : ImportWords::tr("%n sightings are more than 1000 km from the origin, which is "
+                                    "in their densest group. Choose others with Inside.",
+                                    nullptr, count);
 }
 
 QString guessedDateText(const std::string& date, std::size_t line)
@@ -220,7 +188,7 @@ QString importErrorReport(const Error& error)
     QStringList report{
         u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorSentence(error.code()))};
     for (const Issue& issue : error.issues())
-        if (issue.reason.id != IssueId::UnknownFormat) // the sentence says it
+        if (issue.reason.id != IssueId::UnknownFormat) // the sentence of the code already says so
             report << placedIssueText(issue);
     return report.join(u'\n');
 }
@@ -234,7 +202,7 @@ QString utcTimeText(UtcTime time)
 QString ageText(double age_s, const QLocale& locale)
 {
     const double minutes = std::round(age_s / 60);
-    const double whole_s = 60 * minutes; // 24 h of it are a day
+    const double whole_s = 60 * minutes; // rounded first, so that 24 h become a day
     const auto whole = [&](double value) { return fixedText(std::floor(value), 0, locale); };
     if (whole_s >= kDay_s)
         return ImportWords::tr("%1 d %2 h")

@@ -6,33 +6,44 @@
 
 namespace berg {
 
-// What an import says, in the user's words.
+// Texts about an import, for the user.
 
+/** Returns the text of a note. */
 [[nodiscard]] QString importNoteSentence(ImportNote note);
+/** Returns the source of the velocity and its age: "both, 1 h 40 min". */
+[[nodiscard]] QString velocitySourceText(const ImportedIceberg& iceberg, const QLocale& locale);
+/** Returns the outcome as a word. */
 [[nodiscard]] QString importOutcomeWord(ImportOutcome outcome);
+/** Returns the name of a field of a sighting. */
 [[nodiscard]] QString sightingFieldName(SightingField field);
-/** Where files of this format come from; `id` of `importFormats`. */
+/** Returns the name of a format by its id in `importFormats`, with its origin. */
 [[nodiscard]] QString importFormatName(std::string_view id);
 
-/** "12 new, 3 updated, 7 rows rejected": what there is none of is not told. */
+/** Returns "12 new, 3 updated, 7 rows rejected". Zero counts are omitted. */
 [[nodiscard]] QString importSummary(const ImportResult& result);
 
 /**
- * What becomes of the UAVs, area and asset of the file: what is taken over on a line, what is left
- * out on another; empty when it tells of none.
+ * Returns what happens to the UAVs, area and asset of the file: imported items on one line, items
+ * left out on another; empty if the file has none.
  */
 [[nodiscard]] QString sceneSummary(const std::vector<SceneFinding>& findings);
 
-/** That a date was read month first, and how to write one that has one reading. */
+/**
+ * Returns advice for sightings beyond the reach of the plane; empty if there are none. `isInto` is
+ * true for an import into the present scenario.
+ */
+[[nodiscard]] QString farSightingsText(const ImportResult& result, bool isInto);
+
+/** Returns a note that a date was read month first. */
 [[nodiscard]] QString guessedDateText(const std::string& date, std::size_t line);
 
-/** Why nothing can be imported: file, sentence, then the core's own findings. */
+/** Returns why nothing can be imported: file, sentence, then the core's findings. */
 [[nodiscard]] QString importErrorReport(const Error& error);
 
-/** "2024-05-01 06:00", UTC. */
+/** Returns the time in UTC: "2024-05-01 06:00". */
 [[nodiscard]] QString utcTimeText(UtcTime time);
 
-/** "2 d 4 h", "3 h 10 min", "7 min": how long ago. */
+/** Returns an age: "2 d 4 h", "3 h 10 min", "7 min". */
 [[nodiscard]] QString ageText(double age_s, const QLocale& locale);
 
 } // namespace berg

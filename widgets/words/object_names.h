@@ -6,27 +6,29 @@
 
 namespace berg {
 
-/** What an iceberg or a UAV is called on screen: its name, or the id where it has none. */
+/** Returns the name of an iceberg or UAV on screen: its name, or its id if it has none. */
 template <class Object>
 [[nodiscard]] QString shownName(const Object& object)
 {
     return QString::fromStdString(object.name.empty() ? object.id : object.name);
 }
 
-/** Whether UAVs have names, colours and icebergs of their own on screen: the only one needs none.
+/**
+ * Returns whether UAVs have names, colours and icebergs of their own on screen, which a single UAV
+ * does not need.
  */
 template <class Uav>
-[[nodiscard]] bool areToldApart(const std::vector<Uav>& uavs)
+[[nodiscard]] bool areDistinguished(const std::vector<Uav>& uavs)
 {
     return uavs.size() > 1;
 }
 
-/** Of the UAV of that number; empty: UAVs are not told apart, or there is none of that number. */
+/** Returns the name of the UAV with this index; empty for an invalid index or a single UAV. */
 [[nodiscard]] inline QString nameInFleet(const std::vector<Uav>& uavs, int uav)
 {
     const auto place = static_cast<std::size_t>(uav);
-    return areToldApart(uavs) && uav >= 0 && place < uavs.size() ? shownName(uavs[place])
-                                                                 : QString();
+    return areDistinguished(uavs) && uav >= 0 && place < uavs.size() ? shownName(uavs[place])
+                                                                     : QString();
 }
 
 } // namespace berg

@@ -18,14 +18,14 @@ struct PlanText
     Q_DECLARE_TR_FUNCTIONS(PlanText)
 };
 
-/** True when a solver has judged the order by Eq. (1). */
+/** Returns whether a solver has evaluated the order by Eq. (1). */
 bool isSolved(const PlanEvent& plan)
 {
     return plan.status != SolveStatus::None && plan.source != AnswerSource::OneByOne &&
            plan.source != AnswerSource::KeptRoute;
 }
 
-/** In the middle of a sentence. */
+/** Returns the name of a solver for the middle of a sentence. */
 QString solverText(AnswerSource source)
 {
     switch (source) {
@@ -48,7 +48,7 @@ QString solverText(AnswerSource source)
     return QString::fromStdString(nameOf(kSourceNames, source));
 }
 
-/** "under 1 ms", "4 ms", "1.2 s". */
+/** Returns "under 1 ms", "4 ms" or "1.2 s". */
 QString solveTimeText(double elapsed_s, const QLocale& locale)
 {
     if (elapsed_s < 0.001)
@@ -88,15 +88,15 @@ QString detailsOf(const PlanEvent& plan, const QLocale& locale)
                             : PlanText::tr("Lower bound: %1 m²"))
                      .arg(number(*plan.bound));
     if (plan.warmStarted)
-        lines << PlanText::tr("Started from the plan before");
+        lines << PlanText::tr("Warm start from the previous plan");
     return lines.join(u'\n');
 }
 
-/** Of an answer with an order that is what was asked for. */
+/** Returns the state of a plan whose solver returned an order as requested. */
 PlanState stateOfSolve(const PlanReadout& readout, const QLocale& locale)
 {
     const PlanEvent& plan = *readout.plan;
-    // Shorter times differ from run to run and matter to nobody; the details tell them.
+    // Shorter times vary from run to run and do not matter; the details state them.
     const QString time = plan.elapsed_s < 0.0995 ? PlanText::tr("under 0.1 s")
                                                  : solveTimeText(plan.elapsed_s, locale);
     if (plan.status == SolveStatus::Optimal)
@@ -116,7 +116,7 @@ PlanState stateOfSolve(const PlanReadout& readout, const QLocale& locale)
     return {PlanVerdict::Estimate, PlanText::tr("Best order found, %1").arg(time), {}};
 }
 
-/** "2 UAVs, 16 icebergs". */
+/** Returns "2 UAVs, 16 icebergs". */
 QString fleetText(const PlanReadout& readout)
 {
     return u"%1, %2"_s.arg(
@@ -154,7 +154,7 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
     if (plan.source == AnswerSource::OneByOne)
         return {PlanVerdict::None, PlanText::tr("Chosen one iceberg at a time"), {}};
     if (plan.source == AnswerSource::KeptRoute)
-        return {PlanVerdict::None, PlanText::tr("Following the route made before"), {}};
+        return {PlanVerdict::None, PlanText::tr("Following the existing route"), {}};
     PlanState state = stateOfSolve(readout, locale);
     if (!readout.others.empty())
         state.text += u" · "_s + fleetText(readout);
@@ -189,8 +189,8 @@ PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
     if (plan.status == SolveStatus::None || plan.source == AnswerSource::KeptRoute)
         return figures;
     figures.distance_m = readout.weighed_m.value_or(plan.distance_m);
-    // Only Eq. (1) has a reward: the routes are made as if every sigma were 0, the others weigh
-    // time.
+    // Only Eq. (1) has a reward: kept routes are made as if every sigma were 0, and the other
+    // policies weigh time.
     if (!traitsOf(policy).weighsSigma)
         return figures;
     figures.reward_m2 = plan.mu * *figures.distance_m - plan.objective;
@@ -204,7 +204,7 @@ PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
 QString gapText(double gap, const QLocale& locale)
 {
     const double percent = 100 * gap;
-    constexpr double kRounding = 1e-9; // keeps 0.8 from becoming 0.9
+    constexpr double kRounding = 1e-9; // rounding errors must not turn 0.8 into 0.9
     if (percent > 10)
         return fixedText(std::ceil(percent - kRounding), 0, locale);
     return fixedText(std::max(1.0, std::ceil(10 * percent - kRounding)) / 10, 1, locale);
@@ -213,13 +213,14 @@ QString gapText(double gap, const QLocale& locale)
 QStringList marginLines(double margin_s, double low_s)
 {
     if (!std::isfinite(margin_s))
-        return {PlanText::tr("The wind is too strong to come home")};
+        return {PlanText::tr("The wind is too strong to return home")};
     const QString home = margin_s < 0 ? PlanText::tr("Home with %1 of the reserve used")
                                       : PlanText::tr("Home with %1 above the reserve");
-    const QString low = !std::isfinite(low_s)
-                            ? PlanText::tr("In 1 flight of 20 the wind is too strong to come home")
-                        : low_s < 0 ? PlanText::tr("1 flight in 20 uses %1 or more of the reserve")
-                                    : PlanText::tr("1 flight in 20: %1 or less above the reserve");
+    const QString low =
+        !std::isfinite(low_s)
+            ? PlanText::tr("In 1 flight in 20 the wind is too strong to return home")
+        : low_s < 0 ? PlanText::tr("1 flight in 20 uses %1 or more of the reserve")
+                    : PlanText::tr("1 flight in 20: %1 or less above the reserve");
     const auto clock = [](double time_s) { return clockText(std::abs(time_s)); };
     return {home.arg(clock(margin_s)), std::isfinite(low_s) ? low.arg(clock(low_s)) : low};
 }

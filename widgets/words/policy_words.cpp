@@ -1,6 +1,6 @@
 #include "widgets/words/policy_words.h"
 
-#include "core/io/figure/policy_looks.h"
+#include "core/io/figure/policy_style.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
@@ -11,14 +11,15 @@
 namespace berg {
 namespace {
 
-/** One policy in the user's words. */
+/** Texts of one policy. */
 struct PolicyWords
 {
     PolicyKind policy = {};
     const char* name = nullptr;
-    const char* label = nullptr; ///< short; of one that uses tau with its place
+    const char* label = nullptr; ///< short name; with a place for tau if the policy uses it
     const char* sentence = nullptr;
-    const char* title = nullptr; ///< on pages, likewise; null: the name
+    /** Title on pages, with a place for tau likewise; null uses the name. */
+    const char* title = nullptr;
 };
 
 struct PolicyText
@@ -26,13 +27,13 @@ struct PolicyText
     Q_DECLARE_TR_FUNCTIONS(PolicyText)
 
 public:
-    /** In the order in which they are offered. */
+    /** Returns all policies in the order of the lists. */
     static const auto& all()
     {
         static constexpr PolicyWords kAll[]{
             {PolicyKind::Visitation, QT_TR_NOOP("Weighted visiting order (published method)"),
              QT_TR_NOOP("τ %1"),
-             QT_TR_NOOP("Weighs uncertainty seen early against the length of the path, by τ."),
+             QT_TR_NOOP("Weighs seeing uncertain icebergs early against path length, by τ."),
              QT_TR_NOOP("Weighted visiting order, trade-off τ %1")},
             {PolicyKind::Latency, QT_TR_NOOP("Least waiting time"), QT_TR_NOOP("Least waiting"),
              QT_TR_NOOP(
@@ -51,7 +52,7 @@ public:
              QT_TR_NOOP("Flies to the nearest iceberg out of view.")},
             {PolicyKind::Uncertainty, QT_TR_NOOP("Most uncertain iceberg first"),
              QT_TR_NOOP("Most uncertain first"),
-             QT_TR_NOOP("Flies to the iceberg of the greatest uncertainty.")},
+             QT_TR_NOOP("Flies to the most uncertain iceberg.")},
         };
         static_assert(std::size(kAll) == kPolicyTable.size());
         return kAll;
@@ -63,7 +64,7 @@ const PolicyWords& wordsOf(PolicyKind policy)
     return *std::ranges::find(PolicyText::all(), policy, &PolicyWords::policy);
 }
 
-/** With two digits, or more where these would say another tau. */
+/** Returns tau with two decimals, or more if it needs them. */
 QString tauText(double tau, const QLocale& locale)
 {
     constexpr double kHundred = 100;
@@ -141,7 +142,7 @@ QString routeName(Route route)
 
 QColor policyColour(PolicyKind policy, const Theme& theme)
 {
-    const PolicyLook& look = lookOf(policy);
+    const PolicyStyle& look = styleOf(policy);
     const std::string_view colour = theme.isDark ? look.dark : look.light;
     return colour.empty() ? theme.plan
                           : theme.toned(QLatin1String(colour.data(), qsizetype(colour.size())));
@@ -152,7 +153,7 @@ PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px)
     return {.at = at,
             .radius_px = radius_px,
             .ink = {.of = InkOf::Policy, .value = static_cast<double>(policy)},
-            .shape = lookOf(policy).mark};
+            .shape = styleOf(policy).mark};
 }
 
 } // namespace berg

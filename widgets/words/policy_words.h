@@ -11,28 +11,34 @@
 
 namespace berg {
 
-// How policies and what else plans are called in the user's words, and how policies look.
+// Names of policies and other planner settings, and the colours and symbols of policies.
 
-/** Every policy, in the order in which they are offered. */
+/** Returns every policy in the order of the lists. */
 [[nodiscard]] const std::vector<PolicyKind>& offeredPolicies();
 
-/** As the lists of the window show it. */
+/** Returns the name in the lists of the window. */
 [[nodiscard]] QString policyName(PolicyKind policy);
-/** What it does, in a sentence. */
+/** Returns the policy's description, one sentence. */
 [[nodiscard]] QString policySentence(PolicyKind policy);
-/** Its name, with tau where it has one. */
+/** Returns the name, with tau if the policy uses it. */
 [[nodiscard]] QString policyText(const PlannerSettings& settings, const QLocale& locale);
-/** "τ 1.00", "Least waiting": what tells runs of a scenario, or settings of a study, apart. */
+/**
+ * Returns a text that distinguishes runs of a scenario or settings of a study: "τ 1.00", "Least
+ * waiting".
+ */
 [[nodiscard]] QString shortPolicyText(const PlannerSettings& settings, const QLocale& locale);
 [[nodiscard]] QString settingText(const StudySetting& setting, const QLocale& locale);
 
 [[nodiscard]] QString backendName(Backend backend);
 [[nodiscard]] QString routeName(Route route);
 
-/** Okabe-Ito, darkened or lightened to at least 3 : 1 on the chart; visitation as its plan. */
+/**
+ * Returns an Okabe-Ito colour, darkened or lightened to a contrast of at least 3 : 1 on the chart;
+ * the visitation policy has the colour of its plan.
+ */
 [[nodiscard]] QColor policyColour(PolicyKind policy, const Theme& theme);
 
-/** The mark of a policy, a shape of its own in its colour. */
+/** Returns the symbol of a policy, a shape of its own in its colour. */
 [[nodiscard]] PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px);
 
 } // namespace berg

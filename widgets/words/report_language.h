@@ -4,7 +4,7 @@
 
 namespace berg {
 
-/** Pages for people in the language of the window; may be asked from any thread. */
+/** Returns the words of reports in the language of the window. Thread: any. */
 [[nodiscard]] ReportWords reportLanguage();
 
 } // namespace berg

@@ -29,6 +29,10 @@ QString sourceName(SightingSource source)
         return SourceText::tr("GPS beacon");
     case SightingSource::ArgosBeacon:
         return SourceText::tr("Argos beacon");
+    case SightingSource::Ais:
+        return SourceText::tr("AIS");
+    case SightingSource::Aircraft:
+        return SourceText::tr("aircraft");
     }
     return {};
 }

@@ -7,10 +7,10 @@
 
 namespace berg {
 
-/** "ship's radar", in the middle of a sentence. */
+/** Returns the sensor's name for the middle of a sentence: "ship's radar". */
 [[nodiscard]] QString sourceName(SightingSource source);
 
-/** "ship's radar, 95 % within 367 m". */
+/** Returns the sensor with its accuracy: "ship's radar, 95 % within 367 m". */
 [[nodiscard]] QString sourceText(SightingSource source, const QLocale& locale);
 
 } // namespace berg

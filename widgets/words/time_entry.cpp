@@ -25,7 +25,9 @@ double secondsBetween(UtcTime from, UtcTime to)
     return std::chrono::duration<double>(to - from).count();
 }
 
-/** Seconds from `start` to the UTC time typed; of a time of day alone the one nearest to `near_s`.
+/**
+ * Returns the seconds from `start` to the typed UTC time; a time of day alone means the instant
+ * nearest to `near_s`.
  */
 std::optional<double> readUtc(const QString& text, UtcTime start, double near_s)
 {
@@ -51,9 +53,9 @@ std::variant<UtcTime, QString> readTime(const QString& text, std::optional<UtcTi
 {
     const std::string typed = text.trimmed().toStdString();
     if (hasTwoReadings(typed))
-        return TimeEntry::tr("Day and month of \"%1\" can be read either way. Type it like "
-                             "2026-11-29 12:00.")
-            .arg(text.trimmed());
+        return TimeEntry::
+            tr("The day and month of \"%1\" are ambiguous. Type the date like 2026-11-29 12:00.")
+                .arg(text.trimmed());
     if (const auto time = parseTypedTime(typed))
         return *time;
     if (const auto clock = parseTimeOfDay(typed)) {

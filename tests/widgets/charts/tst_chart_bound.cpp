@@ -22,7 +22,7 @@ KnownBound boundOf2000s()
 
 } // namespace
 
-/** What no flight does better than, in the chart of zeta. */
+/** The lower bound in the chart of zeta. */
 class TestChartBound : public QObject
 {
     Q_OBJECT
@@ -30,7 +30,7 @@ class TestChartBound : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void boundIsShownWhenItIsKnown()
+    void knownBoundIsShown()
     {
         Shown shown(ChartKind::Zeta);
         shown.record.bound = boundOf2000s(); // comes while nothing else changes
@@ -62,6 +62,31 @@ private slots:
                  qPrintable(read.join(u'\n')));
     }
 
+    /** The unit is that of the rest of the window. */
+    void largeZetaIsInSquareKilometres()
+    {
+        TimeChartContent content;
+        content.rightTitle = u"Zeta, %1"_s;
+        content.lines = {{.label = u"Zeta"_s,
+                          .points = {{0, 0}, {1000, 4e6}},
+                          .role = LineRole::Accumulated,
+                          .onRightAxis = true,
+                          .unit = u"m² s"_s}};
+        content.cursor_s = 500;
+        TimeChart chart(Theme::light());
+        chart.setLocale(QLocale::c());
+        chart.resize(600, 300);
+        chart.show();
+        chart.setContent(content);
+        QCOMPARE(chart.drawing().rightTitle, std::string("Zeta, km² s"));
+        for (const DrawnTick& tick : chart.drawing().rightTicks)
+            QVERIFY2(tick.text.size() <= 3, tick.text.c_str()); // "4", not "4 000 000"
+        QCOMPARE(chart.readout().flags.front().text, u"Zeta 2.000 km² s"_s);
+        content.lines[0].points.back().setY(4e5);
+        chart.setContent(content);
+        QCOMPARE(chart.drawing().rightTitle, std::string("Zeta, m² s"));
+    }
+
     void boundIsInTheTable()
     {
         Shown shown(ChartKind::Zeta);
@@ -77,7 +102,7 @@ private slots:
         QVERIFY(lines[1001].ends_with(",6000"));
     }
 
-    /** A bound in few blocks is told between them too. */
+    /** A bound with few blocks has values between them, too. */
     void boundIsInTheValuesOfEachRow()
     {
         Shown shown(ChartKind::Zeta);

@@ -53,7 +53,7 @@ class TestComparisonChart : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void emptyChartSaysWhatComes()
+    void emptyChartHasAHint()
     {
         ComparisonChart chart(Theme::dark());
         chart.resize(480, 210);
@@ -128,7 +128,7 @@ private slots:
                               : label.rect.top > viewOf(f.chart, 0, 40).y());
     }
 
-    void verdict_data()
+    void verdictNamesTheBetterRun_data()
     {
         QTest::addColumn<QList<double>>("reference");
         QTest::addColumn<QList<double>>("other");
@@ -146,7 +146,7 @@ private slots:
             << QList<double>{0, 0} << QList<double>{0, 0} << u"τ 1.00 and Round tour: the same ζ"_s;
     }
 
-    void verdict()
+    void verdictNamesTheBetterRun()
     {
         QFETCH(QList<double>, reference);
         QFETCH(QList<double>, other);

@@ -62,7 +62,7 @@ private slots:
     }
 
     /** Every column keeps exactly the range of its points: no peak is lost or invented. */
-    void rangeOfEachColumnIsKept()
+    void decimationKeepsTheRangeOfEachColumn()
     {
         constexpr int kColumns = 64;
         const std::vector<QPointF> all = wave(6400);

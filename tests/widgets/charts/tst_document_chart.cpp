@@ -58,7 +58,7 @@ DrawnLine strokeOf(const TimeFigure& chart, const std::string& key)
     return *std::ranges::find(chart.drawing.lines, key, &DrawnLine::key);
 }
 
-/** What the axis says at that height. */
+/** Value of the axis at that height. */
 double valueAt(const TimeFigure& chart, const PlotScale& axis, double y_px)
 {
     const PixelRect& plot = chart.drawing.plot;
@@ -99,7 +99,7 @@ private slots:
     {
         const Theme theme = Theme::light();
         TimeChartContent content;
-        content.rightTitle = u"Zeta"_s;
+        content.rightTitle = u"Zeta, %1"_s;
         content.lines = {
             {.label = u"Zeta"_s, .points = {}, .role = LineRole::Accumulated, .onRightAxis = true},
             {.label = u"Sum"_s, .points = {}, .role = LineRole::Momentary},
@@ -148,7 +148,7 @@ private slots:
         }
     }
 
-    void labelsAreApartAndOnThePage_data()
+    void labelsAreOnThePageWithoutOverlap_data()
     {
         QTest::addColumn<int>("lines");
         QTest::addColumn<int>("nameLength");
@@ -160,7 +160,7 @@ private slots:
         QTest::newRow("long names") << 12 << 200 << std::size_t{12};
     }
 
-    void labelsAreApartAndOnThePage()
+    void labelsAreOnThePageWithoutOverlap()
     {
         QFETCH(int, lines);
         QFETCH(int, nameLength);
@@ -218,7 +218,7 @@ private slots:
             documentCharts(contents, Theme::light(), kSize_px, QLocale());
         QCOMPARE(charts.size(), std::size_t{2});
         QCOMPARE(toQt(charts[0].drawing.plot), toQt(charts[1].drawing.plot));
-        // As wide as the one that needs most beside its plot.
+        // All plots leave the width that the widest axis needs.
         double narrowest_px = kSize_px.width();
         for (const TimeChartContent& content : contents)
             narrowest_px = std::min(narrowest_px, charted(content).drawing.plot.width());

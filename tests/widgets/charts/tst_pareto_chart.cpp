@@ -66,7 +66,7 @@ private slots:
         QTest::newRow("large") << QSize(1000, 600);
     }
 
-    /** Along tau ways get shorter (to the left) and the reward smaller (down). */
+    /** With growing tau paths get shorter (to the left) and the reward smaller (down). */
     void plansAreInsideAndInOrder()
     {
         QFETCH(QSize, size);
@@ -146,7 +146,7 @@ private slots:
         COMPARE_NEAR(spy.last()[0].toDouble(), 0.55, 1e-12);
     }
 
-    void tellsOfThePlanBelowThePointer()
+    void readoutDescribesThePlanUnderThePointer()
     {
         ParetoChartFixture f;
         f.chart.setLocale(QLocale(QLocale::English));
@@ -158,8 +158,8 @@ private slots:
         QTRY_COMPARE(f.chart.accessibleDescription(), present);
     }
 
-    /** Its plan for the present tau is not yet the one that is flown. */
-    void anUnfinishedCurveTellsOfNoPresentPlan()
+    /** An incomplete curve's plan for the present tau is not the one in use. */
+    void incompleteCurveHasNoPresentPlan()
     {
         ParetoChartFixture f;
         const std::string figures = f.chart.drawing().rightTitle;

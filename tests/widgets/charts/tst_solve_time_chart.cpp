@@ -50,7 +50,7 @@ private slots:
         QCOMPARE(lines[1].points[4].middle_s, 1.2e-3);
         COMPARE_NEAR(lines[1].points[4].worst_s, 3.6e-3, 1e-12);
         QVERIFY(lines[1].points[4].complete);
-        QCOMPARE(lines[5].points.size(), std::size_t{2}); // what was not tried has no time
+        QCOMPARE(lines[5].points.size(), std::size_t{2}); // sizes that were not run have no time
         QVERIFY(!lines[5].points[1].complete);
     }
 
@@ -162,7 +162,7 @@ private slots:
         QCOMPARE(colours.size(), std::size_t{6});
     }
 
-    void markersTellTheirNumbers()
+    void markersShowTheirNumbers()
     {
         SolveTimeChart chart(Theme::light());
         chart.setLocale(QLocale::c());

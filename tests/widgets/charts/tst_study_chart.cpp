@@ -123,7 +123,7 @@ private slots:
         QCOMPARE(names, (QStringList{u"Shortest path"_s, u"Best τ of each case"_s}));
     }
 
-    void readoutSaysWhatIsThere()
+    void readoutHasNameMeanAndDifference()
     {
         const Shown<StudyChart> f;
         QCOMPARE(

@@ -39,7 +39,7 @@ TimeChartContent zetaAndSum()
     TimeChartContent content;
     content.title = u"Uncertainty now and accumulated"_s;
     content.leftTitle = u"Sum of σ, m²"_s;
-    content.rightTitle = u"Zeta, m² s"_s;
+    content.rightTitle = u"Zeta, %1"_s;
     TimeLine zeta{
         .label = u"Zeta"_s, .points = {}, .role = LineRole::Accumulated, .onRightAxis = true};
     TimeLine sum{.label = u"Sum of σ"_s, .points = {}, .role = LineRole::Momentary};
@@ -135,7 +135,7 @@ private slots:
         QVERIFY(withPoints() <= 150);
         QVERIFY(QTest::qWaitFor([&] { return withPoints() == 450; }));
         QCOMPARE(chart.chart()->series().size(), 450);
-        chart.setContent(sawTeeth(430)); // those there do
+        chart.setContent(sawTeeth(430)); // existing series are reused
         QCOMPARE(withPoints(), 430);
         chart.setContent(zetaAndSum());
         QCOMPARE(chart.chart()->series().size(), 3); // with an area
@@ -145,7 +145,7 @@ private slots:
         QCOMPARE(chart.chart()->series().size(), 3);
     }
 
-    void labelsAreApartAndInside_data()
+    void labelsAreInsideWithoutOverlap_data()
     {
         QTest::addColumn<int>("lines");
         QTest::addColumn<QSize>("size");
@@ -155,7 +155,7 @@ private slots:
                     << lines << size;
     }
 
-    void labelsAreApartAndInside()
+    void labelsAreInsideWithoutOverlap()
     {
         QFETCH(int, lines);
         QFETCH(QSize, size);
@@ -455,7 +455,7 @@ private slots:
         }));
     }
 
-    /** Where there is room for one name only, that is the one of zeta. */
+    /** If there is room for one name only, it is that of zeta. */
     void zetaIsNamedFirst_data()
     {
         QTest::addColumn<QSize>("size");

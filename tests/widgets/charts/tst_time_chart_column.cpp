@@ -8,7 +8,7 @@ using namespace Qt::StringLiterals;
 using test::child;
 using test::Shown;
 
-/** What stands beside the plot of a chart over time, or in its place. */
+/** The column of values beside the plot of a chart over time, and flags without one. */
 class TestTimeChartColumn : public QObject
 {
     Q_OBJECT
@@ -26,7 +26,7 @@ private slots:
         }
     }
 
-    /** Of every line, whether there is a pointer or not; nothing covers the curves. */
+    /** The column shows every line with and without a pointer, and covers no curve. */
     void valuesStandBesideThePlot()
     {
         QFETCH(ChartKind, kind);
@@ -52,7 +52,7 @@ private slots:
         QVERIFY(shown.chart.plot().width() > 0.4 * size.width());
     }
 
-    /** Of more lines than there is room for, how many are left is said. */
+    /** If there are too many lines, the last row shows the number of hidden ones. */
     void columnIsNotTooLong()
     {
         const FlightRecord record =

@@ -90,7 +90,7 @@ private slots:
         QVERIFY(thin.size() <= 1204);
     }
 
-    void zoomingKeepsWhatIsUnderThePointer_data()
+    void zoomingKeepsTheTimeUnderThePointer_data()
     {
         QTest::addColumn<double>("factor");
         QTest::addColumn<double>("anchor_s");
@@ -104,7 +104,7 @@ private slots:
         QTest::newRow("no longer than all") << 99.0 << 300.0 << 0.0 << 1000.0;
     }
 
-    void zoomingKeepsWhatIsUnderThePointer()
+    void zoomingKeepsTheTimeUnderThePointer()
     {
         QFETCH(double, factor);
         QFETCH(double, anchor_s);

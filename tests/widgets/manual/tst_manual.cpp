@@ -24,7 +24,7 @@ namespace {
 
 const QStringList kLanguages{u"en"_s, u"nb"_s};
 
-/** What links in the text lead to: "planning.md#tau". */
+/** Targets of the links in a text, such as "planning.md#tau". */
 QStringList linksOf(const QString& inlineText)
 {
     static const QRegularExpression link(u"\\[[^\\]]+\\]\\(([^)]+)\\)"_s);
@@ -34,7 +34,7 @@ QStringList linksOf(const QString& inlineText)
     return links;
 }
 
-/** What all languages have alike: kinds, ids, codes, pictures, sizes of tables and the links. */
+/** Structure that all languages share: kinds, ids, codes, pictures, table sizes and links. */
 QStringList frameOf(const ManualChapter& chapter)
 {
     QStringList frame;
@@ -261,7 +261,7 @@ private slots:
         QCOMPARE(text.font().pointSize(), size + 1);
     }
 
-    void windowListsWhatIsSearchedFor()
+    void searchResultsAreListed()
     {
         ManualWindow window(nullptr);
         window.show();
@@ -273,7 +273,7 @@ private slots:
         field.setText(u"acknowledge"_s);
         QCOMPARE(list.topLevelItemCount(), 1);
         QCOMPARE(list.topLevelItem(0)->text(0), u"Alarms"_s);
-        QVERIFY(list.topLevelItem(0)->child(0)->text(0).contains(u"Acknowledge takes"_s));
+        QVERIFY(list.topLevelItem(0)->child(0)->text(0).contains(u"Acknowledge removes"_s));
         QTest::keyClick(&field, Qt::Key_Return);
         QVERIFY(window.place().startsWith(u"window#block-"_s));
         QCOMPARE(text.extraSelections().size(), 1);

@@ -11,20 +11,20 @@
 using namespace berg;
 using namespace Qt::StringLiterals;
 
-/** The manual calls things as the window does. */
+/** The manual uses the names of the window. */
 class TestManualNames : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void policies_data()
+    void policyNamesAreInTheManual_data()
     {
         QTest::addColumn<QString>("language");
         QTest::newRow("English") << u"en"_s;
         QTest::newRow("Norwegian") << u"nb"_s;
     }
 
-    void policies()
+    void policyNamesAreInTheManual()
     {
         QFETCH(QString, language);
         installLanguage(language);

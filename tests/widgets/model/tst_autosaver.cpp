@@ -16,7 +16,7 @@ namespace {
 constexpr AutosaveTimes kAtOnce{.pause_ms = 0, .longest_ms = 0};
 constexpr AutosaveTimes kNever{.pause_ms = 1'000'000, .longest_ms = 1'000'000};
 
-/** A document with an autosaver and what it leaves in its folder. */
+/** A document with an autosaver and the folder of its recoveries. */
 struct Bench
 {
     explicit Bench(const AutosaveTimes& times = kAtOnce)
@@ -78,10 +78,10 @@ private slots:
         QTRY_COMPARE(b.saved, 2);
         QVERIFY(b.written() == b.document.scenario());
         QCOMPARE(b.files().size(), 1);
-        QVERIFY(b.autosaver->abandoned().usable.empty()); // its own is held
+        QVERIFY(b.autosaver->abandoned().usable.empty()); // its own is locked
     }
 
-    /** Many changes in a row are one file, written a moment after the last. */
+    /** Many changes in a row make one file, written a moment after the last. */
     void waitsForAPause()
     {
         Bench b({.pause_ms = 50, .longest_ms = 1'000'000});
@@ -92,7 +92,7 @@ private slots:
         QCOMPARE(b.saved, 1);
     }
 
-    /** However busily the user works. */
+    /** Changes are written even if the user never pauses. */
     void isWrittenWithoutAPauseAsWell()
     {
         Bench b({.pause_ms = 1'000'000, .longest_ms = 20});
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(QDir(b.folder()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
     }
 
-    /** Saving does not end the history: undone after it, there is something unsaved again. */
+    /** Saving does not end the history: an undo after it makes unsaved changes again. */
     void undoAfterSavingIsAChange()
     {
         Bench b;
@@ -148,7 +148,7 @@ private slots:
         QTRY_VERIFY(b.files().isEmpty());
     }
 
-    /** It can be opened again, if not flown. */
+    /** A scenario that cannot be flown can still be opened again. */
     void whatCannotBeFlownIsWritten()
     {
         Bench b;
@@ -164,7 +164,7 @@ private slots:
         QVERIFY(found.usable[0].scenario == b.document.scenario());
     }
 
-    void keptWhenNobodyCouldBeAsked()
+    void recoveryStaysAfterAnUnaskedEnd()
     {
         Bench b(kNever);
         b.setTau(0.25);
@@ -183,7 +183,7 @@ private slots:
         QVERIFY(RecoveryStore(b.folder()).abandoned().usable.empty());
     }
 
-    /** Restored work stays on disk all the way until it is saved. */
+    /** Restored work stays on disk until it is saved. */
     void adoptedRecoveryIsCarriedOn()
     {
         Bench b;

@@ -15,13 +15,13 @@ namespace {
 constexpr BenchmarkSolver kExact{.backend = Backend::Exact};
 constexpr BenchmarkSolver kHeuristic{.backend = Backend::Heuristic};
 
-/** Over in milliseconds. */
+/** Returns a benchmark of milliseconds. */
 BenchmarkSpec brief()
 {
     return {.sizes = {2, 4, 6}, .solvers = {kExact, kHeuristic}, .repeat = 3, .budget_s = 1000};
 }
 
-/** Would take hours. */
+/** Returns a benchmark of hours. */
 BenchmarkSpec endless()
 {
     return {.sizes = {3, 5}, .solvers = {kExact}, .repeat = 1'000'000'000, .budget_s = 1e6};
@@ -113,7 +113,7 @@ private slots:
         QVERIFY(runner.unsaved_s() > 0);
     }
 
-    /** Closing does not wait for what is under way. */
+    /** Closing does not wait for the current benchmark. */
     void closesWhileMeasuring()
     {
         auto runner = std::make_shared<BenchmarkRunner>();

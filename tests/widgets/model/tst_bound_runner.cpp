@@ -24,7 +24,7 @@ Scenario smallField()
     return scenario;
 }
 
-/** Seconds of work. */
+/** Returns a scenario whose bound takes seconds. */
 Scenario largeField()
 {
     Scenario scenario = randomScenario(1, {.icebergs = 60, .size_m = {30000, 30000}});
@@ -32,7 +32,7 @@ Scenario largeField()
     return scenario;
 }
 
-/** An area with some of the icebergs outside: what zeta is then, only the others tell. */
+/** Some icebergs are outside the area: zeta then depends on the others only. */
 std::vector<Point> westernHalf(const Scenario& scenario)
 {
     double middle_m = 0;
@@ -102,7 +102,7 @@ private slots:
         QCOMPARE(updated.count(), 0);
     }
 
-    void whatMattersDoesAwayWithIt_data()
+    void relevantChangesDropTheBound_data()
     {
         QTest::addColumn<int>("change");
         QTest::newRow("iceberg") << 0;
@@ -114,7 +114,7 @@ private slots:
         QTest::newRow("measurements") << 6;
     }
 
-    void whatMattersDoesAwayWithIt()
+    void relevantChangesDropTheBound()
     {
         QFETCH(int, change);
         Scenario scenario = smallField();
@@ -140,7 +140,7 @@ private slots:
         QVERIFY(isBoundOf(runner, scenario));
     }
 
-    /** Progress is told, and a change ends the search for the scenario before. */
+    /** Progress is reported, and a change ends the search for the scenario before. */
     void editsCancel()
     {
         BoundRunner runner;
@@ -173,7 +173,7 @@ private slots:
         QVERIFY(isBoundOf(runner, fleet));
     }
 
-    /** Each number told holds, so the largest does. */
+    /** Every reported bound holds, so the largest one does. */
     void boundNeverFalls()
     {
         Scenario scenario = largeField();

@@ -16,7 +16,7 @@ class TestComparedRun : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void comparable_data()
+    void runsOfOneWorldAreComparable_data()
     {
         QTest::addColumn<int>("change");
         QTest::addColumn<bool>("expected");
@@ -38,7 +38,7 @@ private slots:
         QTest::newRow("start time") << 15 << false;
     }
 
-    void comparable()
+    void runsOfOneWorldAreComparable()
     {
         QFETCH(int, change);
         QFETCH(bool, expected);
@@ -93,7 +93,7 @@ private slots:
         QTest::newRow("tau as well") << 6 << true;
     }
 
-    /** Wind, asset and icebergs are the world; what the planner was told is not. */
+    /** Wind, asset and icebergs belong to the world; changes of the planner do not. */
     void changesOfTheWorldCount()
     {
         QFETCH(int, change);
@@ -130,11 +130,11 @@ private slots:
         });
         QCOMPARE(a.worldChanges.size(), std::size_t{3});
         QCOMPARE(isComparable(a, b), expected);
-        QVERIFY(!a.wasChanged); // the planner was not
+        QVERIFY(!a.wasChanged); // the planner was not changed
         QCOMPARE(b.wasChanged, change == 6);
     }
 
-    /** The figures of a run at an earlier time are those of a run that ended there. */
+    /** The figures of a run at an earlier time equal those of a run that ended there. */
     void figuresOfAnEarlierTime_data()
     {
         QTest::addColumn<double>("until_s");
@@ -152,17 +152,17 @@ private slots:
         const Mission there = flownWith(shortScenario(), policy(PolicyKind::Nearest), until_s);
         const RunFigures figures = figuresAt(whole, until_s);
         const RunFigures expected = figuresAt(comparedRun(recordOf(there)), until_s);
-        QCOMPARE(expected.zeta_m2s, there.metrics().zeta_m2s); // stopped between samples too
+        QCOMPARE(expected.zeta_m2s, there.metrics().zeta_m2s); // also if stopped between samples
         QCOMPARE(figures.visits, there.metrics().visits);
         QCOMPARE(figures.plans, there.metrics().replans);
-        // Between samples zeta is all but straight: sigma changes by far less than itself.
+        // Between samples zeta is nearly linear, because sigma changes by far less than itself.
         const double exact = until_s == 210.5 ? 1e-3 : 1e-12;
         QVERIFY(std::abs(figures.zeta_m2s - there.metrics().zeta_m2s) <=
                 exact * there.metrics().zeta_m2s);
         QVERIFY(std::abs(figures.flown_m - there.metrics().flown_m) <= 1e-6);
         QCOMPARE(figures.longestUnseen, expected.longestUnseen);
     }
-    void names_data()
+    void runNamesStateWhatDiffers_data()
     {
         QTest::addColumn<PolicyKind>("kind");
         QTest::addColumn<double>("tau");
@@ -181,7 +181,7 @@ private slots:
                               << u"Nearest first, changed in flight, to 05:00"_s;
     }
 
-    void names()
+    void runNamesStateWhatDiffers()
     {
         QFETCH(PolicyKind, kind);
         QFETCH(double, tau);
@@ -193,7 +193,7 @@ private slots:
         QCOMPARE(runName(run, QLocale::c()), name);
     }
 
-    /** What each UAV did adds up to what all did, also between samples. */
+    /** The totals of the UAVs add up to those of the fleet, also between samples. */
     void figuresOfAFleet_data()
     {
         QTest::addColumn<double>("until_s");

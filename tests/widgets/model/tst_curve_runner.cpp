@@ -40,20 +40,20 @@ private slots:
     {
         const Scenario scenario = randomScenario(3);
         const TauCurve expected = expectedCurve(scenario);
-        const ForbidSolving onThisThread; // a solve here would throw
+        const NoBlockingScope onThisThread; // a solve here would throw
         CurveRunner runner;
-        QVERIFY(runner.curve().complete); // nothing asked for
+        QVERIFY(runner.curve().complete); // nothing was requested
         QSignalSpy updated(&runner, &CurveRunner::updated);
         runner.setScenario(scenario);
         QVERIFY(!runner.curve().complete);
-        QCOMPARE(updated.count(), 1); // the old one is gone at once
+        QCOMPARE(updated.count(), 1); // the old curve is dropped at once
         QVERIFY(completes(runner));
         QVERIFY(updated.count() >= 2);
         QVERIFY(runner.curve() == expected);
         QCOMPARE(runner.problem().ids.size(), runner.curve().intervals.front().order().size());
     }
 
-    /** What the curve does not depend on neither restarts it nor makes it vanish. */
+    /** Changes that do not affect the curve neither restart nor drop it. */
     void otherEditsDoNotRestart_data()
     {
         QTest::addColumn<int>("edit");
@@ -131,8 +131,8 @@ private slots:
         QVERIFY(runner.curve() == expectedCurve(scenario));
     }
 
-    /** While a large one is under way: no result of it is shown afterwards. */
-    void oldCurvesAreNotHandedOut()
+    /** A large problem is in progress: none of its results is shown afterwards. */
+    void oldCurvesAreNotReturned()
     {
         CurveRunner runner;
         runner.setScenario(randomScenario(7, {.icebergs = 60, .size_m = {40000, 40000}}));
@@ -167,7 +167,7 @@ private slots:
         QVERIFY(runner.curve().intervals.empty());
     }
 
-    /** A mission in flight asks with its own picture. */
+    /** A mission in flight requests the curve of its own state. */
     void takesAnyProblem()
     {
         CurveRunner runner;
@@ -178,7 +178,7 @@ private slots:
         QVERIFY(runner.curve() == tauCurve(visitationTask(request, Route::Open).problem, {}, {}));
     }
 
-    /** At the start and in flight. */
+    /** Fleets have a curve at the start and in flight. */
     void severalUavsHaveOne()
     {
         const Scenario two = test::withUavs(randomScenario(10, {.icebergs = 6}), 2);

@@ -23,7 +23,7 @@ Scenario three(std::int64_t seed = 1)
     return randomScenario(seed, {.icebergs = 3});
 }
 
-/** A document and its file, as one window has them; several may share the folder. */
+/** A document and its file, as in one window; several may share the folder. */
 struct Window
 {
     explicit Window(const QTemporaryDir& dir) { file.setLockFolder(dir.filePath(u"locks"_s)); }
@@ -45,7 +45,7 @@ class TestDocumentFile : public QObject
 private:
     std::unique_ptr<QTemporaryDir> m_dir;
     [[nodiscard]] QString path(const QString& name) const { return m_dir->filePath(name); }
-    /** Writes a scenario as another program does. */
+    /** Writes a scenario as another program would. */
     void writeOutside(const QString& name, const Scenario& scenario) const
     {
         saveScenario(scenario, path(name).toStdString());
@@ -64,7 +64,7 @@ private slots:
         writeOutside(u"b.berg"_s, three(2));
     }
 
-    void nothingStaysOfProgramsThatWereKilled()
+    void locksOfKilledProgramsAreRemoved()
     {
         QVERIFY(QDir(m_dir->path()).mkdir(u"locks"_s));
         for (const QString& name : {u"locks/0123.lock"_s, u".a.berg.4711-0.tmp"_s})
@@ -75,7 +75,7 @@ private slots:
             return QDir(path(folder)).entryList(QDir::Files | QDir::Hidden);
         };
         QCOMPARE(names(u"."_s), (QStringList{u"a.berg"_s, u"b.berg"_s}));
-        QCOMPARE(names(u"locks"_s).size(), 1); // its own
+        QCOMPARE(names(u"locks"_s).size(), 1); // its own lock
         QVERIFY(!names(u"locks"_s).contains(u"0123.lock"_s));
     }
 
@@ -127,8 +127,8 @@ private slots:
         QCOMPARE(second.file.otherHolder(path(u"c.berg"_s)).has_value(), how == u"save as"_s);
     }
 
-    /** Opened all the same: the lock stays with the first, and passes on when that one goes. */
-    void openedAnyway()
+    /** The first window keeps the lock, which passes on when that window closes. */
+    void lockedFileCanBeOpenedAnyway()
     {
         auto first = std::make_unique<Window>(*m_dir);
         Window second(*m_dir);
@@ -160,12 +160,12 @@ private slots:
         QVERIFY(!w.file.isChangedOutside());
         writeOutside(u"a.berg"_s, three(7));
         QVERIFY(w.file.isChangedOutside());
-        QVERIFY(w.file.isChangedOutside()); // asking changes nothing
+        QVERIFY(w.file.isChangedOutside()); // the check changes nothing
         w.document.open(path(u"a.berg"_s));
         QVERIFY(!w.file.isChangedOutside());
     }
 
-    /** While it was being read: what is on screen is not what is in the file. */
+    /** The file changed while it was read: the window does not show its content. */
     void changeWhileItIsOpened()
     {
         Window w(*m_dir);
@@ -180,7 +180,7 @@ private slots:
         ScenarioDocument document;
         connect(&document, &ScenarioDocument::filePathChanged, this,
                 [this] { writeOutside(u"a.berg"_s, three(7)); });
-        DocumentFile file(document); // told after the other has written
+        DocumentFile file(document); // set up after the other one has written
         document.reset(three());
         file.save(path(u"a.berg"_s), false);
         QVERIFY(file.isChangedOutside());
@@ -197,7 +197,7 @@ private slots:
         }
     }
 
-    /** `touch`, or a copy put back: another time, the same content. */
+    /** `touch`, or a restored copy: another time, the same content. */
     void sameContentIsNoChange()
     {
         Window w(*m_dir);
@@ -216,11 +216,11 @@ private slots:
         w.document.open(path(u"a.berg"_s));
         QVERIFY(QFile::remove(path(u"a.berg"_s)));
         QVERIFY(!w.file.isChangedOutside());
-        writeOutside(u"a.berg"_s, three(7)); // another one in its place
+        writeOutside(u"a.berg"_s, three(7)); // another file in its place
         QVERIFY(w.file.isChangedOutside());
     }
 
-    void outdatedDocument()
+    void outdatedDocumentCountsAsChanged()
     {
         Window w(*m_dir);
         w.document.restore(three(5), path(u"a.berg"_s));
@@ -231,7 +231,7 @@ private slots:
         QVERIFY(!w.file.isChangedOutside());
     }
 
-    /** The file as it was when the program began, however often it is saved. */
+    /** The backup is the file as it was when the program started, however often it is saved. */
     void firstSaveKeepsTheOldFile()
     {
         const std::string old = content(u"a.berg"_s);
@@ -266,7 +266,7 @@ private slots:
         QVERIFY(!QFile::exists(path(u"a.berg~"_s)));
     }
 
-    /** A copy that cannot be made does not stand in the way of saving. */
+    /** A backup copy that cannot be made does not prevent saving. */
     void copyThatIsRefused()
     {
         QVERIFY(QDir(m_dir->path()).mkdir(u"a.berg~"_s));

@@ -9,7 +9,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** What the undo stack should be: the scenario after each step. */
+/** The expected undo stack: the scenario after each step. */
 class History
 {
 public:
@@ -18,7 +18,7 @@ public:
     {
     }
 
-    /** After anything that was done; what could be redone is gone when something was edited. */
+    /** Records an edit; the steps that could be redone are dropped. */
     void noteEdit()
     {
         const auto index = static_cast<std::size_t>(m_document.undoStack()->index());
@@ -31,7 +31,7 @@ public:
         }
     }
 
-    /** True when the scenario is the one noted for where the stack is now. */
+    /** Returns whether the scenario is the one recorded for the present step. */
     [[nodiscard]] bool isRight() const
     {
         const auto index = static_cast<std::size_t>(m_document.undoStack()->index());
@@ -44,7 +44,7 @@ private:
     std::vector<Scenario> m_states;
 };
 
-/** Back to the beginning and forth to the end, right at every step. */
+/** Undoes and redoes everything; returns whether the scenario is right at every step. */
 bool walksBothWays(ScenarioDocument& document, const History& history)
 {
     QUndoStack& stack = *document.undoStack();
@@ -62,7 +62,7 @@ bool walksBothWays(ScenarioDocument& document, const History& history)
 
 } // namespace
 
-/** Whatever is edited, each step can be undone and redone exactly. */
+/** Any edit can be undone and redone exactly, step by step. */
 class TestEditHistory : public QObject
 {
     Q_OBJECT
@@ -114,7 +114,7 @@ private slots:
         QCOMPARE(edits.kindsMissing(), QStringList());
     }
 
-    /** The longest history that is kept loses its beginning, never its order. */
+    /** A history beyond its limit loses its beginning, never its order. */
     void theOldestStepsAreForgotten()
     {
         test::MapFixture map;

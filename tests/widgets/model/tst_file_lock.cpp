@@ -45,7 +45,7 @@ private slots:
             QCOMPARE(lock.take(m_path), FileLock::Outcome::Taken);
             FileLock moved(std::move(lock));
             QVERIFY(moved.isHeld());
-            QVERIFY(!lock.isHeld()); // NOLINT(bugprone-use-after-move): that is the question
+            QVERIFY(!lock.isHeld()); // NOLINT(bugprone-use-after-move): the test checks this
             FileLock other;
             QCOMPARE(other.take(m_path), FileLock::Outcome::Busy);
         }
@@ -54,7 +54,7 @@ private slots:
         QCOMPARE(next.take(m_path), FileLock::Outcome::Taken);
     }
 
-    /** A file left behind is no lock, even when its number is that of a living process. */
+    /** A file left behind is not a lock, even if it names a running process. */
     void fileThatNobodyHolds()
     {
         QFile left(m_path);
@@ -86,7 +86,7 @@ private slots:
         QCOMPARE(lock.take(m_path), FileLock::Outcome::Busy);
         QCOMPARE(::kill(child, SIGKILL), 0);
         QCOMPARE(::waitpid(child, nullptr, 0), child);
-        QVERIFY(QFile::exists(m_path)); // it had no time to remove it
+        QVERIFY(QFile::exists(m_path)); // it had no time to remove the file
         QCOMPARE(lock.take(m_path), FileLock::Outcome::Taken);
         ::close(ready[0]);
         ::close(ready[1]);

@@ -64,7 +64,7 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
     void init() { test::failOnWarnings(); }
 
-    void bestFirst_data()
+    void bestMatchComesFirst_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("best");
@@ -86,7 +86,7 @@ private slots:
         QTest::newRow("MGRS") << u"33XWG1449783437"_s << u"78° 14.000′ N  15° 38.000′ E"_s;
     }
 
-    void bestFirst()
+    void bestMatchComesFirst()
     {
         QFETCH(QString, text);
         QFETCH(QString, best);
@@ -98,9 +98,9 @@ private slots:
             QVERIFY2(found.front().startsWith(best.left(3)), qPrintable(found.front()));
     }
 
-    void ranks()
+    void matchesAreRanked()
     {
-        // Begins so; a word that begins so; somewhere inside.
+        // Ranks: the name begins so; a word begins so; the text is inside.
         const std::vector<FindItem> items{{.text = u"Xsea"_s},
                                           {.text = u"Ross Sea"_s},
                                           {.text = u"Seal Bay"_s},
@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(findMatches(u"sea"_s, items, 2).size(), std::size_t{2});
     }
 
-    /** "bay" is a square of MGRS in Antarctica as well. */
+    /** "bay" is also a square of MGRS in Antarctica. */
     void wordsAreNamesFirst()
     {
         const std::vector<FindItem> found = findMatches(u"bay"_s, everything(), 100);
@@ -122,20 +122,21 @@ private slots:
         QVERIFY(found.back().key.isEmpty()); // the coordinate
         QVERIFY(found.back().at.latitude_deg < -80);
         const QStringList shown = foundBy(u"bay"_s, 9);
-        QVERIFY(shown.front().startsWith(u"Bay "_s)); // then those of the word, best known first
+        // Then the names with this word, best known first.
+        QVERIFY(shown.front().startsWith(u"Bay "_s));
         for (const QString& name : {u"Baffin Bay"_s, u"Disko Bay"_s, u"Melville Bay"_s})
             QVERIFY2(shown.contains(name), qPrintable(shown.join(u", "_s)));
         QVERIFY(findMatches(u"33XWG1449783437"_s, everything(), 9).front().key.isEmpty());
     }
 
-    void findsNothing()
+    void unknownTextFindsNothing()
     {
         QVERIFY(foundBy(u"Atlantis"_s).isEmpty());
         QVERIFY(foundBy(QString()).isEmpty()); // there are no favourites
         QVERIFY(foundBy(u" ... "_s).isEmpty());
     }
 
-    void favourites()
+    void favouritesAreMarkedAndListed()
     {
         std::vector<FindItem> items = everything();
         const auto found = findMatches(u"47.05 -48.1"_s, items, 1);
@@ -149,7 +150,7 @@ private slots:
         COMPARE_NEAR(shown.back().at.longitude_deg, -48.1, 1e-12);
     }
 
-    /** 500 icebergs are looked through in a moment. */
+    /** 500 icebergs are searched quickly. */
     void findsAmongMany()
     {
         Scenario scenario = test::emptySea();

@@ -1,6 +1,6 @@
 #include "core/base/angles.h"
+#include "core/land/land_data.h"
 #include "tests/support/panel_test.h"
-#include "widgets/map/land/land_data.h"
 #include "widgets/model/gazetteer.h"
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree_km = 111.2;
 
-/** East and north of a place, km, good for some hundred kilometres round it. */
+/** Returns the offset east and north, km; accurate within some hundred kilometres. */
 Point offset_km(const LatLon& from, const LatLon& to)
 {
     const double east_deg = std::remainder(to.longitude_deg - from.longitude_deg, 360);
@@ -30,13 +30,13 @@ double distanceToSegment_km(const Point& a_km, const Point& b_km)
     return Point(a_km + share * edge_km).norm();
 }
 
-/** What a ring adds to the winding number round the origin. */
+/** Returns the contribution of a ring to the winding number around the origin. */
 double turnRound_rad(const Point& a_km, const Point& b_km)
 {
     return std::atan2(a_km.x() * b_km.y() - a_km.y() * b_km.x(), a_km.dot(b_km));
 }
 
-/** 0 on land. Looks at the cell of the place and those beside it. */
+/** Returns 0 on land. Checks the cell of the place and those beside it. */
 double distanceToLand_km(const LandData& land, const LatLon& place)
 {
     const double side_deg = land.cellSide_deg();
@@ -64,7 +64,7 @@ double distanceToLand_km(const LandData& land, const LatLon& place)
 
 } // namespace
 
-/** The places that come with the program, against the coast that does. */
+/** The gazetteer's places against the program's coast. */
 class TestGazetteer : public QObject
 {
     Q_OBJECT
@@ -95,11 +95,11 @@ private slots:
     /** Towns and capes are on land or at its edge, fields at sea, seas not on land. */
     void placesLieAtTheCoast()
     {
-        constexpr double kTown_km = 7; // what 1 : 10 million and a hundredth of a degree leave
+        constexpr double kTown_km = 7; // limit of 1 : 10 million and a hundredth of a degree
         constexpr double kIsland_km = 30;
         constexpr double kField_km = 2;
         constexpr double kSea_km = 1;
-        // On islands that are too small for the land data.
+        // These are on islands that are too small for the land data.
         const std::set<QByteArray> onIslets{"Cape Horn", "Maniitsoq", "Kangaamiut"};
         const LandData& land = landData(LandDetail::Fine);
         QStringList wrong;

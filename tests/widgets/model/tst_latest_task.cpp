@@ -13,14 +13,14 @@ namespace {
 
 using Task = LatestTask<int, int>;
 
-/** What has come of a task. */
+/** Results and end of a task. */
 struct Heard
 {
     std::vector<int> results;
     std::vector<QString> ends; ///< report of the failure, if any
 
     [[nodiscard]] Task::Parts
-    parts(const std::function<void(int&, const std::stop_token&, const Task::Tell&)>& work)
+    parts(const std::function<void(int&, const std::stop_token&, const Task::Deliver&)>& work)
     {
         return {.work = work,
                 .deliver = [this](int result) { results.push_back(result); },
@@ -44,28 +44,28 @@ class TestLatestTask : public QObject
     Q_OBJECT
 
 private slots:
-    void tellsAndEnds()
+    void deliversResultsAndTheEnd()
     {
         Heard heard;
         Task task(QStringLiteral("task"),
-                  heard.parts([](int& n, const auto&, const auto& tell) { tell(2 * n); }));
+                  heard.parts([](int& n, const auto&, const auto& deliver) { deliver(2 * n); }));
         task.start(21);
         QTRY_COMPARE(heard.ends.size(), std::size_t{1});
         QCOMPARE(heard.results, std::vector<int>{42});
         QVERIFY(heard.ends[0].isEmpty());
     }
 
-    /** The one under way is stopped by the next; nothing of it is delivered. */
+    /** The next request stops the current one; nothing of it is delivered. */
     void newestWins()
     {
         Heard heard;
         std::atomic<int> begun{0};
         Task task(QStringLiteral("task"),
-                  heard.parts([&](int& n, const std::stop_token& stop, const auto& tell) {
+                  heard.parts([&](int& n, const std::stop_token& stop, const auto& deliver) {
                       ++begun;
                       if (n == 1)
                           untilStopped(stop);
-                      tell(n);
+                      deliver(n);
                   }));
         task.start(1);
         QTRY_COMPARE(begun.load(), 1);
@@ -74,28 +74,28 @@ private slots:
         QCOMPARE(heard.results, std::vector<int>{2});
     }
 
-    /** Nobody takes what waits while it works: the newest result remains, and the end. */
+    /** The results are not read while it works: the newest one and the end remain. */
     void newestResultIsKept()
     {
         Heard heard;
-        Task task(QStringLiteral("task"), heard.parts([](int& n, const auto&, const auto& tell) {
+        Task task(QStringLiteral("task"), heard.parts([](int& n, const auto&, const auto& deliver) {
             for (int i = 1; i <= n; ++i)
-                tell(i);
+                deliver(i);
         }));
         task.start(1000);
         QTRY_COMPARE(heard.ends.size(), std::size_t{1});
         QCOMPARE(heard.results.back(), 1000);
     }
 
-    /** What a stopped one has come to is delivered; of a dropped one nothing is. */
+    /** The last result of a stopped request is delivered, but nothing of a dropped one. */
     void stopsAndDrops()
     {
         Heard heard;
         std::atomic<int> done{0};
         Task task(QStringLiteral("task"),
-                  heard.parts([&](int& n, const std::stop_token& stop, const auto& tell) {
+                  heard.parts([&](int& n, const std::stop_token& stop, const auto& deliver) {
                       untilStopped(stop);
-                      tell(n);
+                      deliver(n);
                       ++done;
                   }));
         task.start(1);
@@ -110,11 +110,11 @@ private slots:
         QCOMPARE(heard.ends.size(), std::size_t{1});
     }
 
-    void failuresAreTold()
+    void failuresAreReported()
     {
         Heard heard;
-        Task task(QStringLiteral("task"), heard.parts([](int& n, const auto&, const auto& tell) {
-            tell(n);
+        Task task(QStringLiteral("task"), heard.parts([](int& n, const auto&, const auto& deliver) {
+            deliver(n);
             throw std::runtime_error("broken");
         }));
         task.start(7);

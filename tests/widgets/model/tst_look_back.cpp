@@ -44,7 +44,7 @@ struct Flight
     }
 };
 
-/** The same flight without a window, until `time_s`. */
+/** Returns the same flight without a window, until `time_s`. */
 Mission flownAlone(const Scenario& scenario, double time_s)
 {
     Mission mission(scenario);
@@ -57,7 +57,7 @@ Mission flownAlone(const Scenario& scenario, double time_s)
 
 } // namespace
 
-/** Going back and forth over what was flown, and flying on from there. */
+/** Moving through the flown part, and continuing from there. */
 class TestLookBack : public QObject
 {
     Q_OBJECT
@@ -79,12 +79,12 @@ private slots:
             QCOMPARE(shown.plan->order, then.plans().back().order);
             QCOMPARE(f.record().eventsShown(), then.events().size());
         }
-        QCOMPARE(f.record().now.time_s, 300.0); // the flight itself stands where it stood
+        QCOMPARE(f.record().now.time_s, 300.0); // the flight itself stays where it was
         f.workspace.seekLatest();
         QVERIFY(!f.record().instant.has_value());
     }
 
-    /** The trade-offs are those of the plan shown: its own order is among them. */
+    /** The curve belongs to the plan shown, whose order it contains. */
     void curveIsOfThePlanShown()
     {
         Flight f;
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(!workspace.lookedAt_s().has_value());
     }
 
-    void steps()
+    void stepsThroughTheRecord()
     {
         Flight f;
         f.workspace.stepBack();
@@ -178,7 +178,7 @@ private slots:
         QVERIFY(f.untilShown(280));
         f.workspace.fly(100);
         QVERIFY(f.workspace.isPlaying());
-        QVERIFY(f.until([&] { return f.record().now.time_s > 310; })); // caught up, went on
+        QVERIFY(f.until([&] { return f.record().now.time_s > 310; })); // caught up and continued
         QVERIFY(!f.record().instant.has_value());
         f.workspace.pause();
         QVERIFY(f.until([&] { return f.record().now.phase == RunPhase::Paused; }));
@@ -199,13 +199,13 @@ private slots:
         QCOMPARE(f.record().now.planner.tau, 0.2);
     }
 
-    /** What came later is given up; what is flown then is a run of its own that replays. */
+    /** The later part is discarded; the new continuation is a run that replays. */
     void fliesOnFromThere()
     {
         Flight f;
         f.workspace.seek(100);
         QVERIFY(f.untilShown(100));
-        f.workspace.flyOnFromHere();
+        f.workspace.continueFromHere();
         QVERIFY(f.until([&] { return std::abs(f.record().now.time_s - 100) < 1e-6; }));
         QVERIFY(!f.record().instant.has_value());
         QCOMPARE(f.record().history.samples.size(), std::size_t{101});
@@ -227,26 +227,26 @@ private slots:
         QCOMPARE(f.record().history.plans.size(), mission.plans().size());
     }
 
-    /** The thread may not even have begun to fly on when that flight is stopped. */
-    void flightIsNotLostBeforeItIsFlownOn_data()
+    /** The thread may not have begun to continue when that flight is stopped. */
+    void flightIsNotLostBeforeItContinues_data()
     {
         QTest::addColumn<bool>("isStopped");
         QTest::newRow("stopped") << true;
         QTest::newRow("brought back at once") << false;
     }
-    void flightIsNotLostBeforeItIsFlownOn()
+    void flightIsNotLostBeforeItContinues()
     {
         QFETCH(bool, isStopped);
         Flight f;
         f.workspace.seek(100);
         QVERIFY(f.untilShown(100));
-        f.workspace.flyOnFromHere();
+        f.workspace.continueFromHere();
         if (isStopped) {
             f.workspace.reset();
             QVERIFY(f.until([&] { return f.record().now.phase == RunPhase::Ready; }));
         }
-        QCOMPARE(f.workspace.givenUp_s(), std::optional(300.0));
-        f.workspace.bringBackFlight();
+        QCOMPARE(f.workspace.discardedFlight_s(), std::optional(300.0));
+        f.workspace.restoreFlight();
         QVERIFY(f.until([&] {
             return f.record().now.generation == f.workspace.runner().generation() &&
                    f.record().now.phase != RunPhase::Planning;
@@ -255,18 +255,18 @@ private slots:
         QCOMPARE(f.record().history.samples.size(), std::size_t{301});
     }
 
-    /** The first one is meant: the flight that it gave up is there to be brought back. */
+    /** The first request counts: the flight that it discarded can be restored. */
     void flownOnTwiceBeforeTheAnswer()
     {
         Flight f;
         f.workspace.seek(100);
         QVERIFY(f.untilShown(100));
-        f.workspace.flyOnFromHere();
+        f.workspace.continueFromHere();
         f.workspace.seek(50);
-        f.workspace.flyOnFromHere(); // nothing has come of the first yet
+        f.workspace.continueFromHere(); // the first request has no result yet
         QVERIFY(f.until([&] { return std::abs(f.record().now.time_s - 100) < 1e-6; }));
-        QCOMPARE(f.workspace.givenUp_s(), std::optional(300.0));
-        f.workspace.bringBackFlight();
+        QCOMPARE(f.workspace.discardedFlight_s(), std::optional(300.0));
+        f.workspace.restoreFlight();
         QVERIFY(f.until([&] { return std::abs(f.record().now.time_s - 300) < 1e-6; }));
         QCOMPARE(f.record().history.samples.size(), std::size_t{301});
     }
@@ -283,7 +283,7 @@ private slots:
         QCOMPARE(f.record().shown().time_s, 0.0);
     }
 
-    /** Saved, read and opened again it is the same flight, and it can be flown on. */
+    /** A run that is saved, read and opened is the same flight and can be continued. */
     void openedRunIsTheFlight()
     {
         Flight f;
@@ -310,7 +310,7 @@ private slots:
         QVERIFY(other.record().now.world == f.record().now.world);
     }
 
-    void runThatComesOutDifferentlyIsTold()
+    void differingReplayIsReported()
     {
         Flight f;
         std::shared_ptr<const RunFile> run;

@@ -22,7 +22,7 @@ bool follow(MissionRunner& runner, FlightRecord& record, const Wanted& wanted)
     return QTest::qWaitFor(
         [&] {
             if (std::optional<MissionSnapshot> snapshot = runner.acceptSnapshot())
-                record.take(std::move(*snapshot));
+                record.accept(std::move(*snapshot));
             return wanted(record);
         },
         kPatience_ms);
@@ -33,7 +33,7 @@ bool inPhase(MissionRunner& runner, FlightRecord& record, RunPhase phase)
     return follow(runner, record, [phase](const FlightRecord& r) { return r.now.phase == phase; });
 }
 
-/** Pages that are painted as soon as the test lets them be. */
+/** Pages whose painting waits until the test releases it. */
 struct SlowPaint
 {
     std::atomic<bool> isLetGo{false};
@@ -56,7 +56,7 @@ struct SlowPaint
                                               wait();
                                               return std::string("page");
                                           },
-                                      .look =
+                                      .image =
                                           [wait] {
                                               wait();
                                               return QImage(1, 1, QImage::Format_RGB32);
@@ -67,7 +67,7 @@ struct SlowPaint
     }
 };
 
-/** Even when the test fails before. */
+/** Releases the paint even if the test fails before. */
 struct Release
 {
     explicit Release(SlowPaint& paint) : page(paint) {}
@@ -96,7 +96,9 @@ private slots:
         QCOMPARE(record.now.time_s, 0.0);
     }
 
-    /** The window's zeta is the command line's, to the last digit, however the time is sliced. */
+    /**
+     * The window's zeta equals the command line's to the last digit, however the time is sliced.
+     */
     void fliesAsTheCoreDoes()
     {
         for (const std::int64_t seed : {5, 6}) {
@@ -135,13 +137,14 @@ private slots:
         QCOMPARE(record.now.plan->order, planFromStart(scenario).uavs[0].order);
     }
 
-    void oldGenerationsAreNotHandedOut()
+    void oldGenerationsAreNotReturned()
     {
         MissionRunner runner;
         QSignalSpy updated(&runner, &MissionRunner::updated);
         runner.setScenario(randomScenario(8));
         QTRY_VERIFY_WITH_TIMEOUT(updated.count() > 0, kPatience_ms);
-        runner.setScenario(randomScenario(9)); // the snapshot that waits is of the one before
+        // The waiting snapshot belongs to the scenario before.
+        runner.setScenario(randomScenario(9));
         while (const auto snapshot = runner.acceptSnapshot())
             QCOMPARE(snapshot->generation, runner.generation());
     }
@@ -174,7 +177,7 @@ private slots:
         runner.setScenario(randomScenario(11));
         runner.stepBy(100);
         for (int i = 0; i <= 30; ++i)
-            runner.intervene({.tau = 0.1 * i}); // a drag: only some of these are flown
+            runner.intervene({.tau = 0.1 * i}); // a drag: only some of these values are flown
         runner.stepBy(100);
         Iceberg added;
         added.id = "added";
@@ -197,8 +200,8 @@ private slots:
         QVERIFY(replayed.metrics() == record.now.metrics);
     }
 
-    /** What happens to a flight between the requests that a busy thread takes as one. */
-    void keptFlightComesBackHoweverBusyTheThreadIs()
+    /** A busy thread handles several requests as one; the stored flight still comes back. */
+    void storedFlightIsRestoredByABusyThread()
     {
         SlowPaint page;
         MissionRunner runner;
@@ -208,7 +211,7 @@ private slots:
             {.file = {}, .prepare = [&](const ExportFormat&, const ExportContent&) {
                  ++page.begun;
                  page.isLetGo.wait(false); // on the mission thread
-                 return ExportPainting{.file = [] { return std::string(); }, .look = {}};
+                 return ExportPainting{.file = [] { return std::string(); }, .image = {}};
              }});
         const Scenario scenario = randomScenario(4);
         runner.setScenario(scenario);
@@ -226,16 +229,16 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(page.begun.load(), 1, kPatience_ms);
         runner.restart(true);
         runner.setScenario(randomScenario(5));
-        runner.bringBack(scenario, false);
+        runner.restoreFlight(scenario, false);
         page.letGo();
         QVERIFY(isBack());
-        runner.restart(true); // and once more, as it is kept but once
-        runner.bringBack(scenario, true);
+        runner.restart(true); // and once more, because it is stored only once
+        runner.restoreFlight(scenario, true);
         QVERIFY(isBack());
     }
 
-    /** Stopped by somebody who has not seen yet that it was flown on from an earlier time. */
-    void flightIsKeptThatWasFlownOnUnseen()
+    /** The flight is stopped before the user has seen its continuation from an earlier time. */
+    void unseenContinuationKeepsTheFlight()
     {
         MissionRunner runner;
         FlightRecord record;
@@ -244,11 +247,11 @@ private slots:
         runner.stepBy(50);
         QVERIFY(follow(runner, record, [](const FlightRecord& r) { return r.now.time_s >= 50; }));
         const QSignalSpy updated(&runner, &MissionRunner::updated);
-        runner.flyOnFrom({.time_s = 20, .seenUntil_s = 50});
+        runner.continueFrom({.time_s = 20, .seenUntil_s = 50});
         QTRY_COMPARE_WITH_TIMEOUT(updated.count(), 1, kPatience_ms);
         runner.restart(true);
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
-        runner.bringBack(scenario, false);
+        runner.restoreFlight(scenario, false);
         QVERIFY(inPhase(runner, record, RunPhase::Paused));
         QVERIFY(record.now.time_s >= 50);
     }
@@ -279,7 +282,7 @@ private slots:
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
     }
 
-    /** Nothing is solved again for an export: it is the plan on screen, whatever made it. */
+    /** An export writes the plan on screen without solving anything. */
     void exportsThePlanThereIs()
     {
         MissionRunner runner;
@@ -288,7 +291,7 @@ private slots:
         runner.setScenario(scenario, {.workLimit = 1});
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
         const std::vector<int> order = record.now.plan->order;
-        QVERIFY(order != planFromStart(scenario).uavs[0].order); // that one is better
+        QVERIFY(order != planFromStart(scenario).uavs[0].order); // this plan would be better
         QSignalSpy ready(&runner, &MissionRunner::exportReady);
         runner.requestExport({.formatId = "csv"});
         QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, kPatience_ms);
@@ -299,7 +302,7 @@ private slots:
                  findExportFormat("csv")->write({.scenario = scenario, .plan = plan}));
     }
 
-    /** What was asked for is not there any more: neither the old plan nor the new one is it. */
+    /** After the scenario was replaced, neither the old plan nor the new one is exported. */
     void exportOfAScenarioThatWasReplaced()
     {
         MissionRunner runner;
@@ -359,7 +362,7 @@ private slots:
         QCOMPARE(preview->request.formatId, std::string("map-pdf"));
     }
 
-    /** Nothing that a thread throws ends the program. */
+    /** An exception on a thread does not end the program. */
     void paintThatFails()
     {
         MissionRunner runner;
@@ -370,7 +373,7 @@ private slots:
             {.file = {}, .prepare = [&](const ExportFormat&, const ExportContent&) {
                  if (inTime)
                      throw std::runtime_error("no paint");
-                 return ExportPainting{.file = noMemory, .look = {}};
+                 return ExportPainting{.file = noMemory, .image = {}};
              }});
         runner.setScenario(randomScenario(4));
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
@@ -382,7 +385,7 @@ private slots:
         runner.requestExport({.formatId = "map-png"});
         QTRY_COMPARE_WITH_TIMEOUT(refused.count(), 1, kPatience_ms);
         QVERIFY(refused.takeFirst().front().toString().contains(QStringLiteral("no paint")));
-        runner.stepBy(1); // and flies on
+        runner.stepBy(1); // and the flight continues
         QVERIFY(follow(runner, record, [](const FlightRecord& r) { return r.now.time_s >= 1; }));
     }
 

@@ -29,7 +29,7 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
     void init() { test::failOnWarnings(); }
 
-    void table()
+    void namedPlacesAreValid()
     {
         const std::vector<NamedPlace> places = namedPlaces();
         QVERIFY(places.size() >= 20);
@@ -41,7 +41,7 @@ private slots:
         }
     }
 
-    void searchTexts()
+    void searchTextIgnoresCaseAndDiacritics()
     {
         QCOMPARE(searchText(u"Bouvetøya"_s), u"bouvetoya"_s);
         QCOMPARE(searchText(u" Ålesund  ÆRØ "_s), u"alesund aero"_s);
@@ -52,7 +52,7 @@ private slots:
         QCOMPARE(searchText(u"Sør-Georgia"_s), u"sor georgia"_s);
     }
 
-    void finds_data()
+    void findsNamesAndCoordinates_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("name");
@@ -66,7 +66,7 @@ private slots:
         QTest::newRow("coordinate") << u"78,22 N 15,65 Ø"_s << QString() << 78.22;
     }
 
-    void finds()
+    void findsNamesAndCoordinates()
     {
         QFETCH(QString, text);
         const auto found = findPlace(text);
@@ -75,10 +75,10 @@ private slots:
         QTEST(std::get<FoundPlace>(found).at.latitude_deg, "latitude_deg");
     }
 
-    void saysWhyNot()
+    void reasonsAreShown()
     {
         const auto reason = [](const QString& text) { return std::get<QString>(findPlace(text)); };
-        QVERIFY(reason(u"Atlantis"_s).contains(u"no place"_s));
+        QVERIFY(reason(u"Atlantis"_s).contains(u"No known place"_s));
         QVERIFY(reason(u"sea"_s).contains(u"Several"_s));
         QVERIFY(reason(u"bay"_s).contains(u"Several"_s)); // a square of MGRS in Antarctica as well
         QVERIFY(reason(u"47.05 N"_s).contains(u"half"_s));
@@ -97,7 +97,7 @@ private slots:
         QCoreApplication::removeTranslator(&norwegian);
     }
 
-    void completes()
+    void completesNames()
     {
         PlaceField field;
         field.show();

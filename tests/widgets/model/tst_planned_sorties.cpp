@@ -9,7 +9,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** In calm air at 20 m/s: two icebergs in a row, of which the farther is left for the next sortie.
+/**
+ * Returns two icebergs in a row in calm air at 20 m/s; the farther one is left for the next sortie.
  */
 Scenario twoInARow()
 {
@@ -22,7 +23,7 @@ Scenario twoInARow()
     return scenario;
 }
 
-/** As planned for the start. */
+/** Returns the record of the plan at the start. */
 FlightRecord recordFrom(const Scenario& scenario)
 {
     Mission mission(scenario);
@@ -54,7 +55,7 @@ private slots:
         QVERIFY(sortie.lowMargin_s.value() < *sortie.outlook.margin_s);
     }
 
-    /** Each in a slot of its own; alone a UAV needs none. */
+    /** Each UAV has a slot of its own; a single UAV needs none. */
     void slotsOfAPad()
     {
         Scenario scenario = twoInARow();
@@ -68,7 +69,7 @@ private slots:
         QCOMPARE(sorties[1]->uav, std::string("second"));
     }
 
-    void nothingIsSaidOnTheWayHome()
+    void noNoticeOnTheReturn()
     {
         FlightRecord record = recordFrom(twoInARow());
         record.now.world.uavs[0].mode = FlightMode::Home;
@@ -76,7 +77,7 @@ private slots:
         QVERIFY(!plannedSorties(record.now, record.scenario).front());
     }
 
-    /** Each of two icebergs is near enough, both together are not. */
+    /** Each of two icebergs is near enough, but not both together. */
     void thePointOfNoReturnIsOnTheMap()
     {
         Scenario scenario = twoInARow();
@@ -86,7 +87,7 @@ private slots:
             missionPicture(record, QLocale::c()).routes[0].toNoReturn_m;
         QCOMPARE(path_m.size(), std::size_t{2});
         QVERIFY((path_m[0] - scenario.icebergs[0].position_m).norm() < 1);
-        // There, at 20 m/s, all that can be used is what the straight path home takes.
+        // At that point, at 20 m/s, the usable endurance is that of the straight path home.
         const double flown_m = path_m[0].norm() + (path_m[1] - path_m[0]).norm();
         COMPARE_NEAR((flown_m + path_m[1].norm()) / 20, 800.0, 0.05);
         scenario.uavs[0].spec.endurance_s = 0;

@@ -4,6 +4,7 @@
 #include "tests/support/patience.h"
 #include "widgets/model/policy_forecasts.h"
 
+#include <QElapsedTimer>
 #include <QSignalSpy>
 
 using namespace berg;
@@ -11,7 +12,7 @@ using test::kPatience_ms;
 
 namespace {
 
-/** Few icebergs and a short flight: every policy in a moment. */
+/** Returns few icebergs and a short flight, which every policy flies quickly. */
 Scenario shortFlight(int seed)
 {
     Scenario scenario = randomScenario(seed, {.icebergs = 3});
@@ -19,7 +20,7 @@ Scenario shortFlight(int seed)
     return scenario;
 }
 
-/** A day over hundreds of icebergs: hours of planning. */
+/** Returns a day over hundreds of icebergs, which takes hours to plan. */
 Scenario hugeField()
 {
     Scenario scenario = randomScenario(1, {.icebergs = 300, .size_m = {60000, 60000}});
@@ -27,14 +28,14 @@ Scenario hugeField()
     return scenario;
 }
 
-bool completes(const PolicyForecasts& runner)
+bool completes(const PolicyForecasts& runner, int patience_ms = kPatience_ms)
 {
-    return QTest::qWaitFor([&] { return runner.isComplete(); }, kPatience_ms);
+    return QTest::qWaitFor([&] { return runner.isComplete(); }, patience_ms);
 }
 
 constexpr int kFlights = 2; // sanitizers make coverage slow
 
-/** As the runner is to have it. */
+/** Returns the forecast that the runner must have. */
 PolicyForecast flownAhead(const Scenario& scenario, PolicyKind policy)
 {
     PolicyForecast forecast{.state = ForecastState::Known, .share = 1};
@@ -65,7 +66,7 @@ private slots:
              {PolicyKind::Visitation, PolicyKind::Path, PolicyKind::Tour, PolicyKind::Nearest,
               PolicyKind::Uncertainty, PolicyKind::Latency, PolicyKind::Coverage})
             expected[policy] = flownAhead(scenario, policy);
-        const ForbidSolving onThisThread; // a flight here would throw
+        const NoBlockingScope onThisThread; // a flight here would throw
         PolicyForecasts runner(nullptr, kPatience_ms, kFlights);
         QVERIFY(runner.isComplete() && runner.forecasts().empty());
         std::vector<PolicyKind> known;
@@ -80,7 +81,7 @@ private slots:
         QVERIFY(completes(runner));
         QCOMPARE(runner.forecasts().size(), expected.size());
         QVERIFY(runner.forecasts() == expected);
-        QCOMPARE(known.size(), expected.size()); // told one by one, the dear one last
+        QCOMPARE(known.size(), expected.size()); // reported one by one, the slowest one last
         QVERIFY(known.front() == scenario.planner.policy);
         QVERIFY(known.back() == PolicyKind::Coverage);
         const PolicyForecast& nearest = expected[PolicyKind::Nearest];
@@ -88,7 +89,7 @@ private slots:
         QVERIFY(!PolicyForecast{.state = ForecastState::Computing}.prediction());
     }
 
-    /** Only what depends on the change is forecast again; the rest stays to be seen. */
+    /** Only forecasts that depend on the change are repeated; the others stay visible. */
     void changesKeepWhatStillHolds()
     {
         Scenario scenario = shortFlight(3);
@@ -110,7 +111,8 @@ private slots:
 
         QSignalSpy updated(&runner, &PolicyForecasts::updated);
         scenario.name = "another";
-        scenario.planner.policy = PolicyKind::Coverage; // one is chosen, not changed
+        // A choice of the policy, not a change of its settings.
+        scenario.planner.policy = PolicyKind::Coverage;
         runner.setScenario(scenario);
         QVERIFY(runner.isComplete());
         QCOMPARE(updated.count(), 0);
@@ -128,27 +130,31 @@ private slots:
         for (int i = 0; i < 30; ++i) {
             scenario.icebergs[0].position_m.x() += 10;
             runner.setScenario(scenario);
-            QTest::qWait(i % 10 == 0 ? 320 : 0); // some are under way by then
+            QTest::qWait(i % 10 == 0 ? 320 : 0); // some are in progress by then
         }
         QVERIFY(completes(runner));
         for (const PolicyKind policy : {PolicyKind::Nearest, PolicyKind::Coverage})
             QVERIFY(runner.forecasts().at(policy) == flownAhead(scenario, policy));
     }
 
-    /** What takes too long is given up, and the next one tried. */
+    /** A slow forecast is stopped, and the next one started. */
     void thereIsALimit()
     {
-        PolicyForecasts runner(nullptr, 2000, kFlights);
+        const Scenario easy = shortFlight(5);
+        QElapsedTimer clock;
+        clock.start();
+        const PolicyForecast nearest = flownAhead(easy, PolicyKind::Nearest);
+        // Follows the machine: a sanitizer, or other work beside it, makes the easy flight slow.
+        const int limit_ms = 4000 + 40 * static_cast<int>(clock.elapsed());
+        PolicyForecasts runner(nullptr, limit_ms, kFlights);
         runner.setScenario(hugeField());
-        QVERIFY(completes(runner));
+        QVERIFY(completes(runner, kPatience_ms + 8 * limit_ms));
         for (const PolicyKind policy :
              {PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage})
             QVERIFY(stateOf(runner, policy) == ForecastState::TooLong);
-        const Scenario easy = shortFlight(5); // and goes on with what can be done
-        runner.setScenario(easy);
-        QVERIFY(completes(runner));
-        QVERIFY(runner.forecasts().at(PolicyKind::Nearest) ==
-                flownAhead(easy, PolicyKind::Nearest));
+        runner.setScenario(easy); // continues with feasible policies
+        QVERIFY(completes(runner, kPatience_ms + 8 * limit_ms));
+        QVERIFY(runner.forecasts().at(PolicyKind::Nearest) == nearest);
     }
 
     void brokenScenariosHaveNone()
@@ -174,7 +180,7 @@ private slots:
         QVERIFY(completes(runner));
         const PolicyForecast& latency = runner.forecasts().at(PolicyKind::Latency);
         QVERIFY(latency.state == ForecastState::Impossible);
-        QVERIFY(!latency.whyNot.isEmpty());
+        QVERIFY(!latency.unsupportedReason.isEmpty());
         QVERIFY(stateOf(runner, PolicyKind::Nearest) == ForecastState::Known);
         scenario.planner.backend = Backend::Auto;
         runner.setScenario(scenario);

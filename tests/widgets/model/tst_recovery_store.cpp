@@ -40,7 +40,7 @@ private:
         return QDir(m_dir->filePath(u"recovery"_s))
             .entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
     }
-    /** As a program that ends without a word leaves it. */
+    /** Leaves a recovery as a killed program does. */
     RecoveryFiles leave(std::int64_t seed, const RecoveryInfo& info = {}) const
     {
         const HeldRecovery held = store().add();
@@ -51,7 +51,7 @@ private:
 private slots:
     void init() { m_dir = std::make_unique<QTemporaryDir>(); }
 
-    void nothingThere()
+    void emptyFolderHasNoRecoveries()
     {
         const FoundRecoveries found = store().abandoned();
         QVERIFY(found.usable.empty());
@@ -89,7 +89,7 @@ private slots:
         QVERIFY(store().abandoned().usable.empty());
     }
 
-    /** Of two programs that start at once only one offers it; put off, it is offered again. */
+    /** Only one of two programs started together offers it; if declined, it is offered again. */
     void isOfferedOnce()
     {
         leave(1);
@@ -160,7 +160,7 @@ private slots:
         QCOMPARE(found.usable[0].info.edited, QFileInfo(files.scenario()).lastModified());
     }
 
-    /** Killed before anything was written: nothing to offer, nothing to keep. */
+    /** The program was killed before anything was written: nothing is offered or left. */
     void whatIsEmptyGoes()
     {
         const RecoveryFiles files = leave(1);

@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** Many icebergs, small steps and many hours: no end within the patience of a test. */
+/** Many icebergs, small steps and many hours, which no test can wait for. */
 Scenario endlessScenario()
 {
     Scenario scenario = randomScenario(4, {.icebergs = 60, .size_m = {40000, 40000}});
@@ -68,7 +68,7 @@ private slots:
         QFETCH(PolicyKind, kind);
         QFETCH(double, tau);
         const Mission expected = flownWith(shortScenario(), policy(kind, tau));
-        const ForbidSolving onThisThread; // a solve here would throw
+        const NoBlockingScope onThisThread; // a solve here would throw
         RunList list;
         QSignalSpy finished(&list, &RunList::finished);
         list.addFlown(shortScenario(), policy(kind, tau));
@@ -83,7 +83,7 @@ private slots:
         QVERIFY(!list.comparison());
     }
 
-    /** It is added when it is complete, and once more when it is stopped. */
+    /** A run is added when it is complete, and again when it is stopped. */
     void nameSurvivesTheSameRun()
     {
         const Mission mission = flownWith(shortScenario(), policy(PolicyKind::Nearest));
@@ -101,7 +101,7 @@ private slots:
     {
         const Mission first = flownWith(shortScenario(), policy(PolicyKind::Nearest));
         const Mission tour = flownWith(shortScenario(), policy(PolicyKind::Tour));
-        const ForbidSolving onThisThread;
+        const NoBlockingScope onThisThread;
         RunList list;
         QSignalSpy finished(&list, &RunList::finished);
         QSignalSpy comparisonChanged(&list, &RunList::comparisonChanged);
@@ -114,7 +114,7 @@ private slots:
         compareRuns(*list.reference(), first);
         compareRuns(*list.other(), tour);
         QCOMPARE(list.comparison()->until_s, 300.0);
-        // The same once more is not flown again.
+        // An equal run is not flown again.
         list.setReference(1);
         QVERIFY(list.reference() == list.runs()[1] && list.other() == list.runs()[0]);
         list.setReference(0);
@@ -124,7 +124,7 @@ private slots:
         QVERIFY(!list.isFlying());
     }
 
-    /** What came up in flight is part of the world, and not of the settings. */
+    /** Icebergs added in flight belong to the world, not to the settings. */
     void variantsMeetTheSameIcebergs()
     {
         const auto flown = [](const PlannerSettings& planner, bool changed) {
@@ -153,7 +153,7 @@ private slots:
         compareRuns(*list.other(), expected);
     }
 
-    /** A tour does not depend on tau: the one there is serves. */
+    /** A tour does not depend on tau, so the present one is used. */
     void equalFlightsAreNotFlownAgain_data()
     {
         QTest::addColumn<PolicyKind>("kind");
@@ -210,10 +210,10 @@ private slots:
         QVERIFY(list.other() == list.runs()[1]);
         QCOMPARE(list.comparison()->until_s, 120.0);
         list.add(recordOf(flownWith(shortScenario(), policy(PolicyKind::Nearest), 121)));
-        QCOMPARE(list.runs().size(), std::size_t{3}); // flown further: another one
+        QCOMPARE(list.runs().size(), std::size_t{3}); // flown further, so it is another run
     }
 
-    /** Those of the scenario before stay in the list, but are not compared. */
+    /** Runs of the previous scenario stay in the list, but are not compared. */
     void anotherScenarioHasOtherRuns()
     {
         RunList list;
@@ -243,12 +243,12 @@ private slots:
                 list.setOther(0);
         }
         QCOMPARE(list.runs().size(), RunList::kMost);
-        QCOMPARE(list.other()->flown_s, 10.0); // compared: stays
+        QCOMPARE(list.other()->flown_s, 10.0); // stays while it is compared
         QCOMPARE(list.runs()[1]->flown_s, 12.0);
         QCOMPARE(list.reference()->flown_s, 10.0 + static_cast<double>(RunList::kMost));
     }
 
-    void choosing()
+    void choosesReferenceAndOther()
     {
         RunList list;
         const Scenario scenario = shortScenario();
@@ -261,15 +261,15 @@ private slots:
         list.setOther(0); // of another scenario
         QVERIFY(list.other() == nullptr);
         list.setReference(0);
-        QVERIFY(list.other() == list.runs()[2]); // the newest there is
+        QVERIFY(list.other() == list.runs()[2]); // the newest run
         list.setOther(1);
         QVERIFY(list.other() == list.runs()[1]);
-        list.setOther(0); // the reference: swapped
+        list.setOther(0); // choosing the reference swaps the two
         QVERIFY(list.reference() == list.runs()[1] && list.other() == list.runs()[0]);
         QVERIFY(list.otherIn(scenario) == list.other());
         QVERIFY(list.otherIn(shortScenario(8)) == nullptr);
         list.remove(1);
-        QVERIFY(list.reference() == list.runs()[0]); // what was compared with it
+        QVERIFY(list.reference() == list.runs()[0]); // the run compared with it
         QVERIFY(list.other() == list.runs()[1]);
         list.remove(0);
         list.remove(0);
@@ -291,7 +291,7 @@ private slots:
         QCOMPARE(finished[0][0].toString(), QString());
         QVERIFY(!list.isFlying());
         QVERIFY(list.runs().empty());
-        list.addFlown(shortScenario(), policy(PolicyKind::Nearest)); // as usable as before
+        list.addFlown(shortScenario(), policy(PolicyKind::Nearest)); // the list still works
         QVERIFY(QTest::qWaitFor([&] { return list.runs().size() == 1; }, kPatience_ms));
     }
 
@@ -315,7 +315,7 @@ private slots:
         list.addFlown(shortScenario(), policy(PolicyKind::Nearest));
         QVERIFY(ends(finished));
         QVERIFY(finished[0][0].toString().contains(u"q_m2ps"_s));
-        QCOMPARE(list.runs().size(), std::size_t{1}); // the next one was flown all the same
+        QCOMPARE(list.runs().size(), std::size_t{1}); // the next one was still flown
     }
 
     void runFilesAreFlownAgain_data()

@@ -19,7 +19,7 @@ void moveFirst(ScenarioDocument& document, double east_m, const QString& gesture
         u"Move"_s, [east_m](Scenario& s) { s.icebergs[0].position_m.x() = east_m; }, gesture);
 }
 
-/** One edit out of many kinds, chosen by the stream. */
+/** Makes one of many edits, chosen by the stream. */
 void randomEdit(ScenarioDocument& document, Random& random)
 {
     document.edit(u"Edit"_s, [&random](Scenario& s) {
@@ -106,7 +106,7 @@ private slots:
         QVERIFY(document.isClean());
     }
 
-    /** Whatever was done, undoing all of it gives the start, and redoing all of it the end. */
+    /** Undoing all edits gives the start, and redoing all of them the end. */
     void everythingCanBeUndone()
     {
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -140,11 +140,11 @@ private slots:
         ScenarioDocument document;
         document.reset(randomScenario(1));
         const Scenario start = document.scenario();
-        QSignalSpy impossible(&document, &ScenarioDocument::impossible);
+        QSignalSpy rejected(&document, &ScenarioDocument::editRejected);
         QVERIFY(!document.edit(u"Id"_s, [](Scenario& s) { s.icebergs[1].id = s.icebergs[0].id; }));
         QVERIFY(
             !document.edit(u"Far"_s, [](Scenario& s) { s.icebergs[1].position_m.x() = 1e300; }));
-        QCOMPARE(impossible.count(), 2);
+        QCOMPARE(rejected.count(), 2);
         QVERIFY(document.scenario() == start);
         QVERIFY(document.isClean());
     }

@@ -36,7 +36,7 @@ private slots:
         QCOMPARE(selection.ids(), (Ids{"a", "b"}));
     }
 
-    void tellsOnlyOfRealChanges()
+    void emitsRealChangesOnly()
     {
         Selection selection;
         const QSignalSpy changed(&selection, &Selection::changed);
@@ -76,7 +76,7 @@ private slots:
         QTest::newRow("first") << 0;
         QTest::newRow("last") << 2;
     }
-    /** The area that takes the place of another one was not chosen. */
+    /** An area that moved to another index was not selected. */
     void noFlyAreasAreDroppedWhenOneComesOrGoes()
     {
         QFETCH(int, removed);
@@ -92,7 +92,7 @@ private slots:
             selection.keepExisting(*next);
             QVERIFY(selection.isEmpty());
         }
-        selection.set({noFlyKey(1)}); // as one that was just drawn
+        selection.set({noFlyKey(1)}); // as if just drawn
         fewer.noFly[1].name = "Changed";
         selection.keepExisting(fewer);
         QCOMPARE(selection.ids(), (Ids{noFlyKey(1)}));

@@ -18,7 +18,7 @@ using test::kPatience_ms;
 
 namespace {
 
-/** As the core does it, on another thread. */
+/** Returns the study flown by the core on another thread. */
 Study flownByCore(const StudySpec& spec)
 {
     return std::async(std::launch::async,
@@ -35,7 +35,7 @@ struct StudyRunnerFixture
     StudyRunner runner;
     QSignalSpy finished{&runner, &StudyRunner::finished};
     QSignalSpy updated{&runner, &StudyRunner::updated};
-    ForbidSolving onThisThread;
+    NoBlockingScope onThisThread;
 
     [[nodiscard]] bool ends(int times = 1)
     {
@@ -100,7 +100,7 @@ private slots:
         if (f.runner.isComplete())
             QSKIP("this machine is too fast to cancel it");
 
-        // The rest, of a study as short as what was kept and a little more.
+        // The rest of a study slightly longer than the part that was kept.
         Study rest = before;
         rest.spec.runs = static_cast<int>(kept / 4 + 3);
         rest.outcomes.resize(missionCount(rest.spec));
@@ -139,7 +139,7 @@ private slots:
         QCOMPARE(f.runner.result()->summary.reference, std::size_t{3});
     }
 
-    void whatCannotBeFlownIsTold()
+    void impossibleRunsAreReported()
     {
         StudySpec spec = test::quickStudy();
         spec.scenarios.front().duration_s = -1;
@@ -154,7 +154,8 @@ private slots:
     void bestOfEachCaseIsCounted()
     {
         const StudyPointer result = test::fourCases();
-        QVERIFY((result->bestByCase == std::vector<std::size_t>{1, 2, 1, 3})); // a tie: the first
+        // A tie: the first one wins.
+        QVERIFY((result->bestByCase == std::vector<std::size_t>{1, 2, 1, 3}));
         QVERIFY((result->bestIn == std::vector<std::size_t>{0, 2, 1, 1}));
     }
 
@@ -168,7 +169,7 @@ private slots:
         QVERIFY(estimatedTime_s(coverage) > 2 * one_s);
     }
 
-    /** Closing does not wait for what is under way. */
+    /** Closing does not wait for the current study. */
     void closesWhileFlying()
     {
         auto runner = std::make_shared<StudyRunner>();

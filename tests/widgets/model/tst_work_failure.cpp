@@ -18,7 +18,7 @@ private slots:
         QVERIFY(done);
     }
 
-    /** Whatever is thrown becomes a value with something to read. */
+    /** Every exception becomes a value with a readable report. */
     void workThatThrows_data()
     {
         QTest::addColumn<QString>("what");
@@ -45,7 +45,7 @@ private slots:
                 throw std::bad_alloc();
             if (what == QLatin1String("fault"))
                 require(false, "never so");
-            throw 7; // NOLINT: of no type that anybody knows
+            throw 7; // NOLINT: a type without handler
         });
         QVERIFY(failure.has_value());
         QVERIFY(failure->report.contains(says));

@@ -1,5 +1,5 @@
-// Memory runs out on the threads that plan, fly and read. A program of its own: it has `new` of its
-// own, which fails where the test says.
+// Lack of memory on the threads that plan, fly and read. A program of its own, because it replaces
+// `new` by one that fails where the test requires.
 
 #include "core/io/files/scenario_json.h"
 #include "core/scenario/presets.h"
@@ -24,12 +24,12 @@
 
 namespace {
 
-/** Smaller pieces are there as long as a program can go on at all. */
+/** Smaller allocations succeed as long as a program can continue at all. */
 constexpr std::size_t kLarge_bytes = 200;
 
-std::atomic<long> untilFailure{-1}; ///< so many large pieces can still be had; -1: all
+std::atomic<long> untilFailure{-1}; ///< number of large allocations that still succeed; −1 for all
 std::atomic<int> failures{0};
-thread_local bool isSpared = false; ///< the thread of the GUI
+thread_local bool isSpared = false; ///< true on the GUI thread
 
 } // namespace
 
@@ -47,7 +47,7 @@ void* operator new(std::size_t size)
 
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept
 {
-    return std::malloc(size == 0 ? 1 : size); // of temporary buffers, which do without
+    return std::malloc(size == 0 ? 1 : size); // temporary buffers manage without it
 }
 
 // Not inlined: GCC 14 would see a piece of `new` freed by `free`, and warn of it.
@@ -71,7 +71,7 @@ namespace {
 template <class Act>
 bool survives(const Act& act)
 {
-    if (!act()) // the threads are up: Qt's own start of one needs its memory
+    if (!act()) // starts the threads, which need their memory
         return false;
     failures = 0;
     for (const long n : {0L, 1L, 2L, 3L, 4L, 5L, 7L, 10L, 15L, 20L, 30L, 50L, 100L, 200L}) {
@@ -81,7 +81,7 @@ bool survives(const Act& act)
         if (!ended)
             return false;
     }
-    return failures > 0; // else nothing was tried
+    return failures > 0; // otherwise nothing was tried
 }
 
 Scenario quick()
@@ -98,7 +98,7 @@ class TestWorkerMemory : public QObject
 private slots:
     void initTestCase() { isSpared = true; }
 
-    void missions()
+    void missionsSurviveLackOfMemory()
     {
         MissionRunner runner;
         FlightRecord record;
@@ -108,18 +108,18 @@ private slots:
             return QTest::qWaitFor(
                 [&] {
                     if (std::optional<MissionSnapshot> snapshot = runner.acceptSnapshot())
-                        record.take(std::move(*snapshot));
+                        record.accept(std::move(*snapshot));
                     return record.now.generation == runner.generation() &&
                            (record.now.phase == RunPhase::Failed || record.now.time_s >= 60);
                 },
                 kPatience_ms);
         };
         QVERIFY(survives(flies));
-        QVERIFY(flies()); // and is none the worse for it
+        QVERIFY(flies()); // and still works
         QVERIFY(record.now.phase != RunPhase::Failed);
     }
 
-    void exports()
+    void exportsSurviveLackOfMemory()
     {
         MissionRunner runner;
         runner.setScenario(quick());
@@ -137,7 +137,7 @@ private slots:
         }));
     }
 
-    void studies()
+    void studiesSurviveLackOfMemory()
     {
         StudyRunner runner;
         QSignalSpy finished(&runner, &StudyRunner::finished);
@@ -148,7 +148,7 @@ private slots:
         }));
     }
 
-    void studyFiles()
+    void studyFilesSurviveLackOfMemory()
     {
         const QTemporaryDir folder;
         StudyFiles files;
@@ -164,7 +164,7 @@ private slots:
         }));
     }
 
-    void benchmarks()
+    void benchmarksSurviveLackOfMemory()
     {
         BenchmarkRunner runner;
         QSignalSpy finished(&runner, &BenchmarkRunner::finished);
@@ -179,7 +179,7 @@ private slots:
         }));
     }
 
-    void comparedRuns()
+    void comparedRunsSurviveLackOfMemory()
     {
         RunList runs;
         QSignalSpy finished(&runs, &RunList::finished);
@@ -190,7 +190,7 @@ private slots:
         }));
     }
 
-    void imports()
+    void importsSurviveLackOfMemory()
     {
         const QTemporaryDir folder;
         ImportRunner runner;

@@ -24,7 +24,7 @@ bool until(const std::function<bool()>& condition)
     return QTest::qWaitFor(condition, kPatience_ms);
 }
 
-/** The phase of the mission of the present scenario, not of one before. */
+/** Waits for the phase of the present scenario's mission, not of an earlier one. */
 bool untilPhase(Workspace& workspace, RunPhase phase)
 {
     return until([&] {
@@ -33,7 +33,7 @@ bool untilPhase(Workspace& workspace, RunPhase phase)
     });
 }
 
-/** One second into the flight. */
+/** Flies the first second. */
 bool takeOff(Workspace& workspace)
 {
     workspace.step();
@@ -84,7 +84,7 @@ private slots:
         QCOMPARE(workspace.document().undoStack()->count(), 2);
     }
 
-    /** In flight the scenario stays as it is; the mission changes, the last value always. */
+    /** In flight the scenario does not change; the mission does, at least with the last value. */
     void inFlightChangesAreInterventions()
     {
         Workspace workspace;
@@ -104,7 +104,7 @@ private slots:
         QVERIFY(workspace.record().now.planner == small().planner);
     }
 
-    /** What was wanted before the flight goes on is in force when it does. */
+    /** A tau requested before the flight continues is in force when it does. */
     void tauComesBeforeTheNextStep()
     {
         Workspace workspace;
@@ -117,7 +117,7 @@ private slots:
         QCOMPARE(workspace.planner().tau, 4.5);
     }
 
-    /** Changes that wait for the flight together are all in force, of each kind the newest. */
+    /** The newest of each kind of waiting change takes effect. */
     void changesOfEveryKindAreJoined()
     {
         Workspace workspace;
@@ -140,8 +140,8 @@ private slots:
             QVERIFY(!change.tau);
     }
 
-    /** Before take-off an edit, in flight an intervention for each; the planner keeps to it. */
-    void icebergsAreHandedOver()
+    /** An assignment is an edit before take-off and an intervention in flight; plans obey it. */
+    void icebergsAreAssigned()
     {
         Scenario scenario = small();
         scenario.uavs.push_back(scenario.uavs.front());
@@ -173,8 +173,8 @@ private slots:
         QVERIFY(until([&] { return workspace.assignedUavOf(first).empty(); }));
     }
 
-    /** Before take-off there is no flight to be told. */
-    void onlyAFlightCanBeTold()
+    /** Before take-off there is no flight to change. */
+    void onlyAFlightAcceptsInterventions()
     {
         Workspace workspace;
         Scenario scenario = small();
@@ -208,7 +208,7 @@ private slots:
         QCOMPARE(workspace.record().now.metrics.zeta_m2s, zeta_m2s);
     }
 
-    void selectionIsKeptByEditsThatLeaveIt()
+    void selectionStaysAfterUnrelatedEdits()
     {
         Workspace workspace;
         workspace.document().reset(small());
@@ -242,7 +242,7 @@ private slots:
         QCOMPARE(workspace.record().history.samples.size(), std::size_t{1});
     }
 
-    /** Snapshots of a flight that was ended do not bring it back. */
+    /** Late snapshots of an ended flight do not restore it. */
     void resetInFullFlight()
     {
         Workspace workspace;
@@ -258,7 +258,7 @@ private slots:
         QCOMPARE(workspace.record().now.time_s, 0.0);
     }
 
-    void takeOffAndResetAreToldOnce()
+    void takeOffAndResetAreEmittedOnce()
     {
         Workspace workspace;
         workspace.document().reset(small());
@@ -294,7 +294,7 @@ private slots:
         QVERIFY(!workspace.record().now.error.has_value());
     }
 
-    /** The rate changes a flight under way and starts none. */
+    /** The rate changes the current flight and starts none. */
     void rateStartsNoFlight()
     {
         Workspace workspace;
@@ -322,8 +322,8 @@ private slots:
             QCOMPARE(qRound(record.history.samples[i].time_s), static_cast<int>(i));
     }
 
-    /** Nothing comes after the end. */
-    void destroyedWhileEverythingIsUnderWay()
+    /** Nothing is delivered after destruction. */
+    void destructionEndsAllWork()
     {
         auto workspace = std::make_unique<Workspace>();
         workspace->document().reset(small());

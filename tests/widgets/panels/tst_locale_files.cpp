@@ -16,7 +16,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** Numbers of the C++ library as a German or Norwegian writes them. */
+/** Numbers of the C++ library as in German or Norwegian. */
 struct CommaNumbers final : std::numpunct<char>
 {
     [[nodiscard]] char do_decimal_point() const override { return ','; }
@@ -24,7 +24,7 @@ struct CommaNumbers final : std::numpunct<char>
     [[nodiscard]] std::string do_grouping() const override { return "\3"; }
 };
 
-/** Everything that decides how a number is written, until the end of the scope. */
+/** Sets everything that determines how a number is written, until the end of the scope. */
 class InLocale
 {
 public:
@@ -34,7 +34,7 @@ public:
         QLocale::setDefault(locale);
         if (locale == QLocale::c())
             return;
-        // Where the system does not have it, it stays; the library's numbers change in any case.
+        // If the system does not have it, it stays; the library's numbers change in any case.
         (void)std::setlocale(LC_ALL, qPrintable(locale.name() + u".UTF-8"_s));
         std::locale::global(std::locale(std::locale(), new CommaNumbers));
     }
@@ -60,7 +60,7 @@ struct Written
     Scenario scenario;
 };
 
-/** Edits by mouse and by typing in the user's own way of writing numbers, then saves. */
+/** Edits by mouse and by typing numbers in the user's locale, then saves. */
 Written editedIn(const QLocale& locale)
 {
     const InLocale inLocale(locale);
@@ -74,7 +74,7 @@ Written editedIn(const QLocale& locale)
     const auto enter = [&](const QString& key, double value) {
         auto& field = test::child<NumberField>(panel, key);
         QString text = locale.toString(value, 'f', 3);
-        text.replace(QChar(0x2212), u'-'); // what the keyboard has
+        text.replace(QChar(0x2212), u'-'); // the minus sign of the keyboard
         test::enter(field, text);
     };
     map.view.setTool(MapToolKind::Area);
@@ -84,12 +84,12 @@ Written editedIn(const QLocale& locale)
     map.view.setTool(MapToolKind::Iceberg);
     map.drag({500, 300}, {560, 255});
     enter(u"icebergVelocityEast"_s, -1.234);
-    enter(u"icebergGrowth"_s, 0.031);
+    enter(u"icebergs.q_m2ps"_s, 0.031);
     map.view.edits().copySelected();
     map.view.edits().pasteAt(Point(1234.5, 2345.6));
     map.selection.clear();
-    enter(u"scenarioDuration"_s, 12345.5);
-    enter(u"scenarioLatitude"_s, 71.125);
+    enter(u"duration_s"_s, 12345.5);
+    enter(u"planner.reach_radius_m"_s, 71.125);
     const QString path = folder.filePath(u"a.berg"_s);
     map.document.save(path);
     return {.file = readFile(path.toStdString()),
@@ -99,7 +99,7 @@ Written editedIn(const QLocale& locale)
 
 } // namespace
 
-/** Files are the same bytes whatever the user's language writes numbers like. */
+/** Files have the same bytes in every locale of the user. */
 class TestLocaleFiles : public QObject
 {
     Q_OBJECT

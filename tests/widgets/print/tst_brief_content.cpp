@@ -61,7 +61,7 @@ int seconds(const QString& clock)
 
 } // namespace
 
-/** What the flight brief says of the flight. */
+/** Content of the flight brief. */
 class TestBriefContent : public QObject
 {
     Q_OBJECT
@@ -100,7 +100,7 @@ private slots:
         }
     }
 
-    void legsAreWhatTheEllipsoidSays()
+    void legsMatchGeodesics()
     {
         // Away from the origin, where north of the plane is not true north.
         const ExportContent content = planContent(changed([](Scenario& s) {
@@ -199,7 +199,7 @@ private slots:
         }));
     }
 
-    /** Where and when the flight begins; nothing without a date. */
+    /** Place and time of the start; no sun times without a date. */
     void sunAndTwilight()
     {
         Scenario scenario = fourIcebergs();
@@ -242,18 +242,18 @@ private slots:
 
     void legsAddUpToTheDistance_data()
     {
-        QTest::addColumn<ExportWhat>("what");
-        QTest::newRow("order") << ExportWhat::Order;
-        QTest::newRow("path") << ExportWhat::Path;
-        QTest::newRow("track") << ExportWhat::Track;
+        QTest::addColumn<ExportScope>("what");
+        QTest::newRow("order") << ExportScope::Order;
+        QTest::newRow("path") << ExportScope::Path;
+        QTest::newRow("track") << ExportScope::Track;
     }
 
     void legsAddUpToTheDistance()
     {
-        QFETCH(const ExportWhat, what);
+        QFETCH(const ExportScope, what);
         const Mission mission = flown(fourIcebergs(), 390.5); // not on the record's grid
         const ExportOptions options{.what = what};
-        const ExportContent content = what == ExportWhat::Track
+        const ExportContent content = what == ExportScope::Track
                                           ? runContent(mission, options)
                                           : planContent(fourIcebergs(), fourIcebergPlan(), options);
         const std::vector<TimedPoint> path = pathOf(content.uavs[0]);
@@ -269,11 +269,11 @@ private slots:
         }
         const double rows = static_cast<double>(brief.routes[0].rows.size());
         QVERIFY(length_m > 5000);
-        QVERIFY(std::abs(legs_m - length_m) < 5 * rows + 25); // what is flown in half a second more
+        QVERIFY(std::abs(legs_m - length_m) < 5 * rows + 25); // distance of another half second
         QVERIFY(std::abs(times_s - path.back().time_s) <= 0.5 * rows + 0.5);
     }
 
-    void trackSaysWhatWasFlown()
+    void trackListsFlownLegs()
     {
         const Mission mission = flown(fourIcebergs());
         const ExportContent content = runContent(mission);
@@ -310,7 +310,7 @@ private slots:
                      .contains(u"This sortie"_s));
     }
 
-    void uavRowHasWhatIsChosen()
+    void uavRowHasTheChosenOptions()
     {
         const Scenario scenario = changed([](Scenario& s) {
             s.uavs[0].spec.endurance_s = 1800;

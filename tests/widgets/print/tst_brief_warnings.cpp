@@ -8,13 +8,13 @@ using namespace berg;
 using namespace berg::test;
 using namespace Qt::StringLiterals;
 
-/** What the flight brief warns of, and how names are printed. */
+/** Warnings of the flight brief, and names as printed. */
 class TestBriefWarnings : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void warningsTellTheWorstFirst()
+    void worstWarningsComeFirst()
     {
         const ExportContent content = planContent(changed([](Scenario& s) {
                                                       s.geofence = true;
@@ -52,7 +52,7 @@ private slots:
             s.icebergs[0].position_m = Point(300'000, 0);
             s.icebergs[2].position_m = Point(0, 300'000);
         }));
-        const QStringList far = briefWarnings(content, kEnglish).filter(u"So far away"_s);
+        const QStringList far = briefWarnings(content, kEnglish).filter(u"too far away"_s);
         QCOMPARE(far.size(), 1);
         QVERIFY2(far[0].contains(u" (2): "_s), qPrintable(far[0]));
         for (const std::size_t i : {0U, 2U})
@@ -66,8 +66,9 @@ private slots:
         const ExportContent content = planContent(scenario, fourIcebergPlan(), {.loiterTurns = 20});
         const QStringList warnings = briefWarnings(content, kEnglish);
         // 20 turns of a radius of 106 m at 22 m/s are 10 min.
-        QVERIFY2(warnings[0].startsWith(u"Times are without the loiter turns: 10 min more"_s),
-                 qPrintable(warnings[0]));
+        QVERIFY2(
+            warnings[0].startsWith(u"Times do not include the loiter turns, which add 10 min"_s),
+            qPrintable(warnings[0]));
         QVERIFY2(warnings[1].contains(u"endurance is too short"_s), qPrintable(warnings[1]));
     }
 
@@ -114,7 +115,7 @@ private slots:
             return warnings.join(u' ').contains(u"keep them 200 m apart"_s);
         };
         QVERIFY(!warns());
-        options.altitude_m = 100; // of both
+        options.altitude_m = 100; // altitude of both UAVs
         QVERIFY(warns());
         scenario.separation_m = 0;
         QVERIFY(!warns());

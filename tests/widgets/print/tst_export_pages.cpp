@@ -73,7 +73,7 @@ Scenario hostileFlown()
     return scenario;
 }
 
-/** What is exported, as long as it is looked at. */
+/** An export with the mission it refers to, for its lifetime. */
 class Source
 {
 public:
@@ -163,7 +163,7 @@ void pageRows()
 {
     QTest::addColumn<QString>("id");
     QTest::addColumn<Scenario>("scenario");
-    QTest::addColumn<double>("flown_s"); // 0: the plan
+    QTest::addColumn<double>("flown_s"); // zero exports the plan
     QTest::addColumn<ExportOptions>("options");
     const std::vector<std::pair<const char*, Scenario>> scenarios{
         {"four", fourIcebergs()},
@@ -194,8 +194,8 @@ void pageRows()
         if (row.holds.flownOnly)
             continue;
         addRow(id, "one of three", withThreeUavs(), 0, {.uav = "uav-2"});
-        addRow(id, "path home", stormy(), 0, {.what = ExportWhat::Path, .returnHome = true});
-        addRow(id, "first leg in flight", fourIcebergs(), 90, {.what = ExportWhat::FirstLeg});
+        addRow(id, "path home", stormy(), 0, {.what = ExportScope::Path, .returnHome = true});
+        addRow(id, "first leg in flight", fourIcebergs(), 90, {.what = ExportScope::FirstLeg});
     }
 }
 
@@ -208,7 +208,7 @@ class TestExportPages : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(u".*"_s)); }
 
-    /** Every painted format, whatever the place, the names and the way. */
+    /** Every painted format renders for every place, name and kind of path. */
     void filesAreWhole_data() { pageRows(); }
 
     void filesAreWhole()
@@ -250,7 +250,7 @@ private slots:
     {
         QFETCH(QString, id);
         const Source source(fourIcebergs(), 90, {});
-        const QImage look = exportPaint().prepare(format(id), source.content()).look();
+        const QImage look = exportPaint().prepare(format(id), source.content()).image();
         const QSize size_px = exportPage(format(id), source.content(), QLocale()).size_px;
         QVERIFY(look.width() >= size_px.width());
         QCOMPARE(look.deviceIndependentSize().toSize(), size_px);
@@ -276,22 +276,22 @@ private slots:
         QCOMPARE(error->subject(), std::string("format"));
     }
 
-    void pagesSayWhatTheyShow_data()
+    void pagesHaveTitles_data()
     {
         QTest::addColumn<double>("flown_s");
         QTest::addColumn<ExportOptions>("options");
         QTest::addColumn<QString>("what");
         QTest::newRow("track") << 90. << ExportOptions{} << u"Flown until 00:01:00Z +1"_s;
         QTest::newRow("order") << 0. << ExportOptions{} << u"Planned order"_s;
-        QTest::newRow("order in flight") << 90. << ExportOptions{.what = ExportWhat::Order}
+        QTest::newRow("order in flight") << 90. << ExportOptions{.what = ExportScope::Order}
                                          << u"Planned order at 00:01:00Z +1"_s;
         QTest::newRow("first leg")
-            << 0. << ExportOptions{.what = ExportWhat::FirstLeg} << u"First leg"_s;
-        QTest::newRow("path") << 0. << ExportOptions{.what = ExportWhat::Path}
+            << 0. << ExportOptions{.what = ExportScope::FirstLeg} << u"First leg"_s;
+        QTest::newRow("path") << 0. << ExportOptions{.what = ExportScope::Path}
                               << u"Planned path with turns"_s;
     }
 
-    void pagesSayWhatTheyShow()
+    void pagesHaveTitles()
     {
         QFETCH(double, flown_s);
         QFETCH(ExportOptions, options);
@@ -305,7 +305,7 @@ private slots:
     }
 
     /** The content may go before the page is painted. */
-    void pagesHoldWhatTheyPaint()
+    void pagesOwnTheirData()
     {
         PicturePage page;
         std::string expected;
@@ -355,7 +355,7 @@ private slots:
         QVERIFY(shown.routes[0].plan.empty() && shown.routes[0].track.size() > 50);
     }
 
-    void lostIcebergsAreToldFromTheOthers()
+    void lostIcebergsAreMarked()
     {
         const Source source(fourIcebergs(), 90, {});
         ExportContent content = source.content();
@@ -415,7 +415,7 @@ private slots:
                     ? 1
                     : 0;
         QVERIFY(timed >= 3);
-        const Source plan(fourIcebergs(), 400, {.what = ExportWhat::Order});
+        const Source plan(fourIcebergs(), 400, {.what = ExportScope::Order});
         QVERIFY(!bytes(pictureFile(mapPage(plan.content(), QLocale()), u"svg"_s))
                      .contains("dots on the path"));
     }

@@ -25,7 +25,7 @@ bool hasControls(const QString& text)
     });
 }
 
-/** What is wrong with the page, empty when nothing. */
+/** Describes a defect of the page; empty if there is none. */
 QString faultOf(const BriefLayout& layout)
 {
     const double margin_px = kBriefMargin_px - 0.01;
@@ -79,15 +79,15 @@ private slots:
     void everythingHasItsPlace_data()
     {
         QTest::addColumn<ExportContent>("content");
-        QTest::addColumn<QString>("cut"); ///< of the rows; empty: all are there
+        QTest::addColumn<QString>("cut"); ///< line about rows left out; empty if all are shown
         const auto row = [](const char* name, const ExportContent& content,
                             const QString& cut = {}) { QTest::newRow(name) << content << cut; };
         row("no icebergs", planContent(changed([](Scenario& s) { s.icebergs.clear(); }), {}));
         row("4", planContent(fourIcebergs()));
         row("40", fleetContent(1, 40));
         row("50", fleetContent(1, 50));
-        row("500", fleetContent(1, 500), u" more; the whole list"_s);
-        row("5 UAVs, 500", fleetContent(5, 500), u" more; the whole list"_s);
+        row("500", fleetContent(1, 500), u" more; export CSV for the whole list"_s);
+        row("5 UAVs, 500", fleetContent(5, 500), u" more; export CSV for the whole list"_s);
         row("5 UAVs, 20", fleetContent(5, 20));
         row("100 UAVs, 500", fleetContent(100, 500), u" more UAVs"_s);
         row("hostile", planContent(longHostile()));
@@ -106,7 +106,7 @@ private slots:
                     return scenario;
                 }(),
                 fleetPlan(5, 400), {.loiterTurns = 2}),
-            u" more; the whole list"_s);
+            u" more; export CSV for the whole list"_s);
     }
 
     void everythingHasItsPlace()

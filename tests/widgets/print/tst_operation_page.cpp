@@ -40,10 +40,10 @@ class TestOperationPage : public QObject
     Q_OBJECT
 
 private slots:
-    void saysWhatItIsAndHowItCameAbout()
+    void pageIsAProposalWithFormulas()
     {
         const QString words = wordsOf(layoutOf(withOperation({.crew = "A. Pilot"})));
-        // Its lines are as long as the page is wide.
+        // Lines span the page.
         QVERIFY2(words.simplified().contains(
                      u"Operation volume: proposal, to be checked with your authority"_s),
                  qPrintable(words));
@@ -70,7 +70,7 @@ private slots:
         QVERIFY(wordsOf(layout).contains(u"engine"_s));
     }
 
-    void linesOfContactsAreToldApart()
+    void linesOfContactsAreSeparated()
     {
         const Operation filled{.contacts = "Ship +47 1\nATS 118.1\n\nRescue 112"};
         const BriefLayout layout = layoutOf(withOperation(filled));
@@ -79,7 +79,7 @@ private slots:
         }));
     }
 
-    /** What is left empty is a line to write on. */
+    /** An empty entry becomes a line for handwriting. */
     void emptyFieldsAreBlankLines()
     {
         const Operation filled{

@@ -92,7 +92,7 @@ private slots:
         }
     }
 
-    void runGivesThePicturesOfItsScenario()
+    void runHasThePicturesOfItsScenario()
     {
         Mission mission(smallScenario());
         mission.advance(120);

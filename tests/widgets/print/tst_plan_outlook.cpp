@@ -38,7 +38,7 @@ Scenario with(Scenario scenario, void (*change)(Scenario&))
 
 } // namespace
 
-/** Whatever tells how long a plan is and when it comes where says the same. */
+/** All outputs of a plan's length and times agree. */
 class TestPlanOutlook : public QObject
 {
     Q_OBJECT
@@ -77,8 +77,9 @@ private slots:
         const FlightRecord record = recordOf(mission);
         const std::vector<PlanSection> sections = planSections(record.shown(), record.scenario);
         const PlanAnswer plan = startPlan(mission);
-        const ExportContent content = exportContent(
-            {.scenario = scenario, .plan = plan, .mission = &mission}, {.what = ExportWhat::Order});
+        const ExportContent content =
+            exportContent({.scenario = scenario, .plan = plan, .mission = &mission},
+                          {.what = ExportScope::Order});
         QCOMPARE(sections.size(), content.uavs.size());
         double length_m = 0;
         for (std::size_t u = 0; u < sections.size(); ++u) {

@@ -69,7 +69,7 @@ private slots:
         QCOMPARE(interfaceOf(chart).text(QAccessible::Name), u"Zeta"_s);
     }
 
-    /** What takes the keyboard has a name, if only that of what it is in. */
+    /** Every widget with keyboard focus has a name, if only that of its container. */
     void nothingFocusableIsNameless()
     {
         QWidget window;
@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(interfaceOf(*scroll->viewport()).text(QAccessible::Name), u"Keys"_s);
     }
 
-    void listsSayWhatTheyAreOf()
+    void comboBoxesReportTheirLabels()
     {
         QComboBox combo;
         combo.addItems({u"one"_s, u"two"_s});
@@ -101,7 +101,7 @@ private slots:
         QVERIFY(list.state().editable);
     }
 
-    /** As if the user had chosen: what is chosen is acted upon. */
+    /** Choosing by action emits the same signals as choosing by the user. */
     void listsAreChosenFrom()
     {
         QComboBox combo;

@@ -13,36 +13,36 @@ class TestAnnouncer : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void theFirstIsToldAtOnce()
+    void firstSentenceIsAnnouncedAtOnce()
     {
         Announcer announcer;
-        QSignalSpy told(&announcer, &Announcer::told);
+        QSignalSpy announced(&announcer, &Announcer::announced);
         announcer.say(u"Flying"_s);
-        QCOMPARE(told.count(), 1);
+        QCOMPARE(announced.count(), 1);
         QCOMPARE(announcer.accessibleName(), u"Flying"_s);
     }
 
-    void theSameIsToldAgain()
+    void equalSentenceIsAnnouncedAgain()
     {
         Announcer announcer;
-        QSignalSpy told(&announcer, &Announcer::told);
+        QSignalSpy announced(&announcer, &Announcer::announced);
         announcer.say(u"Paused"_s);
         announcer.say(u"Paused"_s);
-        QTRY_COMPARE(told.count(), 2);
+        QTRY_COMPARE(announced.count(), 2);
         QCOMPARE(announcer.accessibleName(), u"Paused"_s);
     }
 
-    /** Of a fast flight more comes than can be heard: the newest. */
-    void whatComesSoonAfterIsToldTogether()
+    /** A fast flight has more events than can be heard: the newest are announced. */
+    void sentencesWithinASecondAreJoined()
     {
         Announcer announcer;
-        QSignalSpy told(&announcer, &Announcer::told);
+        QSignalSpy announced(&announcer, &Announcer::announced);
         announcer.say(u"0"_s);
         for (int i = 1; i <= 9; ++i)
             announcer.say(QString::number(i));
-        QTRY_COMPARE(told.count(), 2);
-        QCOMPARE(told[0][0].toString(), u"0"_s);
-        QCOMPARE(told[1][0].toString(), u"6. 7. 8. 9"_s);
+        QTRY_COMPARE(announced.count(), 2);
+        QCOMPARE(announced[0][0].toString(), u"0"_s);
+        QCOMPARE(announced[1][0].toString(), u"6. 7. 8. 9"_s);
     }
 };
 

@@ -43,7 +43,7 @@ void addRows()
                 << static_cast<int>(i) << vision;
 }
 
-/** Colours that stand side by side for different things. */
+/** Colours with different meanings that appear side by side. */
 struct Pair
 {
     const char* name;
@@ -70,7 +70,7 @@ constexpr Pair kPairs[] = {
 
 Q_DECLARE_METATYPE(berg::test::Vision)
 
-/** Nothing is told by colours that the colour-blind cannot tell apart. */
+/** No meaning depends on colours that colour-blind people cannot distinguish. */
 class TestColourVision : public QObject
 {
     Q_OBJECT
@@ -94,9 +94,9 @@ private slots:
         QVERIFY(colourDifference(QColor(0xc0392b), QColor(0x1e8449), Vision::Deuteranopia) < 20);
     }
 
-    void meaningsAreToldApart_data() { addRows(); }
+    void meaningsAreDistinguishable_data() { addRows(); }
 
-    void meaningsAreToldApart()
+    void meaningsAreDistinguishable()
     {
         QFETCH(int, theme);
         QFETCH(Vision, vision);
@@ -108,9 +108,9 @@ private slots:
         }
     }
 
-    void airspaceIsToldFromTheComparedRun_data() { addRows(); }
+    void airspaceDiffersFromTheComparedRun_data() { addRows(); }
 
-    void airspaceIsToldFromTheComparedRun()
+    void airspaceDiffersFromTheComparedRun()
     {
         QFETCH(int, theme);
         QFETCH(Vision, vision);
@@ -118,9 +118,9 @@ private slots:
         QVERIFY(colourDifference(airspacePen(shown).color(), shown.comparison, vision) >= kApart);
     }
 
-    void uavsAreToldApart_data() { addRows(); }
+    void uavColoursAreDistinguishable_data() { addRows(); }
 
-    void uavsAreToldApart()
+    void uavColoursAreDistinguishable()
     {
         QFETCH(int, theme);
         QFETCH(Vision, vision);
@@ -134,10 +134,10 @@ private slots:
             }
     }
 
-    void sigmaRunsOneWay_data() { addRows(); }
+    void sigmaScaleIsMonotonic_data() { addRows(); }
 
     /** From step to step it gets lighter, or darker, and its ends are far apart. */
-    void sigmaRunsOneWay()
+    void sigmaScaleIsMonotonic()
     {
         QFETCH(int, theme);
         QFETCH(Vision, vision);
@@ -151,7 +151,7 @@ private slots:
 
     void policiesThatLookAlikeHaveOtherMarks_data() { addRows(); }
 
-    /** Seven colours cannot all be told apart by everybody: the shape of the mark tells them. */
+    /** Nobody can distinguish all seven colours, so marks differ in shape. */
     void policiesThatLookAlikeHaveOtherMarks()
     {
         QFETCH(int, theme);

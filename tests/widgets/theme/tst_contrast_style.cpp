@@ -2,6 +2,9 @@
 #include "widgets/theme/palette.h"
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QSlider>
 #include <QStyleOptionDockWidget>
@@ -68,7 +71,54 @@ private slots:
         QVERIFY2(ofCircle >= 2.9, QByteArray::number(ofCircle)); // antialiased
     }
 
-    /** Of a dock that is a window of its own the frame has the title. */
+    void fieldsAreSeen_data()
+    {
+        QTest::addColumn<int>("look");
+        QTest::newRow("dark") << 0;
+        QTest::newRow("contrast, dark") << 1;
+        QTest::newRow("night") << 2;
+    }
+
+    /** Their edges; a field is as dark as what it stands on. */
+    void fieldsAreSeen()
+    {
+        QFETCH(int, look);
+        const Theme themes[] = {Theme::dark(), Theme::highContrast(true), Theme::night()};
+        ContrastStyle style(QStringLiteral("fusion"));
+        QLineEdit line;
+        QDoubleSpinBox number;
+        QPlainTextEdit page;
+        for (QWidget* field : std::initializer_list<QWidget*>{&line, &number, &page}) {
+            dress(*field, themes[look], style);
+            const double edge = contrastIn(*field, {field->width() / 3, 0, 10, 1});
+            QVERIFY2(edge >= 2.9, field->metaObject()->className()); // antialiased
+        }
+    }
+
+    /** Nothing blue or white is in it. */
+    void iconsOfBoxesAreRedAtNight()
+    {
+        ContrastStyle style(QStringLiteral("fusion"));
+        QWidget box;
+        const auto bluest = [&](const Theme& theme) {
+            box.setPalette(paletteOf(theme));
+            const QImage icon = style.standardIcon(QStyle::SP_MessageBoxQuestion, nullptr, &box)
+                                    .pixmap(48, 48)
+                                    .toImage();
+            int most = 0;
+            for (int y = 0; y < icon.height(); ++y)
+                for (int x = 0; x < icon.width(); ++x) {
+                    const QColor colour = icon.pixelColor(x, y);
+                    if (colour.alpha() > 0)
+                        most = std::max(most, colour.blue() - colour.red());
+                }
+            return most;
+        };
+        QVERIFY(bluest(Theme::dark()) > 0);
+        QVERIFY(bluest(Theme::night()) <= 0);
+    }
+
+    /** The window frame shows the title of a floating dock. */
     void titleOfADockIsThereOnce()
     {
         ContrastStyle style(QStringLiteral("fusion"));

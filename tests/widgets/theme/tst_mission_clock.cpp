@@ -40,7 +40,7 @@ private slots:
     }
     void cleanup() { setShownUnits({}); }
 
-    void texts_data()
+    void timesAreInUtcOrElapsed_data()
     {
         QTest::addColumn<QString>("start");
         QTest::addColumn<double>("time_s");
@@ -55,7 +55,7 @@ private slots:
         QTest::newRow("no start") << QString() << 200.0 << u"03:20"_s << u"03:20"_s;
     }
 
-    void texts()
+    void timesAreInUtcOrElapsed()
     {
         QFETCH(QString, start);
         QFETCH(double, time_s);
@@ -65,8 +65,8 @@ private slots:
         QTEST(clock.text(time_s), "elapsed");
     }
 
-    /** The other ways of saying the same instant. */
-    void details()
+    /** Other representations of the same time. */
+    void detailsHaveUtcLocalAndElapsedTime()
     {
         const MissionClock clock = startingAt(kEvening);
         QCOMPARE(clock.columnText(660), u"00:01:00 +1"_s);
@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(clock.dateText(660), u"11:00"_s);
     }
 
-    void ahead()
+    void timesAheadFollowTheClock()
     {
         const TimesAhead times{.clock = startingAt(kEvening), .now_s = 500};
         QCOMPARE(times.text(86), u"23:59:46Z"_s);
@@ -95,10 +95,10 @@ private slots:
         QCOMPARE(times.minuteInBrackets(86), QString());
     }
 
-    void typed_data()
+    void typedTimesAreRead_data()
     {
         QTest::addColumn<QString>("text");
-        QTest::addColumn<double>("time_s"); ///< below 0: it is none
+        QTest::addColumn<double>("time_s"); ///< below zero if the text is not a time
         QTest::newRow("elapsed") << u"3:20"_s << 200.0;
         QTest::newRow("minutes") << u"45 min"_s << 2700.0;
         QTest::newRow("four digits") << u"2355Z"_s << 300.0;
@@ -115,17 +115,17 @@ private slots:
         QTest::newRow("no such hour") << u"2561Z"_s << -1.0;
     }
 
-    void typed()
+    void typedTimesAreRead()
     {
         QFETCH(QString, text);
         QFETCH(double, time_s);
         const std::optional<double> read_s = readInstant(text, startingAt(kEvening), 100);
         QCOMPARE(read_s.has_value(), time_s >= 0);
         if (read_s)
-            COMPARE_NEAR(*read_s, time_s, 1e-6); // of text to milliseconds
+            COMPARE_NEAR(*read_s, time_s, 1e-6); // texts have milliseconds
     }
 
-    /** What is shown is read as the same instant. */
+    /** A displayed time is parsed as the same time. */
     void whatIsShownIsRead()
     {
         for (const MissionClock& clock : {startingAt(kEvening), MissionClock()})

@@ -38,7 +38,7 @@ QByteArray fileOf(const PicturePage& picture, const char* ending)
     return QByteArray::fromStdString(pictureFile(picture, QString::fromLatin1(ending)));
 }
 
-/** As `image` shows it. */
+/** Returns whether `image` shows the disk on white. */
 bool hasDiskOnWhite(const QImage& image)
 {
     const auto at = [&](double x, double y) {
@@ -88,7 +88,7 @@ private slots:
         QVERIFY(hasDiskOnWhite(rendered(svg)));
     }
 
-    void pdfIsOnePageOfItsSizeWithoutADate()
+    void pdfIsOnePageWithoutADate()
     {
         const QByteArray pdf = fileOf(page(), "pdf");
         QVERIFY(pdf.startsWith("%PDF-"));
@@ -143,7 +143,7 @@ private slots:
         QVERIFY(!QFile::exists(path));
     }
 
-    void foldersThatAreNotThereAreToldOf()
+    void missingFolderIsReported()
     {
         const std::optional<Error> error =
             errorOf([] { writePicture(page(), u"/nowhere/at/all.png"_s); });
@@ -186,7 +186,7 @@ private slots:
         }
         QCOMPARE(files[1], files[0]);
         QCOMPARE(files[2], files[0]);
-        // The table at the end says where things are.
+        // The table at the end gives the offsets of objects.
         const QByteArray& pdf = files[0];
         const QByteArray key = "startxref\n";
         const qsizetype at = pdf.lastIndexOf(key) + key.size();

@@ -20,7 +20,7 @@ class TestQuantityText : public QObject
     Q_OBJECT
 
 private slots:
-    void fixed_data()
+    void fixedTextHasDecimalsAndGroups_data()
     {
         QTest::addColumn<double>("value");
         QTest::addColumn<int>("decimals");
@@ -37,7 +37,7 @@ private slots:
             << -1234.0 << 0 << u"-1\u202f234"_s << u"\u22121\u202f234"_s;
     }
 
-    void fixed()
+    void fixedTextHasDecimalsAndGroups()
     {
         QFETCH(double, value);
         QFETCH(int, decimals);
@@ -47,7 +47,7 @@ private slots:
         QCOMPARE(fixedText(value, decimals, kNorwegian), norwegian);
     }
 
-    void significant_data()
+    void significantTextRoundsToDigits_data()
     {
         QTest::addColumn<double>("value");
         QTest::addColumn<int>("digits");
@@ -62,7 +62,7 @@ private slots:
         QTest::newRow("not a number") << std::nan("") << 3 << u"0"_s;
     }
 
-    void significant()
+    void significantTextRoundsToDigits()
     {
         QFETCH(double, value);
         QFETCH(int, digits);
@@ -70,7 +70,7 @@ private slots:
         QCOMPARE(significantText(value, digits, kEnglish), text);
     }
 
-    void clock_data()
+    void clockTextHasMinutesAndHours_data()
     {
         QTest::addColumn<double>("time_s");
         QTest::addColumn<QString>("text");
@@ -84,14 +84,14 @@ private slots:
         QTest::newRow("never") << std::numeric_limits<double>::infinity() << u"∞"_s;
     }
 
-    void clock()
+    void clockTextHasMinutesAndHours()
     {
         QFETCH(double, time_s);
         QFETCH(QString, text);
         QCOMPARE(clockText(time_s), text);
     }
 
-    void margins()
+    void marginTextHasASignBelowTheReserve()
     {
         QCOMPARE(marginText(750), u"12:30"_s);
         QCOMPARE(marginText(-750), u"−12:30"_s);
@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(durationText(7200, kEnglish), u"2 h"_s);
     }
 
-    void position_data()
+    void placeTextHasHemispheres_data()
     {
         QTest::addColumn<double>("angle_deg");
         QTest::addColumn<int>("decimals");
@@ -125,7 +125,7 @@ private slots:
         QTest::newRow("two decimals") << 0.0125 << 2 << u"0° 00.75′ N"_s << u"0° 00.75′ E"_s;
     }
 
-    void position()
+    void placeTextHasHemispheres()
     {
         QFETCH(double, angle_deg);
         QFETCH(int, decimals);

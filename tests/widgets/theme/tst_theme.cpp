@@ -150,7 +150,7 @@ private slots:
 
     void waterSeenHidesNothing_data() { addThemes(); }
 
-    /** The tint can be told from the sea, and what is drawn on it reads as on the sea. */
+    /** The tint is distinguishable from the sea, and lines on it are as readable as on the sea. */
     void waterSeenHidesNothing()
     {
         QFETCH(int, look);
@@ -179,7 +179,7 @@ private slots:
     void sigmaIsMonotoneAndEven_data() { addThemes(); }
 
     /**
-     * Lightness runs one way, away from the background, in nearly equal steps: viridis is even to
+     * Lightness is monotonic, away from the background, in nearly equal steps: viridis is even to
      * a few tenths of a unit of L*, and the table adds rounding to 8 bits.
      */
     void sigmaIsMonotoneAndEven()

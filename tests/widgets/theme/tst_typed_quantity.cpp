@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(clockValue(text).value_or(-1), time_s);
     }
 
-    void durations_data()
+    void typedDurationsAreRead_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("duration_s"); // negative: none
@@ -54,7 +54,7 @@ private slots:
         QTest::newRow("sixty minutes") << u"0:60"_s << -1.0;
     }
 
-    void durations()
+    void typedDurationsAreRead()
     {
         QFETCH(QString, text);
         QFETCH(double, duration_s);

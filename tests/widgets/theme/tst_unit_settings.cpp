@@ -55,7 +55,7 @@ private slots:
     }
     void cleanup() { setShownUnits({}); }
 
-    void settings()
+    void settingsSelectUnits()
     {
         const QTemporaryDir folder;
         QSettings settings(folder.filePath(u"s.ini"_s), QSettings::IniFormat);
@@ -95,7 +95,7 @@ private slots:
         QVERIFY(readUnits(settings).distance == DistanceUnit::Metric);
     }
 
-    void texts()
+    void textsUseTheSelectedUnits()
     {
         QCOMPARE(distanceText(1852, kEnglish), u"1.85 km"_s);
         QCOMPARE(offsetText(-1234.4, kEnglish), u"-1\u202f234 m"_s);
@@ -108,7 +108,7 @@ private slots:
         QCOMPARE(speedText(0.5144444, kEnglish), u"1.0 kn"_s);
     }
 
-    void heights()
+    void heightsAreInMetresOrFeet()
     {
         QCOMPARE(heightText(100, kEnglish), u"100 m"_s);
         QCOMPARE(heightsText(0, 1524, kEnglish), u"0 m to 1.52 km (0 to 5\u202f000 ft)"_s);
@@ -120,7 +120,7 @@ private slots:
         QCOMPARE(distanceText(100, kEnglish), u"100 m"_s); // a height is no distance
     }
 
-    void courses()
+    void coursesAreByTrueOrMagneticNorth()
     {
         QCOMPARE(courseText(45, std::nullopt), u"045°"_s);
         QCOMPARE(courseText(45, -18), u"045° T / 063° M"_s); // west of north: more
@@ -135,7 +135,7 @@ private slots:
         COMPARE_NEAR(shownDeclination_deg(bonavista, std::nullopt).value(), -17.5, 1e-12);
         setShownUnits({.north = NorthForm::Model});
         COMPARE_NEAR(shownDeclination_deg(bonavista, november).value(), -16.69, 0.01);
-        QVERIFY(!shownDeclination_deg(bonavista, std::nullopt)); // of which year?
+        QVERIFY(!shownDeclination_deg(bonavista, std::nullopt)); // the model needs a date
         QVERIFY(!shownDeclination_deg(bonavista, november + std::chrono::years(4)));
     }
 
@@ -151,25 +151,25 @@ private slots:
         Selection selection;
         InspectorPanel panel(document, selection);
         panel.show();
-        QCOMPARE(test::child<NumberField>(panel, u"stationAntenna"_s).suffix(), u" ft"_s);
+        QCOMPARE(test::child<NumberField>(panel, u"ground_station.antenna_m"_s).suffix(), u" ft"_s);
         selection.set({scenario.uavs.front().id});
-        auto& altitude = test::child<NumberField>(panel, u"uavAltitude"_s);
+        auto& altitude = test::child<NumberField>(panel, u"uavs.altitude_m"_s);
         QCOMPARE(altitude.suffix(), u" ft"_s);
         COMPARE_NEAR(altitude.value(), 328.1, 0.05);
         QVERIFY(altitude.toolTip().contains(u"98 ft"_s)); // 30 m
         test::enter(altitude, u"500"_s);
         QCOMPARE(document.scenario().uavs[0].spec.altitude_m, 500 * 0.3048);
         QCOMPARE(fieldValue("uavs[0].altitude_m", 30.0, kEnglish), u"98.4 ft"_s);
-        const Issue entered{
-            Severity::Warning,
-            "airspace[0].area_m",
-            {.id = IssueId::AirspaceEntered, .arguments = {std::string("D 1"), 304.8}}};
+        const Issue entered{Severity::Warning,
+                            "airspace[0].area_m",
+                            {.id = IssueId::AirspaceEntered,
+                             .arguments = {std::string("D 1"), Amount{304.8, Quantity::Height}}}};
         QVERIFY(issueText(entered, kEnglish).contains(u"begins at 1\u202f000 ft"_s));
         QCOMPARE(fieldValue("no_fly[0].floor_m", 304.8, kEnglish), u"1\u202f000 ft"_s);
     }
 
     /** The radius of 95 % is 2.4477 standard deviations. */
-    void uncertainties()
+    void uncertaintyIsSigmaOrRadius()
     {
         QCOMPARE(uncertaintyText(5, kEnglish), u"σ 5.00 m² (95 % within 5.47 m)"_s);
         QCOMPARE(radius95Text(150.0 * 150, kEnglish), u"367 m"_s);
@@ -181,7 +181,7 @@ private slots:
         QCOMPARE(radius95Text(5, kEnglish), u"5.47 m"_s);
     }
 
-    void zetas()
+    void largeZetaIsInSquareKilometres()
     {
         QCOMPARE(zetaText(84423, kEnglish), u"84\u202f420 m² s"_s);
         QCOMPARE(zetaText(16e9, kEnglish), u"16\u202f000 km² s"_s);
@@ -217,7 +217,7 @@ private slots:
         COMPARE_NEAR(std::get<LatLon>(half).longitude_deg, -53, 1e-9);
     }
 
-    void places()
+    void placesUseTheSelectedForm()
     {
         const LatLon place{.latitude_deg = 47.0533333, .longitude_deg = -(48 + 59.9999 / 60)};
         QCOMPARE(placeText(place, 1, kEnglish), u"47° 03.2′ N  49° 00.0′ W"_s);
@@ -228,7 +228,7 @@ private slots:
     }
 
     /** 1 nmi is 1852 m and 1 kn is 1852 m in an hour, to the last bit of the division. */
-    void exact()
+    void typedValuesAreConvertedExactly()
     {
         setShownUnits(kAtSea);
         QCOMPARE(distanceUnit().toSi(10), 18520.0);
@@ -265,7 +265,7 @@ private slots:
         QTest::addColumn<QString>("name");
         for (const char* name :
              {"icebergEast", "icebergNorth", "icebergVelocityEast", "icebergVelocityNorth",
-              "icebergVelocitySpeed", "icebergVelocityDirection", "icebergRadius"})
+              "icebergVelocitySpeed", "icebergVelocityDirection", "icebergs.radius_m"})
             QTest::newRow(name) << QString::fromLatin1(name);
     }
 
@@ -289,7 +289,7 @@ private slots:
         QVERIFY(document.scenario() == before);
     }
 
-    /** What may be typed may be stored. */
+    /** Every value that can be typed can be stored. */
     void limitsStayInside()
     {
         setShownUnits(kAtSea);
@@ -302,7 +302,7 @@ private slots:
         }
     }
 
-    void table()
+    void tableShowsAndReadsTheSelectedUnits()
     {
         setShownUnits(kAtSea);
         const Scenario before = oneIceberg();
@@ -352,7 +352,7 @@ private slots:
     }
 
     /** Lines of the graticule have different numbers in every form, at every scale. */
-    void graticule()
+    void graticuleUsesTheSelectedForm()
     {
         const LocalFrame frame({47.03, -48.11});
         for (const CoordinateForm form :

@@ -37,13 +37,12 @@ private slots:
         const QStringList lines = errorReport(error).split(u'\n');
         QCOMPARE(lines.size(), 4);
         QCOMPARE(lines[0], u"ice.berg: "_s + errorText(ErrorCode::InvalidInput));
-        QCOMPARE(lines[1],
-                 u"  icebergs[3].q_m2ps: Growth q must be from 0 m²/s to 1 m²/s, not 4.5 m²/s."_s);
+        QCOMPARE(lines[1], u"  icebergs[3].q_m2ps: must be from 0 m²/s to 1 m²/s, not 4.5 m²/s"_s);
         QCOMPARE(lines[2], u"  line 3: has no time"_s);
         QCOMPARE(lines[3], u"  this is not a place on the Earth"_s);
     }
 
-    /** A box with all of them would be taller than the screen. */
+    /** A box with all findings would be taller than the screen. */
     void manyFaultsAreCounted()
     {
         const Issue issue{.severity = Severity::Error, .reason = {IssueId::NotOnEarth}};

@@ -14,7 +14,7 @@ class TestEventText : public QObject
     Q_OBJECT
 
 private slots:
-    void saysWhatHappened_data()
+    void sentenceStatesTheEvent_data()
     {
         QTest::addColumn<EventKind>("kind");
         QTest::addColumn<double>("time_s");
@@ -23,7 +23,7 @@ private slots:
         QTest::newRow("planned") << EventKind::Planned << 0.0 << 0
                                  << u"00:00  Planned: next berg-1"_s;
         QTest::newRow("circling") << EventKind::Planned << 61.0 << -1
-                                  << u"01:01  Every iceberg is in view: circling"_s;
+                                  << u"01:01  Nothing to visit now: circling"_s;
         QTest::newRow("reached") << EventKind::Reached << 201.4 << 0 << u"03:21  berg-1 reached"_s;
         QTest::newRow("by name") << EventKind::Reached << 201.0 << 1
                                  << u"03:21  Storberget reached"_s;
@@ -38,15 +38,15 @@ private slots:
                               << u"00:01  Storberget is lost: not where it should be"_s;
         QTest::newRow("found") << EventKind::Found << 1.0 << 1
                                << u"00:01  Storberget found again"_s;
-        QTest::newRow("given up") << EventKind::GivenUp << 1.0 << 0
-                                  << u"00:01  Search for berg-1 given up"_s;
+        QTest::newRow("search abandoned")
+            << EventKind::GivenUp << 1.0 << 0 << u"00:01  Search for berg-1 given up"_s;
         QTest::newRow("home bound")
             << EventKind::HomeBound << 1.0 << -1 << u"00:01  Returning home"_s;
         QTest::newRow("landed") << EventKind::Landed << 1.0 << -1 << u"00:01  Landed"_s;
         QTest::newRow("took off") << EventKind::TookOff << 1.0 << -1 << u"00:01  Took off"_s;
     }
 
-    void saysWhatHappened()
+    void sentenceStatesTheEvent()
     {
         QFETCH(EventKind, kind);
         QFETCH(double, time_s);
@@ -122,7 +122,7 @@ private slots:
         QCOMPARE(eventSentence(event, icebergs, uavs, QLocale::c()), text);
     }
 
-    /** It was metres whatever the units, read back from a text. */
+    /** Distances used to be metres in all units, read back from a text. */
     void distancesAreInTheUnitsShown()
     {
         const std::vector<Uav> uavs{{.id = "uav-1"}, {.id = "uav-2"}};
@@ -134,7 +134,7 @@ private slots:
         QCOMPARE(nautical, u"uav-1 and uav-2 are 0,100 nmi apart"_s);
     }
 
-    /** Every plan but none at all has a reason, and each its own. */
+    /** Every reason except None has a text of its own. */
     void reasonsAreWords()
     {
         QSet<QString> texts;
@@ -146,7 +146,7 @@ private slots:
         QVERIFY(planReasonText(PlanReason::None).isEmpty());
     }
 
-    /** An index that is none of the icebergs' gets no name, not another one's. */
+    /** An invalid index gives no name rather than another iceberg's. */
     void unknownIcebergHasNoName_data()
     {
         QTest::addColumn<int>("iceberg");

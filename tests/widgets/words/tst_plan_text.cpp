@@ -13,7 +13,7 @@ class TestPlanText : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void marginsAreToldAgainstTheReserve_data()
+    void marginsAreShownAgainstTheReserve_data()
     {
         constexpr double kNever_s = -std::numeric_limits<double>::infinity();
         QTest::addColumn<double>("margin_s");
@@ -28,15 +28,15 @@ private slots:
             << QStringList{above, u"1 flight in 20 uses 29:42 or more of the reserve"_s};
         QTest::newRow("low never")
             << 300. << kNever_s
-            << QStringList{above, u"In 1 flight of 20 the wind is too strong to come home"_s};
+            << QStringList{above, u"In 1 flight in 20 the wind is too strong to return home"_s};
         QTest::newRow("both below")
             << -60. << -90.
             << QStringList{u"Home with 01:00 of the reserve used"_s,
                            u"1 flight in 20 uses 01:30 or more of the reserve"_s};
         QTest::newRow("never") << kNever_s << kNever_s
-                               << QStringList{u"The wind is too strong to come home"_s};
+                               << QStringList{u"The wind is too strong to return home"_s};
     }
-    void marginsAreToldAgainstTheReserve()
+    void marginsAreShownAgainstTheReserve()
     {
         QFETCH(double, margin_s);
         QFETCH(double, low_s);

@@ -13,15 +13,15 @@
 namespace berg {
 namespace {
 
-constexpr double kStep_deg = 0.5;    // of edges that are bent in the plane
-constexpr double kClipMargin_px = 8; // so that caps of lines stay out of sight
+constexpr double kStep_deg = 0.5;    // sampling of edges, which are curved in the plane
+constexpr double kClipMargin_px = 8; // hides the caps of clipped lines
 constexpr double kDetail_px = 0.7;   // finer lines are left out
 constexpr double kLine_px = 1.2;
 constexpr double kPlace_px = 3;
-constexpr float kFill = 0.12F; // of polygons without a colour of their own
+constexpr float kFill = 0.12F; // opacity of polygons without their own colour
 constexpr std::size_t kMostNames = 200;
 
-/** Straight in latitude and longitude, the shorter way round. */
+/** Projects a line that is straight in latitude and longitude and takes the shorter direction. */
 std::vector<Point> projected(const std::vector<LatLon>& places, const MapPlane& plane)
 {
     std::vector<Point> points_m;
@@ -52,7 +52,7 @@ QPolygonF onScreen(const std::vector<Point>& points_m, const MapViewTransform& v
 
 } // namespace
 
-BackdropLook backdropLookOf(const Theme& theme)
+BackdropStyle backdropStyleOf(const Theme& theme)
 {
     return {.ink = mixed(theme.sea, theme.ink, 0.6),
             .ground = theme.sea,
@@ -75,7 +75,7 @@ BackdropDrawing::BackdropDrawing(BackdropPointer shapes, const MapPlane& plane)
 }
 
 void BackdropDrawing::paint(QPainter& painter, const MapViewTransform& view, const QRectF& rect,
-                            const BackdropLook& look) const
+                            const BackdropStyle& style) const
 {
     const QRectF wide =
         rect.adjusted(-kClipMargin_px, -kClipMargin_px, kClipMargin_px, kClipMargin_px);
@@ -89,15 +89,15 @@ void BackdropDrawing::paint(QPainter& painter, const MapViewTransform& view, con
                                  [&](const Part& part) { return meet(part.bounds, visible); }))
             continue;
         if ((*m_shapes)[i].kind == MapShape::Kind::Place)
-            places.push_back(i); // above the others
+            places.push_back(i); // drawn above the others
         else
-            paintShape(painter, i, view, wide, look);
+            paintShape(painter, i, view, wide, style);
     }
-    paintPlaces(painter, places, view, look);
+    paintPlaces(painter, places, view, style);
 }
 
 void BackdropDrawing::paintShape(QPainter& painter, std::size_t i, const MapViewTransform& view,
-                                 const QRectF& wide, const BackdropLook& look) const
+                                 const QRectF& wide, const BackdropStyle& style) const
 {
     const MapShape& shape = (*m_shapes)[i];
     const bool isPolygon = shape.kind == MapShape::Kind::Polygon;
@@ -110,34 +110,34 @@ void BackdropDrawing::paintShape(QPainter& painter, std::size_t i, const MapView
         for (qsizetype k = isPolygon ? 0 : 1; k < line.size(); ++k)
             addClipped(edge, QLineF(k == 0 ? line.back() : line[k - 1], line[k]), wide);
     }
-    const auto own = [&look](QRgb colour) {
+    const auto own = [&style](QRgb colour) {
         const QColor given = QColor::fromRgba(colour);
-        return look.isNight ? Theme::night().toned(given) : given;
+        return style.isNight ? Theme::night().toned(given) : given;
     };
-    QColor fill = look.ink;
+    QColor fill = style.ink;
     fill.setAlphaF(kFill);
     if (isPolygon)
         painter.fillPath(area, shape.fill ? own(*shape.fill) : fill);
-    painter.strokePath(edge, QPen(shape.line ? own(*shape.line) : look.ink, kLine_px, Qt::SolidLine,
-                                  Qt::FlatCap, Qt::BevelJoin));
+    painter.strokePath(edge, QPen(shape.line ? own(*shape.line) : style.ink, kLine_px,
+                                  Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
 }
 
 void BackdropDrawing::paintPlaces(QPainter& painter, const std::vector<std::size_t>& places,
-                                  const MapViewTransform& view, const BackdropLook& look) const
+                                  const MapViewTransform& view, const BackdropStyle& style) const
 {
-    const QFontMetricsF metrics(look.font);
+    const QFontMetricsF metrics(style.font);
     for (const std::size_t i : places) {
         const QPointF at = view.toPixel(m_parts[i].front().points_m.front());
-        painter.setPen(QPen(look.ground, 1));
-        painter.setBrush(look.ink);
+        painter.setPen(QPen(style.ground, 1));
+        painter.setBrush(style.ink);
         painter.drawEllipse(at, kPlace_px, kPlace_px);
         const QString name = QString::fromStdString((*m_shapes)[i].name);
         if (name.isEmpty() || places.size() > kMostNames)
             continue;
         QPainterPath text;
-        text.addText(at + QPointF(2 * kPlace_px, metrics.ascent() / 2 - 1), look.font, name);
-        painter.strokePath(text, QPen(look.ground, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.fillPath(text, look.ink);
+        text.addText(at + QPointF(2 * kPlace_px, metrics.ascent() / 2 - 1), style.font, name);
+        painter.strokePath(text, QPen(style.ground, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.fillPath(text, style.ink);
     }
 }
 

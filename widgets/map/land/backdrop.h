@@ -12,34 +12,38 @@ class QPainter;
 
 namespace berg {
 
-/** What a file of the user draws below the map: an ice chart, routes, borders. */
+/** Shapes of a user's file drawn below the map: an ice chart, routes, borders. */
 using BackdropShapes = std::vector<MapShape>;
 using BackdropPointer = std::shared_ptr<const BackdropShapes>;
 
-/** Of shapes without a colour of their own. */
-struct BackdropLook
+/** Style of shapes without a colour of their own. */
+struct BackdropStyle
 {
     QColor ink;
-    QColor ground; ///< round names
+    QColor ground; ///< halo of names
     QFont font;
-    bool isNight = false; ///< colours of the shapes' own are shown in red
-    bool operator==(const BackdropLook&) const = default;
+    bool isNight = false; ///< shows the shapes' own colours in red
+    bool operator==(const BackdropStyle&) const = default;
 };
 
-[[nodiscard]] BackdropLook backdropLookOf(const Theme& theme);
+/** Returns the style of a backdrop in `theme`. */
+[[nodiscard]] BackdropStyle backdropStyleOf(const Theme& theme);
 
-/** A backdrop in one plane, projected once. A drawing belongs to one thread at a time. */
+/** Backdrop projected once to one plane. Use a drawing on one thread at a time. */
 class BackdropDrawing
 {
 public:
+    /** Projects the shapes; `shapes` must not be null. */
     BackdropDrawing(BackdropPointer shapes, const MapPlane& plane);
 
+    /** Returns true if this is the drawing of these shapes in this plane. */
     [[nodiscard]] bool isOf(const BackdropPointer& shapes, const MapPlane& plane) const
     {
         return shapes == m_shapes && plane == m_plane;
     }
+    /** Draws the shapes inside `rect`; names of places only if at most 200 are in view. */
     void paint(QPainter& painter, const MapViewTransform& view, const QRectF& rect,
-               const BackdropLook& look) const;
+               const BackdropStyle& style) const;
 
 private:
     struct Part
@@ -48,9 +52,9 @@ private:
         std::vector<Point> points_m;
     };
     void paintShape(QPainter& painter, std::size_t i, const MapViewTransform& view,
-                    const QRectF& wide, const BackdropLook& look) const;
+                    const QRectF& wide, const BackdropStyle& style) const;
     void paintPlaces(QPainter& painter, const std::vector<std::size_t>& places,
-                     const MapViewTransform& view, const BackdropLook& look) const;
+                     const MapViewTransform& view, const BackdropStyle& style) const;
 
     BackdropPointer m_shapes;
     MapPlane m_plane;

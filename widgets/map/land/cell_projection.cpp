@@ -7,7 +7,7 @@
 namespace berg {
 namespace {
 
-/** Chebyshev points of [0, 1], the ends included: with them the error is even all over. */
+/** Chebyshev points of [0, 1] with both ends; they spread the error evenly. */
 double nodeAt(std::size_t index, std::size_t count)
 {
     return 0.5 - 0.5 * std::cos(kPi * static_cast<double>(index) / static_cast<double>(count - 1));

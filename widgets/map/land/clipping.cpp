@@ -41,11 +41,11 @@ QPolygonF clipped(QPolygonF polygon, const QRectF& rect)
 std::optional<LineShares> sharesInside(const QLineF& line, const QRectF& rect)
 {
     LineShares inside;
-    const auto enter = [&inside](double path, double room) { // path * share <= room
-        if (path == 0)
-            return room >= 0;
-        const double at = room / path;
-        if (path < 0)
+    const auto enter = [&inside](double step, double limit) { // step * share <= limit
+        if (step == 0)
+            return limit >= 0;
+        const double at = limit / step;
+        if (step < 0)
             inside.from = std::max(inside.from, at);
         else
             inside.to = std::min(inside.to, at);

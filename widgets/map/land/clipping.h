@@ -11,21 +11,23 @@
 
 namespace berg {
 
-/** The part of a polygon in a rectangle. Keeps winding numbers there: all rings are cut alike. */
+/** Returns a polygon clipped to a rectangle, empty if it is outside. Winding numbers inside are
+ * kept, because all rings are cut alike. */
 [[nodiscard]] QPolygonF clipped(QPolygonF polygon, const QRectF& rect);
 
-/** From where to where on a line, as shares of its length. */
+/** Part of a line, as fractions of its length. */
 struct LineShares
 {
     double from = 0;
     double to = 1;
 };
-/** The part of a line in a rectangle (Liang and Barsky); none: it is outside. */
+/** Returns the part of `line` inside `rect` (Liang and Barsky); nullopt if it is outside. */
 [[nodiscard]] std::optional<LineShares> sharesInside(const QLineF& line, const QRectF& rect);
 
-/** Adds that part to a path that is drawn along such lines. */
+/** Adds the part of `line` inside `rect` to a path, connected if the path ends at its start. */
 void addClipped(QPainterPath& path, const QLineF& line, const QRectF& rect);
 
+/** Returns true if two boxes overlap or touch. */
 [[nodiscard]] bool meet(const WorldBounds& a, const WorldBounds& b);
 
 } // namespace berg

@@ -12,17 +12,18 @@
 namespace berg {
 namespace {
 
-/** From this scale on the coarse data show corners, and the fine ones are few enough in view. */
+/** Above this scale the coarse data show corners, and few enough of the fine data are in view. */
 constexpr double kFineScale_pxpm = 6e-4;
 
-constexpr double kSmallestScale = 0.99; // of lengths in a plane to true ones: the pole of UPS
-constexpr double kCullSlack_rad = 0.02; // for the sphere, and borders of cells beside their chords
-constexpr double kClipMargin_px = 8;    // so that cuts and caps of lines stay out of sight
+constexpr double kSmallestScale =
+    0.99; // smallest ratio of lengths in a plane to true ones: at the pole of UPS
+constexpr double kCullSlack_rad = 0.02; // covers the sphere and cell borders off their chords
+constexpr double kClipMargin_px = 8;    // hides cuts and caps of lines
 constexpr double kCoast_px = 1;
-constexpr double kFineCoast_px = 0.5;    // where there is more coast than room
-constexpr double kFullScale_pxpm = 1e-4; // with coasts of full width
+constexpr double kFineCoast_px = 0.5;    // coast width at small scales
+constexpr double kFullScale_pxpm = 1e-4; // from this scale coasts have their full width
 constexpr double kDetail_px = 0.7;       // coast finer than this is left out
-constexpr double kSmallest_px = 0.4;     // and islands smaller than this
+constexpr double kSmallest_px = 0.4;     // smaller islands are left out
 
 Eigen::Vector3d onSphere(LatLon place)
 {
@@ -50,7 +51,7 @@ LatLon middleOf(const MapPlane& plane)
 
 } // namespace
 
-LandLook landLookOf(const Theme& theme)
+LandStyle landStyleOf(const Theme& theme)
 {
     return {.sea = theme.sea, .land = theme.land, .coast = theme.coast, .beyond = theme.panel};
 }
@@ -72,7 +73,7 @@ LandDrawing::LandDrawing(const LandData& data, const MapPlane& plane)
         const LatLon middle{southWest.latitude_deg + half_deg, southWest.longitude_deg + half_deg};
         m_cells[i].middle = onSphere(middle);
         const double nearEquator_deg =
-            std::max(0.0, std::abs(middle.latitude_deg) - half_deg); // the corners farthest away
+            std::max(0.0, std::abs(middle.latitude_deg) - half_deg); // the farthest corners
         m_cells[i].radius_rad = arc_rad(
             m_cells[i].middle, onSphere({std::copysign(nearEquator_deg, middle.latitude_deg),
                                          southWest.longitude_deg}));
@@ -81,10 +82,10 @@ LandDrawing::LandDrawing(const LandData& data, const MapPlane& plane)
 
 const std::vector<LandDrawing::Ring>& LandDrawing::projected(std::size_t cell)
 {
-    std::optional<std::vector<Ring>>& kept = m_cells[cell].rings;
-    if (kept)
-        return *kept;
-    kept.emplace();
+    std::optional<std::vector<Ring>>& rings = m_cells[cell].rings;
+    if (rings)
+        return *rings;
+    rings.emplace();
     const CellProjection project(m_plane, m_data.placeOf(m_data.cells()[cell].southWest),
                                  m_data.cellSide_deg());
     for (const LandRing& outline : m_data.cells()[cell].rings) {
@@ -97,9 +98,9 @@ const std::vector<LandDrawing::Ring>& LandDrawing::projected(std::size_t cell)
             before = point;
         }
         ring.bounds = boundsOf(ring.points_m);
-        kept->push_back(std::move(ring));
+        rings->push_back(std::move(ring));
     }
-    return *kept;
+    return *rings;
 }
 
 void LandDrawing::addTo(QPainterPath& land, QPainterPath& coast, const Ring& ring,
@@ -111,7 +112,7 @@ void LandDrawing::addTo(QPainterPath& land, QPainterPath& coast, const Ring& rin
     QPointF before = view.toPixel(ring.points_m.back());
     for (std::size_t i = 0; i < count; ++i) {
         const QPointF at = view.toPixel(ring.points_m[i]);
-        // The ends of cuts are those of the neighbour too, and must stay.
+        // The neighbouring cell shares the ends of cuts, so they must stay.
         const bool isEnd = i + 1 == count || ring.isCut[i] || ring.isCut[i + 1];
         if (!isEnd && (at - before).manhattanLength() < kDetail_px)
             continue;
@@ -124,7 +125,7 @@ void LandDrawing::addTo(QPainterPath& land, QPainterPath& coast, const Ring& rin
 }
 
 void LandDrawing::paint(QPainter& painter, const MapViewTransform& view, const QRectF& rect,
-                        const LandLook& look)
+                        const LandStyle& style)
 {
     const QRectF wide =
         rect.adjusted(-kClipMargin_px, -kClipMargin_px, kClipMargin_px, kClipMargin_px);
@@ -147,18 +148,18 @@ void LandDrawing::paint(QPainter& painter, const MapViewTransform& view, const Q
     }
     const PainterState saved(painter);
     painter.setClipRect(rect, Qt::IntersectClip);
-    painter.fillRect(rect, look.sea);
+    painter.fillRect(rect, style.sea);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillPath(land, look.land);
+    painter.fillPath(land, style.land);
     const double coast_px =
         std::clamp(kCoast_px * view.scale_pxpm() / kFullScale_pxpm, kFineCoast_px, kCoast_px);
     painter.strokePath(coast,
-                       QPen(look.coast, coast_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
-    paintBeyond(painter, view, rect, look);
+                       QPen(style.coast, coast_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
+    paintBeyond(painter, view, rect, style);
 }
 
 void LandDrawing::paintBeyond(QPainter& painter, const MapViewTransform& view, const QRectF& rect,
-                              const LandLook& look) const
+                              const LandStyle& style) const
 {
     const std::optional<QPainterPath> reach = reachIn(rect, m_plane, view);
     if (!reach)
@@ -167,8 +168,8 @@ void LandDrawing::paintBeyond(QPainter& painter, const MapViewTransform& view, c
     beyond.setFillRule(Qt::OddEvenFill);
     beyond.addRect(rect.united(reach->boundingRect()).adjusted(-1, -1, 1, 1));
     beyond.addPath(*reach);
-    painter.fillPath(beyond, look.beyond);
-    painter.strokePath(*reach, QPen(look.coast, kCoast_px));
+    painter.fillPath(beyond, style.beyond);
+    painter.strokePath(*reach, QPen(style.coast, kCoast_px));
 }
 
 std::optional<QPainterPath> reachIn(const QRectF& rect, const MapPlane& plane,
@@ -185,9 +186,10 @@ std::optional<QPainterPath> reachIn(const QRectF& rect, const MapPlane& plane,
 }
 
 void paintLand(QPainter& painter, const MapPlane& plane, const MapViewTransform& view,
-               const QRectF& rect, const LandLook& look)
+               const QRectF& rect, const LandStyle& style)
 {
-    LandDrawing(landData(landDetailFor(view.scale_pxpm())), plane).paint(painter, view, rect, look);
+    LandDrawing(landData(landDetailFor(view.scale_pxpm())), plane)
+        .paint(painter, view, rect, style);
 }
 
 } // namespace berg

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/map/land/land_data.h"
+#include "core/land/land_data.h"
 #include "widgets/map/picture/map_plane.h"
 #include "widgets/map/picture/map_view_transform.h"
 #include "widgets/theme/theme.h"
@@ -14,23 +14,24 @@ class QPainter;
 namespace berg {
 
 /** Colours of land and sea. */
-struct LandLook
+struct LandStyle
 {
     QColor sea;
     QColor land;
     QColor coast;
-    QColor beyond; ///< what is out of reach
-    bool operator==(const LandLook&) const = default;
+    QColor beyond; ///< beyond the reach of the plane
+    bool operator==(const LandStyle&) const = default;
 };
 
-[[nodiscard]] LandLook landLookOf(const Theme& theme);
+/** Returns the land colours of `theme`. */
+[[nodiscard]] LandStyle landStyleOf(const Theme& theme);
 
-/** The detail that is drawn at this scale. */
+/** Returns the level of detail to draw at this scale. */
 [[nodiscard]] LandDetail landDetailFor(double scale_pxpm);
 
 /**
- * The land in one plane. Projects a cell when it is first drawn and keeps it; a drawing belongs to
- * one thread at a time.
+ * Land in one plane. A cell is projected and cached when it is first drawn; use a drawing on one
+ * thread at a time.
  */
 class LandDrawing
 {
@@ -38,29 +39,30 @@ public:
     /** `data` must outlive the drawing. */
     LandDrawing(const LandData& data, const MapPlane& plane);
 
-    /** Sea, land and coast in `rect`, and what is out of reach. */
+    /** Paints sea, land and coast in `rect`, and the area beyond the reach of the plane. */
     void paint(QPainter& painter, const MapViewTransform& view, const QRectF& rect,
-               const LandLook& look);
+               const LandStyle& style);
 
 private:
     struct Ring
     {
         WorldBounds bounds;
         std::vector<Point> points_m;
-        std::vector<bool> isCut; ///< the edge that ends in the point
+        std::vector<bool>
+            isCut; ///< whether the edge ending at each point was made by cutting cells
     };
     struct Cell
     {
         Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< on the unit sphere
         double radius_rad = 0;
-        std::optional<std::vector<Ring>> rings; ///< none: not projected yet
+        std::optional<std::vector<Ring>> rings; ///< nullopt until projected
     };
 
     const std::vector<Ring>& projected(std::size_t cell);
     void addTo(QPainterPath& land, QPainterPath& coast, const Ring& ring,
                const MapViewTransform& view, const QRectF& rect) const;
     void paintBeyond(QPainter& painter, const MapViewTransform& view, const QRectF& rect,
-                     const LandLook& look) const;
+                     const LandStyle& style) const;
 
     const LandData& m_data;
     MapPlane m_plane;
@@ -68,12 +70,14 @@ private:
     std::vector<Cell> m_cells; ///< by cell of the data
 };
 
-/** The disk that is within reach, on the screen; none: there is nothing else in `rect`. */
+/**
+ * Returns the disk within reach of the plane, on the screen; nullopt if it contains all of `rect`.
+ */
 [[nodiscard]] std::optional<QPainterPath> reachIn(const QRectF& rect, const MapPlane& plane,
                                                   const MapViewTransform& view);
 
-/** Draws land and sea here and now. */
+/** Paints land and sea at once, without a cache. */
 void paintLand(QPainter& painter, const MapPlane& plane, const MapViewTransform& view,
-               const QRectF& rect, const LandLook& look);
+               const QRectF& rect, const LandStyle& style);
 
 } // namespace berg

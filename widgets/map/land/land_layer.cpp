@@ -12,75 +12,75 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kMargin_px = 160; // of the image round the map
+constexpr double kMargin_px = 160; // extra width of the image around the map
 constexpr int kRest_ms = 120;
 
 } // namespace
 
 void paintGroundOf(QPainter& painter, const LandRequest& request)
 {
-    paintLand(painter, request.plane, request.view, request.rect, request.look);
+    paintLand(painter, request.plane, request.view, request.rect, request.style);
     if (request.backdrop == nullptr || request.backdropOpacity <= 0)
         return;
     const PainterState saved(painter);
     painter.setOpacity(request.backdropOpacity);
     BackdropDrawing(request.backdrop, request.plane)
-        .paint(painter, request.view, request.rect, request.backdropLook);
+        .paint(painter, request.view, request.rect, request.backdropStyle);
 }
 
 LandLayer::LandLayer(QObject* parent) : QObject(parent), m_thread(u"land"_s)
 {
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRest_ms);
-    connect(&m_rest, &QTimer::timeout, this, &LandLayer::ask);
+    connect(&m_rest, &QTimer::timeout, this, &LandLayer::startDrawing);
 }
 
-void LandLayer::paint(QPainter& painter, const LandRequest& wanted)
+void LandLayer::paint(QPainter& painter, const LandRequest& request)
 {
-    want(wanted);
+    setRequest(request);
     const PainterState saved(painter);
-    painter.setClipRect(wanted.rect, Qt::IntersectClip);
-    const QRectF place = isOfSameLand(wanted) ? placeIn(wanted.view) : QRectF();
-    if (!place.contains(wanted.rect))
-        painter.fillRect(wanted.rect, wanted.look.sea);
+    painter.setClipRect(request.rect, Qt::IntersectClip);
+    const QRectF place = showsSameLand(request) ? placeIn(request.view) : QRectF();
+    if (!place.contains(request.rect))
+        painter.fillRect(request.rect, request.style.sea);
     if (!place.isNull())
         painter.drawImage(place, m_shown->image);
 }
 
 void LandLayer::finish()
 {
-    if (m_shown && m_shown->request == m_wanted)
+    if (m_shown && m_shown->request == m_request)
         return;
-    ask();
+    startDrawing();
     m_thread.waitForPosted();
-    take();
+    acceptImage();
 }
 
-void LandLayer::want(const LandRequest& wanted)
+void LandLayer::setRequest(const LandRequest& request)
 {
-    if (m_wanted == wanted)
+    if (m_request == request)
         return;
-    m_wanted = wanted;
-    const bool isCovered = isOfSameLand(wanted) &&
-                           m_shown->request.view.scale_pxpm() == wanted.view.scale_pxpm() &&
-                           placeIn(wanted.view).contains(wanted.rect);
+    m_request = request;
+    const bool isCovered = showsSameLand(request) &&
+                           m_shown->request.view.scale_pxpm() == request.view.scale_pxpm() &&
+                           placeIn(request.view).contains(request.rect);
     if (isCovered)
         m_rest.start();
     else
-        ask();
+        startDrawing();
 }
 
-void LandLayer::ask()
+void LandLayer::startDrawing()
 {
     m_rest.stop();
-    if (m_requests.put(m_wanted))
+    if (m_requests.put(m_request))
         m_thread.post([this] { drawNewest(); });
 }
 
-bool LandLayer::isOfSameLand(const LandRequest& wanted) const
+bool LandLayer::showsSameLand(const LandRequest& request) const
 {
-    return m_shown && m_shown->request.plane == wanted.plane &&
-           m_shown->request.look == wanted.look && m_shown->request.ratio == wanted.ratio;
+    return m_shown && m_shown->request.plane == request.plane &&
+           m_shown->request.style == request.style && m_shown->request.ratio == request.ratio;
 }
 
 QRectF LandLayer::placeIn(const MapViewTransform& view) const
@@ -90,7 +90,7 @@ QRectF LandLayer::placeIn(const MapViewTransform& view) const
             m_shown->rect.size() * (view.scale_pxpm() / before.scale_pxpm())};
 }
 
-void LandLayer::take()
+void LandLayer::acceptImage()
 {
     std::optional<Shown> result = m_results.take();
     if (!result)
@@ -103,7 +103,7 @@ void LandLayer::drawNewest()
 {
     const std::optional<LandRequest> request = m_requests.take();
     if (request && m_results.put(drawn(*request)))
-        QMetaObject::invokeMethod(this, &LandLayer::take, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &LandLayer::acceptImage, Qt::QueuedConnection);
 }
 
 LandLayer::Shown LandLayer::drawn(const LandRequest& request)
@@ -118,7 +118,7 @@ LandLayer::Shown LandLayer::drawn(const LandRequest& request)
     Shown shown{.request = request, .rect = rect, .image = {}};
     shown.image = QImage((rect.size() * request.ratio).toSize(), QImage::Format_RGB32);
     shown.image.setDevicePixelRatio(request.ratio);
-    shown.image.fill(request.look.sea);
+    shown.image.fill(request.style.sea);
     QPainter painter(&shown.image);
     painter.translate(-rect.topLeft());
     const auto failure = failureOf([&] {
@@ -126,11 +126,11 @@ LandLayer::Shown LandLayer::drawn(const LandRequest& request)
         std::optional<LandDrawing>& drawing = m_drawings[static_cast<std::size_t>(detail)];
         if (!drawing)
             drawing.emplace(landData(detail), m_plane);
-        drawing->paint(painter, request.view, rect, request.look);
+        drawing->paint(painter, request.view, rect, request.style);
         paintBackdrop(painter, request, rect);
     });
     if (failure)
-        painter.fillRect(rect, request.look.sea); // a map without land can still be worked with
+        painter.fillRect(rect, request.style.sea); // the map remains usable without land
     return shown;
 }
 
@@ -143,7 +143,7 @@ void LandLayer::paintBackdrop(QPainter& painter, const LandRequest& request, con
     if (!m_backdrop || !m_backdrop->isOf(request.backdrop, request.plane))
         m_backdrop.emplace(request.backdrop, request.plane);
     painter.setOpacity(request.backdropOpacity);
-    m_backdrop->paint(painter, request.view, rect, request.backdropLook);
+    m_backdrop->paint(painter, request.view, rect, request.backdropStyle);
     painter.setOpacity(1);
 }
 

@@ -12,27 +12,27 @@
 
 namespace berg {
 
-/** Land and sea as a map shows them. */
+/** Parameters of an image of land and sea. */
 struct LandRequest
 {
     MapPlane plane = LocalFrame({});
     MapViewTransform view;
     QRectF rect;
-    double ratio = 1; ///< device pixels for each unit of `rect`
-    LandLook look;
-    BackdropPointer backdrop = {}; ///< above the land; null: none
+    double ratio = 1; ///< device pixels per unit of `rect`
+    LandStyle style;
+    BackdropPointer backdrop = {}; ///< drawn above the land; null if there is none
     double backdropOpacity = 1;
-    BackdropLook backdropLook = {};
+    BackdropStyle backdropStyle = {};
     bool operator==(const LandRequest&) const = default;
 };
 
-/** Draws all of it here and now. */
+/** Paints land, sea and backdrop at once. */
 void paintGroundOf(QPainter& painter, const LandRequest& request);
 
 /**
- * Land and sea below a map that moves: drawn on a thread of its own into an image a little larger
- * than the map. Until the image of a new view is there, the last one is shown, moved and scaled; a
- * view that the last one covers is drawn when it has come to rest. GUI thread.
+ * Land and sea below a moving map, drawn on a worker thread into an image a little larger than the
+ * map. Until the image of a new view is ready, the last one is shown, moved and scaled. A view that
+ * the last image covers is drawn once the map has come to rest. GUI thread.
  */
 class LandLayer : public QObject
 {
@@ -41,44 +41,44 @@ class LandLayer : public QObject
 public:
     explicit LandLayer(QObject* parent = nullptr);
 
-    /** Paints what is known of it now; `updated` follows when that is not all. */
-    void paint(QPainter& painter, const LandRequest& wanted);
-    /** Waits for the image of what was painted last. */
+    /** Paints the best image available; `updated` follows if that is not the final one. */
+    void paint(QPainter& painter, const LandRequest& request);
+    /** Waits for the image of the last request painted, so that the next `paint` shows it. */
     void finish();
 
 signals:
-    /** Painting it again shows more. */
+    /** Emitted when a better image is ready, so that the map should be painted again. */
     void updated();
 
 private:
     struct Shown
     {
         LandRequest request;
-        QRectF rect; ///< of the image, in the view of the request
+        QRectF rect; ///< area of the image in the view of the request
         QImage image;
     };
-    void want(const LandRequest& wanted);
-    void ask();
-    void take();
-    [[nodiscard]] bool isOfSameLand(const LandRequest& wanted) const;
-    /** Where the image is now. */
+    void setRequest(const LandRequest& request);
+    void startDrawing();
+    void acceptImage();
+    [[nodiscard]] bool showsSameLand(const LandRequest& request) const;
+    /** Returns the area of the shown image in `view`. */
     [[nodiscard]] QRectF placeIn(const MapViewTransform& view) const;
     // On the thread of the layer:
     void drawNewest();
     [[nodiscard]] Shown drawn(const LandRequest& request);
     void paintBackdrop(QPainter& painter, const LandRequest& request, const QRectF& rect);
 
-    LandRequest m_wanted;
+    LandRequest m_request;
     std::optional<Shown> m_shown;
-    QTimer m_rest; ///< runs out when the view has come to rest
+    QTimer m_rest; ///< fires when the view has come to rest
     Mailbox<LandRequest> m_requests;
     Mailbox<Shown> m_results;
 
-    std::array<std::optional<LandDrawing>, 2> m_drawings; ///< by detail, of `m_plane`
+    std::array<std::optional<LandDrawing>, 2> m_drawings; ///< by level of detail, in `m_plane`
     MapPlane m_plane = LocalFrame({});
     std::optional<BackdropDrawing> m_backdrop;
 
-    WorkThread m_thread; ///< last: it ends, with the image under way, before the rest
+    WorkThread m_thread; ///< last member: it ends, with the image in progress, before the others
 };
 
 } // namespace berg

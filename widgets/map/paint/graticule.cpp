@@ -14,16 +14,18 @@
 namespace berg {
 namespace {
 
-constexpr double kMetresPerDegree = 111'200; // of latitude; enough to choose a step
-constexpr int kSamples = 12;                 // of each side of the view
-constexpr double kSagitta_px = 0.2;          // of the pieces of a line
-constexpr double kClosest_px = 60;           // of meridians that go on towards the pole
-constexpr double kPoleMargin = 0.2;          // of the view: a pole so near counts as in view
-constexpr double kToPole_deg = 90;           // meridians at multiples of this reach the pole
+constexpr double kMetresPerDegree =
+    111'200;                        // per degree of latitude, precise enough to choose a step
+constexpr int kSamples = 12;        // per side of the view
+constexpr double kSagitta_px = 0.2; // largest deviation of a line's pieces from its curve
+constexpr double kClosest_px = 60;  // smallest distance of meridians that continue poleward
+constexpr double kPoleMargin = 0.2; // share of the view: a pole this near counts as visible
+constexpr double kToPole_deg = 90;  // meridians at its multiples reach the pole
 
-// Labels: from the edge of the map, and from each other.
+// Distances of labels to the edge of the map and to each other.
 constexpr double kEdge_px = 6;
-constexpr double kLeastSlant = 0.5; // of a line that is labelled at an edge: the sine
+constexpr double kLeastSlant =
+    0.5; // smallest sine of the angle between an edge and a line labelled there
 constexpr QMarginsF kApart_px(4, 2, 4, 2);
 
 // Steps in minutes of arc that read well: decimals of minutes, whole minutes, whole degrees.
@@ -31,7 +33,7 @@ constexpr std::array<double, 21> kSteps_min = {0.01, 0.02, 0.05, 0.1, 0.2,  0.5,
                                                2,    5,    10,   15,  20,   30,   60,
                                                120,  300,  600,  900, 1200, 1800, 2700};
 
-// The same where degrees have decimals: from 0.0002 degrees on.
+// Steps for decimal degrees, from 0.0002 degrees on.
 constexpr std::array<double, 19> kDecimalSteps_min = {
     0.012, 0.03, 0.06, 0.12, 0.3, 0.6, 1.2, 3, 6, 12, 30, 60, 120, 300, 600, 900, 1200, 1800, 2700};
 
@@ -45,7 +47,7 @@ double stepFor(double wanted_min)
                                                                       : among(kSteps_min);
 }
 
-/** Decimals of the minutes that `latitudeText` takes, so that multiples of the step differ. */
+/** Decimals of minutes for `latitudeText` that keep multiples of the step distinct. */
 int decimalsOf(double step_min)
 {
     if (step_min >= 60)
@@ -70,7 +72,7 @@ struct GeoBounds
     double reference_deg = 0;
 };
 
-/** Latitudes and longitudes in view; all longitudes when a pole is. */
+/** Latitudes and longitudes in view; all longitudes if a pole is in view. */
 GeoBounds geoBoundsOf(const LocalFrame& frame, const MapViewTransform& view, const QRectF& rect)
 {
     GeoBounds bounds;
@@ -79,7 +81,7 @@ GeoBounds geoBoundsOf(const LocalFrame& frame, const MapViewTransform& view, con
     for (int i = 0; i <= kSamples; ++i) {
         for (int j = 0; j <= kSamples; ++j) {
             if (i % kSamples != 0 && j % kSamples != 0 && (i != j || 2 * i != kSamples))
-                continue; // the extremes are on the edge, or in the middle
+                continue; // extremes lie on the edge or in the middle
             const QPointF p_px(rect.left() + rect.width() * i / kSamples,
                                rect.top() + rect.height() * j / kSamples);
             Point p_m = view.toWorld(p_px);
@@ -119,14 +121,14 @@ struct DegreeRange
     double to_deg = 0;
 };
 
-/** Length of a line, and how sharply it bends at most, about. */
+/** Approximate length of a line and its smallest radius of curvature. */
 struct LineForm
 {
     double length_px = 0;
     double radius_px = 1;
 };
 
-/** A line in as many pieces as it takes to look smooth. */
+/** Samples a line finely enough to look smooth. */
 QPolygonF sampled(const LocalFrame& frame, const MapViewTransform& view, const DegreeRange& span,
                   const LineForm& form, const auto& placeAt)
 {
@@ -148,7 +150,7 @@ std::vector<double> multiples(double step_deg, const DegreeRange& span)
     return values_deg;
 }
 
-/** Largest of the steps that a longitude is a multiple of, degrees. */
+/** Largest step, degrees, of which `longitude_deg` is a multiple. */
 double rank_deg(double longitude_deg)
 {
     const auto unit = [](double minutes) { return std::llround(minutes / kSteps_min.front()); };
@@ -163,8 +165,8 @@ double rank_deg(double longitude_deg)
 }
 
 /**
- * How far towards the poles a meridian goes, to a parallel or the pole: those of the same rank keep
- * their distance.
+ * Latitude at which a meridian ends, a parallel or the pole, so that meridians of the same rank
+ * keep their distance.
  */
 double polewardLimit_deg(double longitude_deg, double scale_pxpm, double latitudeStep_deg)
 {
@@ -176,7 +178,7 @@ double polewardLimit_deg(double longitude_deg, double scale_pxpm, double latitud
     return std::floor(limit_deg / latitudeStep_deg) * latitudeStep_deg;
 }
 
-/** Where a path crosses an edge of the map; along it is not across. */
+/** Intersection of a path with an edge of the map; nullopt if it meets the edge at a flat angle. */
 std::optional<QPointF> crossing(const QPolygonF& path, const QLineF& edge)
 {
     for (qsizetype i = 0; i + 1 < path.size(); ++i) {
@@ -189,7 +191,7 @@ std::optional<QPointF> crossing(const QPolygonF& path, const QLineF& edge)
     return std::nullopt;
 }
 
-/** Places for the label of a line, the best one first. */
+/** Candidate label places of a line, best first. */
 std::vector<QRectF> labelPlaces(const Graticule& graticule, const GraticuleLine& line,
                                 const QRectF& rect, const QSizeF& size)
 {
@@ -212,7 +214,7 @@ std::vector<QRectF> labelPlaces(const Graticule& graticule, const GraticuleLine&
             offer(*at);
     const qsizetype middle = line.path_px.size() / 2;
     if (places.empty() && middles.contains(line.path_px[middle]))
-        offer(line.path_px[middle]); // a circle all in view
+        offer(line.path_px[middle]); // a circle that is entirely in view
     return places;
 }
 
@@ -242,7 +244,7 @@ Graticule graticuleOf(const LocalFrame& frame, const MapViewTransform& view, con
     const bool fullCircle = bounds.east_deg - bounds.west_deg >= 360;
     for (const double lon_deg : multiples(longitudeStep_min / 60, longitudes)) {
         if (fullCircle && lon_deg >= longitudes.from_deg + 360)
-            break; // the first meridian again
+            break; // repeats the first meridian
         const double limit_deg = polewardLimit_deg(lon_deg, scale_pxpm, latitudeStep_min / 60);
         const DegreeRange shown{std::max(latitudes.from_deg, -limit_deg),
                                 std::min(latitudes.to_deg, limit_deg)};
@@ -260,7 +262,7 @@ Graticule graticuleOf(const LocalFrame& frame, const MapViewTransform& view, con
     }
     for (const double lat_deg : multiples(latitudeStep_min / 60, latitudes)) {
         if (std::abs(lat_deg) >= 90 - 1e-9)
-            continue; // the pole itself is no line
+            continue; // a parallel at the pole is a point
         const double cosine = std::cos(radFromDeg(lat_deg));
         const LineForm form{.length_px =
                                 (longitudes.to_deg - longitudes.from_deg) * pxPerDegree * cosine,
@@ -300,7 +302,7 @@ double northAngle_rad(const LocalFrame& frame, const Point& position_m)
 {
     const LatLon place = frame.toGeographic(position_m);
     if (std::abs(place.latitude_deg) >= 90)
-        return 0; // at the pole itself straight up is as good as any
+        return 0; // at the pole any direction will do
     constexpr double kStep_deg = 1e-3;
     const double span_deg = std::min(kStep_deg, 0.5 * (90 - std::abs(place.latitude_deg)));
     const Point north_m = frame.toPlane({place.latitude_deg + span_deg, place.longitude_deg}) -

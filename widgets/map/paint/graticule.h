@@ -12,7 +12,7 @@
 
 namespace berg {
 
-/** One meridian or parallel across the view. */
+/** A meridian or parallel across the view. */
 struct GraticuleLine
 {
     bool isMeridian = false;
@@ -20,23 +20,24 @@ struct GraticuleLine
     QPolygonF path_px;
 };
 
+/** Meridians and parallels of a view. */
 struct Graticule
 {
     std::vector<GraticuleLine> lines;
-    int latitudeDecimals = 0; ///< of the minutes in labels; -1: whole degrees
+    int latitudeDecimals = 0; ///< decimals of minutes in labels; -1 means whole degrees
     int longitudeDecimals = 0;
-    QPointF middle_px;   ///< of the plane
-    double reach_px = 0; ///< from there; lines are not labelled beyond
+    QPointF middle_px;   ///< middle of the plane
+    double reach_px = 0; ///< radius from `middle_px` within which lines are labelled
 };
 
 /**
- * Meridians and parallels of the part of the Earth that `rect` shows, at round steps of about
- * `spacing_px`. Towards a pole, where they would come too close, some meridians end.
+ * Returns the meridians and parallels in the part of the Earth shown in `rect`, at round steps of
+ * about `spacing_px`. Some meridians end before a pole, where they would come too close.
  */
 [[nodiscard]] Graticule graticuleOf(const LocalFrame& frame, const MapViewTransform& view,
                                     const QRectF& rect, double spacing_px = 150);
 
-/** The number of one line. */
+/** Label of one line. */
 struct GraticuleLabel
 {
     QString text;
@@ -44,14 +45,16 @@ struct GraticuleLabel
 };
 
 /**
- * Numbers in `rect` that cover neither each other nor `taken`: longitudes along the upper edge and
- * latitudes along the right one where that can be, else along another edge or on the line.
+ * Returns labels in `rect` that overlap neither each other nor `taken`: longitudes at the top edge
+ * and latitudes at the right edge if possible, otherwise at another edge or on the line. A line
+ * without a free place has no label.
  */
 [[nodiscard]] std::vector<GraticuleLabel>
 graticuleLabels(const Graticule& graticule, const QRectF& rect, const QFontMetricsF& metrics,
                 const QLocale& locale, std::vector<QRectF> taken);
 
-/** Angle of true north at a place of the plane, radians clockwise from straight up. */
+/** Returns the angle of true north at a place of the plane, radians clockwise from straight up;
+ * zero at a pole. */
 [[nodiscard]] double northAngle_rad(const LocalFrame& frame, const Point& position_m);
 
 } // namespace berg

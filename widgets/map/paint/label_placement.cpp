@@ -15,17 +15,17 @@ namespace {
 constexpr std::array<double, 12> kAngles_deg = {0,  180, 35, -35, 145, -145,
                                                 90, -90, 65, -65, 115, -115};
 constexpr std::array<double, 7> kGaps_px = {3, 9, 17, 28, 42, 62, 90};
-constexpr double kApart_px = 9;   // a gap from which on the eye needs a leader line
-constexpr double kMargin_px = 2;  // kept free round every label
-constexpr double kReach_px = 160; // nothing farther from the anchor can be touched
+constexpr double kLeaderGap_px = 9; // from this gap on a label needs a leader line
+constexpr double kMargin_px = 2;    // free margin around each label
+constexpr double kReach_px = 160;   // farther objects cannot be touched
 constexpr int kSweeps = 4;
 
 // Cost of a candidate: hard faults by area, then preferences in pixels.
 constexpr double kFault = 1e4;
-constexpr double kLineCost = 2.5; // per pixel of a line under the label
+constexpr double kLineCost = 2.5; // per pixel of line under the label
 constexpr double kGapCost = 1.0;
 constexpr double kAngleCost = 0.5;
-// What another place must be better by to move a label; one that is free moves for no line.
+// Gain that justifies moving a label; a label that overlaps nothing does not move to avoid a line.
 constexpr double kStayGain = 14;
 constexpr double kFreeStayGain = 2000;
 
@@ -36,14 +36,14 @@ double overlapArea(const QRectF& a, const QRectF& b)
     return width_px > 0 && height_px > 0 ? width_px * height_px : 0;
 }
 
-/** The rectangle beside the anchor in a direction, its near side `gap_px` away from the disk. */
+/** Rectangle beside the anchor in a direction, with its near side `gap_px` from the disk. */
 QRectF candidate(const LabelRequest& request, double angle_deg, double gap_px)
 {
     const double angle_rad = radFromDeg(angle_deg);
     const double reach_px = request.anchor.radius_px + gap_px;
     const double right = std::cos(angle_rad);
     const double up = std::sin(angle_rad);
-    // Away from the axes the corner, on them the middle of a side faces the anchor.
+    // On the axes the middle of a side faces the anchor, elsewhere a corner does.
     const double side = std::clamp(1.6 * right, -1.0, 1.0);
     const double rise = std::clamp(1.2 * up, -1.0, 1.0);
     const QPointF centre(
@@ -53,7 +53,7 @@ QRectF candidate(const LabelRequest& request, double angle_deg, double gap_px)
             request.size_px};
 }
 
-/** The neighbourhood of one label and the cost of a place in it. */
+/** Obstacles near one label, and the cost of a place among them. */
 class Neighbourhood
 {
 public:
@@ -76,7 +76,7 @@ public:
     [[nodiscard]] double faults(const QRectF& rect) const
     {
         const QRectF padded = rect.adjusted(-kMargin_px, -kMargin_px, kMargin_px, kMargin_px);
-        // Cut off is worse than covered.
+        // Clipping a label is worse than covering something.
         double cost = 4 * (rect.width() * rect.height() - overlapArea(rect, m_area));
         for (const QRectF& solid : m_solids)
             cost += overlapArea(padded, solid);
@@ -104,11 +104,11 @@ private:
 struct Candidate
 {
     QRectF rect;
-    bool apart = false;
-    double cost = 0; ///< other labels not counted
+    bool needsLeader = false;
+    double cost = 0; ///< without other labels
 };
 
-/** Width of the sea between a disk and a rectangle. */
+/** Distance between a disk and a rectangle. */
 double gapBetween(const QRectF& rect, const LabelDisk& disk)
 {
     const QPointF near(std::clamp(disk.centre_px.x(), rect.left(), rect.right()),
@@ -120,11 +120,11 @@ Candidate stayingCandidate(const LabelRequest& request, const Neighbourhood& nea
 {
     const QRectF rect = stayingRect(request);
     const double faults = near.faults(rect);
-    const bool isFree = faults == 0 && !request.previous->apart;
+    const bool isFree = faults == 0 && !request.previous->needsLeader;
     const double cost = faults + near.crossings(rect) +
                         kGapCost * gapBetween(rect, request.anchor) -
                         (isFree ? kFreeStayGain : kStayGain);
-    return {.rect = rect, .apart = request.previous->apart, .cost = cost};
+    return {.rect = rect, .needsLeader = request.previous->needsLeader, .cost = cost};
 }
 
 std::vector<Candidate> candidatesOf(const LabelRequest& request,
@@ -138,9 +138,9 @@ std::vector<Candidate> candidatesOf(const LabelRequest& request,
         double preference = 0;
         for (const double angle_deg : kAngles_deg) {
             Candidate c{.rect = candidate(request, angle_deg, gap_px),
-                        .apart = gap_px >= kApart_px};
+                        .needsLeader = gap_px >= kLeaderGap_px};
             c.cost = near.faults(c.rect) + kGapCost * gap_px + preference;
-            if (c.cost < kFault) // a place with a fault is not shown: lines do not matter there
+            if (c.cost < kFault) // faulty places are not shown, so lines are irrelevant
                 c.cost += near.crossings(c.rect);
             candidates.push_back(c);
             preference += kAngleCost;
@@ -185,9 +185,10 @@ std::vector<PlacedLabel> placeLabels(std::span<const LabelRequest> requests,
         candidates.push_back(candidatesOf(request, surroundings));
 
     std::vector<PlacedLabel> placed(requests.size());
-    std::vector<double> ownCost(requests.size(), 0); // of the place taken, other labels not counted
+    std::vector<double> ownCost(requests.size(),
+                                0); // cost of the chosen place without other labels
     std::vector<bool> done(requests.size(), false);
-    // Cost of a place, other labels counted; it may stop at `limit`, which is too dear anyway.
+    // Cost of a place with other labels; the sum may stop once it exceeds `limit`.
     const auto costOf = [&](std::size_t self, const Candidate& c, double limit) {
         const QRectF padded = c.rect.adjusted(-kMargin_px, -kMargin_px, kMargin_px, kMargin_px);
         double cost = c.cost;
@@ -204,11 +205,11 @@ std::vector<PlacedLabel> placeLabels(std::span<const LabelRequest> requests,
             PlacedLabel label;
             for (const Candidate& c : candidates[i]) {
                 if (c.cost >= best)
-                    break; // they are in the order of their cost
+                    break; // candidates are sorted by cost
                 const double cost = costOf(i, c, best);
                 if (cost < best) {
                     best = cost;
-                    label = {.rect = c.rect, .apart = c.apart};
+                    label = {.rect = c.rect, .needsLeader = c.needsLeader};
                     ownCost[i] = c.cost;
                 }
             }

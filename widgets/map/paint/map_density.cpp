@@ -9,18 +9,18 @@
 namespace berg {
 namespace {
 
-constexpr std::size_t kFewest = 40;      // in sight: fewer are symbols, however near they are
-constexpr std::size_t kFewestAfter = 35; // once they are dots
-constexpr double kCrowded_px = 34;       // spacing below which symbols lose their rings
-constexpr double kUncrowded_px = 38;     // and above which they have them again
-constexpr double kDense_px = 20;         // spacing below which symbols become dots
-constexpr double kOpen_px = 23;          // and above which dots become symbols
-constexpr double kVeryDense_px = 7;      // dots are all over each other
-constexpr double kCover_px = 8;          // dots as near as that are counted together
-constexpr double kCoverFar_px = 20;      // where there are only numbers
+constexpr std::size_t kFewest = 40;      // fewest icebergs in sight of a crowded field
+constexpr std::size_t kFewestAfter = 35; // hysteresis of `kFewest`
+constexpr double kCrowded_px = 34;       // symbols lose their rings below this spacing
+constexpr double kUncrowded_px = 38;     // and regain them above this one
+constexpr double kDense_px = 20;         // symbols become dots below this spacing
+constexpr double kOpen_px = 23;          // and dots become symbols above this one
+constexpr double kVeryDense_px = 7;      // dots overlap everywhere
+constexpr double kCover_px = 8;          // nearer dots are counted together
+constexpr double kCoverFar_px = 20;      // in a very dense field
 constexpr int kLeastCount = 3;
 
-/** Numbers of things by the square of the screen that they are in. */
+/** Grid of the screen that finds near points. */
 class PixelGrid
 {
 public:
@@ -30,7 +30,7 @@ public:
     {
         m_cells[keyOf(columnOf(at.x()), columnOf(at.y()))].push_back({at, number});
     }
-    /** Some thing other than `self` nearer than a cell; none: there is none. */
+    /** Number of a point other than `self` nearer than a cell; nullopt if there is none. */
     [[nodiscard]] std::optional<std::size_t> near(const QPointF& at, std::size_t self) const
     {
         for (int x = columnOf(at.x()) - 1; x <= columnOf(at.x()) + 1; ++x)
@@ -38,7 +38,7 @@ public:
                 const auto cell = m_cells.find(keyOf(x, y));
                 if (cell == m_cells.end())
                     continue;
-                for (const Entry& entry : cell->second) {
+                for (const Point& entry : cell->second) {
                     const QPointF d = entry.at - at;
                     if (entry.number != self && QPointF::dotProduct(d, d) < m_cell_px * m_cell_px)
                         return entry.number;
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    struct Entry
+    struct Point
     {
         QPointF at;
         std::size_t number;
@@ -63,10 +63,10 @@ private:
     }
 
     double m_cell_px;
-    std::unordered_map<std::int64_t, std::vector<Entry>> m_cells;
+    std::unordered_map<std::int64_t, std::vector<Point>> m_cells;
 };
 
-/** Most of them have another one nearer than that. */
+/** Returns whether most places have a neighbour within `spacing_px`. */
 bool areCloserThan(double spacing_px, const std::vector<QPointF>& places)
 {
     PixelGrid grid(spacing_px);
@@ -83,7 +83,7 @@ bool keepsSymbol(const MapIceberg& iceberg, const MapStop& stop)
     return isNext(stop) || iceberg.status != TrackStatus::Tracked || iceberg.ringEntry_s;
 }
 
-/** Each dot joins the first one that covers it. */
+/** Groups dots (each joins the first group that covers it) and counts groups of three or more. */
 void count(MapDensity& density, const MapPicture& picture, const std::vector<std::size_t>& dots,
            const std::vector<QPointF>& places, double cover_px)
 {

@@ -7,42 +7,43 @@
 
 namespace berg {
 
-/** An iceberg's place in the plans. */
+/** Place of an iceberg in the plans. */
 struct MapStop
 {
-    int order = 0; ///< 1-based; 0: not planned
+    int order = 0; ///< 1-based visit number; zero if it is not planned
     std::size_t uav = 0;
-    std::vector<int> later{}; ///< places of further visits in the same plan
+    std::vector<int> later{}; ///< visit numbers of its further visits in the same plan
 };
 
-/** By iceberg. Where two plans have one, one of them being old, the sooner visit counts. */
+/** Returns the stops by iceberg. If two plans contain one (one of them outdated), the earlier visit
+ * counts. */
 [[nodiscard]] std::vector<MapStop> stopsOf(const MapPicture& picture);
 
-/** How an iceberg is drawn. */
+/** Form in which an iceberg is drawn. */
 enum class IcebergMark
 {
     Symbol, ///< with ring, drift and name
     Dot,
-    Counted ///< with others as one number
+    Counted ///< part of a group drawn as one number
 };
 
-/** Icebergs that lie so close together that they are drawn as a number. */
+/** A group of icebergs so close together that they are drawn as a number. */
 struct MapCount
 {
     QPointF centre_px;
     int icebergs = 0;
-    double sigma_m2 = 0; ///< the largest of theirs
+    double sigma_m2 = 0; ///< the largest in the group
 };
 
-/** How much room the icebergs of one view have. */
+/** Whether the icebergs of a view have room for full symbols. */
 struct MapCrowding
 {
-    /** Rings would cover each other: symbols are small, their colour alone shows sigma. */
+    /** Rings would overlap: symbols are small, and only their colour shows sigma. */
     bool isCrowded = false;
-    bool isDense = false; ///< even small symbols would: all but the next ones are dots
+    bool isDense = false; ///< small symbols would overlap too: most icebergs are dots
 };
 
-/** How the icebergs of one view are drawn. A dense one is crowded, too. */
+/** Form of each iceberg in one view. A dense view is crowded as well. */
 struct MapDensity : MapCrowding
 {
     [[nodiscard]] const MapCrowding& crowding() const { return *this; }
@@ -51,20 +52,21 @@ struct MapDensity : MapCrowding
     std::vector<MapCount> counts;
 };
 
-/** So many icebergs of each plan keep symbol, number and name however crowded the field is. */
+/** Number of next icebergs per plan that keep symbol, number and name in a dense field. */
 inline constexpr int kNumberedNext = 10;
 
-/** One of the next visits of a plan. */
+/** Returns true if the stop is among the next visits of its plan. */
 [[nodiscard]] inline bool isNext(const MapStop& stop)
 {
     return stop.order > 0 && stop.order <= kNumberedNext;
 }
 
 /**
- * Where most of at least 40 icebergs in sight have another within 34 px, the field is crowded.
- * Where they have one within 20 px, the next ten of each plan, lost ones and those on their way to
- * an asset keep their symbols; the others are dots, three and more that cover each other a number.
- * `before`: in the frame before, so that a field at a limit does not flicker. Cost: linear.
+ * Chooses the form of each iceberg. The field is crowded if most of at least 40 icebergs in sight
+ * have a neighbour within 34 px, and dense if within 20 px. In a dense field the next ten of each
+ * plan, lost icebergs and those approaching an asset keep their symbols; the others are dots, and
+ * three or more dots that overlap become a number. `before` is the state of the previous frame, for
+ * hysteresis. Cost: linear.
  */
 [[nodiscard]] MapDensity densityOf(const MapPicture& picture, const MapViewTransform& view,
                                    const QRectF& shown, const std::vector<MapStop>& stops,

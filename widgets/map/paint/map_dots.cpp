@@ -10,9 +10,9 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kCount_px = 9;      // radius of a number of one or two digits
-constexpr double kLongCount_px = 12; // of three
-constexpr double kSigmaSteps = 100;  // of the colours of kept drawings
+constexpr double kCount_px = 9;      // radius for one or two digits
+constexpr double kLongCount_px = 12; // radius for three digits
+constexpr double kSigmaSteps = 100;  // number of colours of cached drawings
 
 double shareOf(const MapPaint& p, double sigma_m2)
 {
@@ -63,14 +63,14 @@ void paintDots(const MapPaint& p)
             continue;
         const bool inView = p.picture.icebergs[i].inView;
         const double share = shareOf(p, p.picture.icebergs[i].sigma_m2);
-        paintKept(p, u"dot %1 %2"_s.arg(inView ? -1 : share).arg(int(inView)), dot, at,
-                  [&](QPainter& painter) {
-                      drawIcebergDot(painter, {0, 0}, p.theme.sigma.at(share), inView, p.theme);
-                  });
+        paintCached(p, u"dot %1 %2"_s.arg(inView ? -1 : share).arg(int(inView)), dot, at,
+                    [&](QPainter& painter) {
+                        drawIcebergDot(painter, {0, 0}, p.theme.sigma.at(share), inView, p.theme);
+                    });
     }
     for (const MapCount& count : p.layout.density.counts) {
         const double share = shareOf(p, count.sigma_m2);
-        paintKept(
+        paintCached(
             p, u"count %1 %2"_s.arg(share).arg(count.icebergs), roundIt(kLongCount_px + 3),
             count.centre_px, [&](QPainter& painter) {
                 drawIcebergCount(painter, {0, 0}, count.icebergs, p.theme.sigma.at(share), p.theme);

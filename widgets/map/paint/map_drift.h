@@ -6,15 +6,17 @@
 
 namespace berg {
 
-inline constexpr double kCappedArrow_px = 120; ///< longest of a horizon that the user has chosen
+inline constexpr double kCappedArrow_px = 120; ///< largest length for a horizon chosen by the user
 
-/** Longest of the usual times whose way at this speed is an arrow of good length; 0: none. */
+/** Returns the longest of the usual horizons whose drift at this speed fits an arrow; zero if none
+ * does. */
 [[nodiscard]] double driftTimeFor_s(double speed_mps, double scale_pxpm);
 
-/** Drift arrow of an iceberg, from the edge of its symbol; null line when it does not move. */
+/** Returns the drift arrow from the edge of an iceberg's symbol. Returns a null line if the iceberg
+ * hardly moves, or in a dense field. */
 [[nodiscard]] QLineF driftArrow(const MapPicture& picture, const MapLayout& layout,
                                 std::size_t iceberg);
-/** It goes on: an arrow that would be longer than it is drawn. */
+/** Returns true if the drift is longer than the arrow drawn. */
 [[nodiscard]] bool isCapped(const QLineF& arrow);
 
 } // namespace berg

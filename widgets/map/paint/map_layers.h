@@ -9,7 +9,7 @@
 
 namespace berg {
 
-/** Parts of the picture of the map that the user can make faint or hide. */
+/** Layers of the map that the user can fade or hide. */
 enum class MapLayer : std::uint8_t
 {
     Labels,
@@ -20,25 +20,27 @@ enum class MapLayer : std::uint8_t
     Swept,
     Permit, ///< airspace and operation volume
     Backdrop,
-    Compared, ///< track of the other run
-    Places    ///< names of the gazetteer; last: settings keep the layers by number
+    Compared, ///< track of the compared run
+    Places    ///< names of the gazetteer; last, because settings store layers by number
 };
 inline constexpr std::size_t kMapLayers = 10;
 
-/** How strongly each layer is painted, a file of the user below all, how far drift arrows look. */
+/** Opacity of each layer, the user's backdrop, and the horizon of drift arrows. */
 struct MapLayers
 {
-    /** By `MapLayer`, 0: hidden, to 1; the background does not drown what lies on it. */
+    /** By `MapLayer`, from 0 (hidden) to 1; the backdrop defaults to half. */
     std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1, 1, 0.5, 1, 1};
-    BackdropPointer backdrop; ///< null: none
-    double horizon_s = 0;     ///< of drift arrows; 0: what makes them of a length to be seen
+    BackdropPointer backdrop; ///< null if there is none
+    double horizon_s = 0;     ///< of drift arrows; zero chooses a horizon of readable length
     bool operator==(const MapLayers&) const = default;
 
+    /** Returns the opacity of a layer in [0, 1]. */
     [[nodiscard]] double opacity(MapLayer layer) const
     {
         return opacities[static_cast<std::size_t>(layer)];
     }
     [[nodiscard]] bool shows(MapLayer layer) const { return opacity(layer) > 0; }
+    /** Sets the opacity of a layer, clamped to [0, 1]. */
     void set(MapLayer layer, double opacity)
     {
         opacities[static_cast<std::size_t>(layer)] = std::clamp(opacity, 0.0, 1.0);

@@ -28,7 +28,7 @@ struct MapLayoutText
     Q_DECLARE_TR_FUNCTIONS(MapLayoutText)
 };
 
-constexpr double kRingAtFull_px = 12; // ring of the largest sigma beyond its symbol
+constexpr double kRingAtFull_px = 12; // width of the ring of the largest sigma
 constexpr double kLabelHeight_px = 19;
 constexpr double kUavClearance_px = 17;
 constexpr std::size_t kTrackProbes = 240;
@@ -71,8 +71,8 @@ void placeIcebergs(MapLayout& layout, const MapPicture& picture)
 }
 
 /**
- * Below the symbols, where the nose of none that flies north is, unless above or beside them they
- * hide less; below each other if need be.
+ * Places the names of UAVs below their symbols, which leaves the nose of a northbound UAV free,
+ * unless they hide less above or beside them; names that still overlap are stacked.
  */
 void placeUavLabels(MapLayout& layout, const MapPicture& picture, const Theme& theme)
 {
@@ -112,7 +112,7 @@ void placeUavLabels(MapLayout& layout, const MapPicture& picture, const Theme& t
     }
 }
 
-/** A view and how well it keeps things clear of the overlays. */
+/** Rates a view by its scale and by how well it keeps objects clear of the overlays. */
 double viewScore(const MapLayout& layout, const MapPicture& picture)
 {
     const std::vector<QRectF> overlays = layout.overlays();
@@ -147,8 +147,8 @@ double viewScore(const MapLayout& layout, const MapPicture& picture)
 }
 
 /**
- * The view that shows everything largest with the symbols clear of the overlays of `layout`: tries
- * to keep the strip of each overlay free and to push the content to one side, and takes the best.
+ * Finds the largest view with all symbols clear of the overlays of `layout`. Candidates keep the
+ * strip of each overlay free or push the content to one side; the best score wins.
  */
 MapViewTransform bestView(MapLayout layout, const MapPicture& picture, const QRectF& inner)
 {
@@ -183,14 +183,14 @@ MapViewTransform bestView(MapLayout layout, const MapPicture& picture, const QRe
     return best;
 }
 
-/** In the legend. */
-void explain(SymbolScale& symbols, const MapCrowding& crowding)
+/** Sets what the legend shows for this crowding. */
+void setLegendFlags(SymbolScale& symbols, const MapCrowding& crowding)
 {
     symbols.showsDots = crowding.isDense;
     symbols.showsRings = !crowding.isCrowded;
 }
 
-/** `bestView` for the overlays that it has itself: scale bar and legend depend on the view. */
+/** Iterates `bestView`, because the sizes of scale bar and legend depend on the view. */
 MapViewTransform fittedView(MapLayout layout, const MapPicture& picture, const MapStyle& style)
 {
     constexpr int kRounds = 2;
@@ -202,14 +202,14 @@ MapViewTransform fittedView(MapLayout layout, const MapPicture& picture, const M
     const std::vector<MapStop> stops = stopsOf(picture);
     for (int round = 0; round < kRounds; ++round) {
         layout.symbols = symbolScale(picture, style, layout.view);
-        explain(layout.symbols, densityOf(picture, layout.view, layout.rect, stops, {}));
+        setLegendFlags(layout.symbols, densityOf(picture, layout.view, layout.rect, stops, {}));
         placeOverlays(layout, picture, style);
         layout.view = bestView(layout, picture, inner);
     }
     return layout.view;
 }
 
-/** What the labels have to keep clear of. */
+/** Obstacles for labels. */
 LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& picture)
 {
     LabelSurroundings around;
@@ -220,7 +220,7 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
             for (qsizetype i = 1; i < leg.size(); ++i)
                 around.lines.emplace_back(leg[i - 1], leg[i]);
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
-        if (layout.density.marks[i] == IcebergMark::Symbol) // names may lie on dots
+        if (layout.density.marks[i] == IcebergMark::Symbol) // names may cover dots
             around.disks.push_back(layout.icebergs[i]);
         if (const QLineF arrow = driftArrow(picture, layout, i); !arrow.isNull())
             around.lines.push_back(arrow);
@@ -247,7 +247,7 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
     return around;
 }
 
-/** What its number, its name and the numbers of its later visits need. */
+/** Size of a label with its number, name and the numbers of later visits. */
 QSizeF labelSize_px(const QString& text, const MapStop& stop, const QFontMetricsF& metrics)
 {
     double width_px = std::ceil(metrics.horizontalAdvance(text)) + 2;
@@ -258,25 +258,25 @@ QSizeF labelSize_px(const QString& text, const MapStop& stop, const QFontMetrics
     return {width_px, kLabelHeight_px};
 }
 
-/** Labels that are asked for together. */
+/** Labels placed in one pass. */
 struct LabelGroup
 {
     std::vector<LabelRequest> requests;
-    std::vector<std::size_t> icebergs; ///< of each request
+    std::vector<std::size_t> icebergs; ///< by request
 };
 
 struct LabelGroups
 {
-    LabelGroup next;     ///< of the next visits: they always have one
-    LabelGroup others;   ///< may look for a place
-    LabelGroup standing; ///< stay where they were, if nothing of `next` needs the place
+    LabelGroup next;     ///< next visits, which always get a label
+    LabelGroup others;   ///< labels that may move
+    LabelGroup standing; ///< labels that keep their place unless `next` needs it
 };
 
 LabelGroups labelGroups(const MapLayout& layout, const MapPicture& picture, const MapStyle& style,
                         const MapContinuity& continuity)
 {
     const QFontMetricsF metrics(labelFont(style.theme));
-    // Symbols of another size have their labels elsewhere.
+    // The labels of symbols of another size have other places.
     const bool isContinued = layout.density.isCrowded == continuity.crowding.isCrowded;
     LabelGroups groups;
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
@@ -286,11 +286,11 @@ LabelGroups labelGroups(const MapLayout& layout, const MapPicture& picture, cons
         PlacedLabel previous;
         if (isContinued)
             previous = continuity.labels.value(picture.icebergs[i].id);
-        const bool mayLook =
+        const bool mayMove =
             !continuity.turn ||
             (i >= continuity.turn->first && i - continuity.turn->first < continuity.turn->count);
         const bool isNextVisit = isNext(layout.stops[i]);
-        if (!mayLook && !isNextVisit && previous.rect.isNull())
+        if (!mayMove && !isNextVisit && previous.rect.isNull())
             continue;
         LabelRequest request{.anchor = anchor,
                              .size_px =
@@ -300,14 +300,14 @@ LabelGroups labelGroups(const MapLayout& layout, const MapPicture& picture, cons
             previous.rect.translate(anchor.centre_px);
             request.previous = previous;
         }
-        LabelGroup& group = isNextVisit ? groups.next : mayLook ? groups.others : groups.standing;
+        LabelGroup& group = isNextVisit ? groups.next : mayMove ? groups.others : groups.standing;
         group.requests.push_back(request);
         group.icebergs.push_back(i);
     }
     return groups;
 }
 
-/** The others give way to these; where there is no free place, so do symbols of other icebergs. */
+/** Places the next visits first; without a free place they may cover other icebergs' symbols. */
 std::vector<PlacedLabel> placeNext(const LabelGroup& next, LabelSurroundings around)
 {
     std::vector<PlacedLabel> placed = placeLabels(next.requests, around);
@@ -327,7 +327,7 @@ std::vector<PlacedLabel> placeNext(const LabelGroup& next, LabelSurroundings aro
     return placed;
 }
 
-/** Labels of the icebergs in sight. */
+/** Places the labels of the icebergs in sight. */
 std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& picture,
                                   const MapStyle& style, const MapContinuity& continuity)
 {
@@ -335,19 +335,19 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
     std::vector<PlacedLabel> labels(picture.icebergs.size());
     LabelSurroundings around = surroundingsOf(layout, picture);
     std::vector<QRectF> taken;
-    const auto take = [&](const LabelGroup& group, const std::vector<PlacedLabel>& placed) {
+    const auto add = [&](const LabelGroup& group, const std::vector<PlacedLabel>& placed) {
         for (std::size_t k = 0; k < placed.size(); ++k) {
             labels[group.icebergs[k]] = placed[k];
             if (!placed[k].rect.isNull())
                 taken.push_back(placed[k].rect);
         }
     };
-    take(groups.next, placeNext(groups.next, around));
+    add(groups.next, placeNext(groups.next, around));
     const std::vector<QRectF> next = taken;
     for (std::size_t k = 0; k < groups.standing.requests.size(); ++k) {
         const LabelRequest& request = groups.standing.requests[k];
         PlacedLabel label = *request.previous;
-        label.rect = stayingRect(request); // a plan since then has given it a number
+        label.rect = stayingRect(request); // a new plan may have given it a number
         if (std::ranges::any_of(next,
                                 [&](const QRectF& rect) { return rect.intersects(label.rect); }))
             continue;
@@ -357,9 +357,9 @@ std::vector<PlacedLabel> labelsOf(const MapLayout& layout, const MapPicture& pic
     around.solids.insert(around.solids.end(), taken.begin(), taken.end());
     std::vector<PlacedLabel> others = placeLabels(groups.others.requests, around);
     for (PlacedLabel& label : others)
-        if (label.apart && layout.density.isCrowded)
-            label = {}; // leader lines of the next visits would be lost among those of others
-    take(groups.others, others);
+        if (label.needsLeader && layout.density.isCrowded)
+            label = {}; // keeps the leader lines of the next visits visible
+    add(groups.others, others);
     return labels;
 }
 
@@ -413,9 +413,10 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
         layout.symbols.driftTime_s = *continuity.driftTime_s;
     layout.stops = stopsOf(picture);
     layout.density = densityOf(picture, layout.view, rect, layout.stops, continuity.crowding);
-    explain(layout.symbols, layout.density);
+    setLegendFlags(layout.symbols, layout.density);
     placeOverlays(layout, picture, style);
     placeIcebergs(layout, picture);
+    uncoverIcebergs(layout, picture, style);
     placeUavLabels(layout, picture, style.theme);
     layout.labels = labelsOf(layout, picture, style, continuity);
     if (style.layers.shows(MapLayer::Places))

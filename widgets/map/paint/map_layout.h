@@ -12,79 +12,87 @@
 
 namespace berg {
 
-/** Where everything of one picture goes, device-independent pixels. */
+/** Positions of all parts of one picture, device-independent pixels. */
 struct MapLayout
 {
     QRectF rect;
     MapViewTransform view;
     SymbolScale symbols;
     QRectF title; ///< overlays; a null rectangle is not shown
+    bool isTitleCompact = false;
     QRectF legend;
-    QSizeF leastLegend_px; ///< as large as it was
+    QSizeF leastLegend_px; ///< smallest size of the legend: it does not shrink in flight
     bool isLegendCompact = false;
     QRectF scaleBar;
     QRectF north;
     QRectF wind;
-    QRectF inset; ///< kept free, not painted
-    /** Of folded panels, which then are null themselves. */
+    QRectF inset; ///< reserved for the overview inset, which is another widget
+    /** Icons of folded panels, whose own rectangles are null. */
     std::array<QRectF, kMapPanels> icons;
-    /** By how much panels stand off from where they are by themselves. */
+    /** Offset of each panel from its default place. */
     std::array<QPointF, kMapPanels> moved_px;
-    std::vector<LabelDisk> icebergs; ///< symbol with its ring, by index
+    std::vector<LabelDisk> icebergs; ///< symbol with its ring, by iceberg
     std::vector<MapStop> stops;      ///< by iceberg
-    MapDensity density;              ///< which of them are drawn as symbols
-    std::vector<QRectF> uavLabels;   ///< names of the UAVs; null: it has none
-    std::vector<PlacedLabel> labels; ///< id with order number, by iceberg; null: out of sight
+    MapDensity density;              ///< form of each iceberg
+    std::vector<QRectF> uavLabels;   ///< by UAV; null without a label
+    std::vector<PlacedLabel> labels; ///< id with order number, by iceberg; null if out of sight
     std::vector<MapPlaceName> places;
 
+    /** Returns the rectangles of all panels and icons shown, which labels avoid. */
     [[nodiscard]] std::vector<QRectF> overlays() const;
+    /** Returns the rectangle of a panel; null if it is not shown. */
     [[nodiscard]] const QRectF& panel(MapPanel which) const;
 };
 
-/** Panels that fold and move; hidden can be all. */
+/** Panels that the user can fold and move; all panels can be hidden. */
 inline constexpr std::array<MapPanel, 3> kFoldingPanels{MapPanel::Title, MapPanel::Legend,
                                                         MapPanel::Wind};
+/** Returns the button of a panel that folds it to an icon. */
 [[nodiscard]] QRectF foldButtonOf(const QRectF& panel);
+/** Returns the handle by which a panel is moved. */
 [[nodiscard]] QRectF panelGripOf(const QRectF& panel);
 
-/** Sizes inside an iceberg's label: number in its disk, then the id. */
-inline constexpr double kOrderDisk_px = 9; ///< radius
+/** Radius of the order number's disk in an iceberg's label, left of the id. */
+inline constexpr double kOrderDisk_px = 9;
 inline constexpr double kOrderGap_px = 4;
-inline constexpr double kLaterDisk_px = 7; ///< radius, of later visits, behind the name
+inline constexpr double kLaterDisk_px = 7; ///< radius for later visits, right of the name
 inline constexpr double kLaterGap_px = 2;
 inline constexpr std::size_t kMostLater = 3;
+/** Returns the font of labels on the map. */
 [[nodiscard]] QFont labelFont(const Theme& theme);
-/** Id of the iceberg; of one still to come with the time when it will, and whether it is lost. */
+/** Returns the label of an iceberg: its id, with the time for a future one, "lost" for a lost one,
+ * or "given up" if the search for it was. */
 [[nodiscard]] QString labelText(const MapIceberg& iceberg, const MissionClock& clock);
 
-/** Icebergs by index whose labels may look for a place. */
+/** Range of icebergs whose labels may move in this frame. */
 struct LabelTurn
 {
     std::size_t first = 0;
     std::size_t count = 0;
 };
 
-/** What one frame hands on to the next, so that a moving map stays calm. */
+/** State passed from frame to frame to keep a moving map steady. */
 struct MapContinuity
 {
-    /** Label places by iceberg id, relative to the centre of its symbol; null: not shown. */
+    /** Label places by iceberg id, relative to the centre of its symbol; null if not shown. */
     QHash<QString, PlacedLabel> labels;
-    /** The other labels stay as they were, however bad, new ones away; none: all may look. */
+    /** Only these labels are placed anew, the others keep their place; nullopt means all. */
     std::optional<LabelTurn> turn;
-    /** Drift arrows of this time instead of the one that suits the fastest iceberg. */
+    /** Horizon of drift arrows to keep, instead of one that suits the fastest iceberg. */
     std::optional<double> driftTime_s;
     MapCrowding crowding{};
-    QSizeF legend_px; ///< that of a flight does not shrink: what comes and goes moves nothing
+    QSizeF legend_px; ///< smallest legend in flight, so that changes move nothing
     bool isLegendCompact = false;
 };
 
-/** The part of a layout that the next frame starts from. */
+/** Returns the state of a layout from which the next frame starts. */
 [[nodiscard]] MapContinuity continuityOf(const MapPicture& picture, const MapLayout& layout);
 
 /**
- * Layout of `picture` in `rect`. Without `view` everything is fitted so that no symbol lies under
- * an overlay, as large as that allows. Overlays that would take too much of a small map are left
- * out. Thread: any with a QGuiApplication (fonts).
+ * Lays out `picture` in `rect`. Without `view` it shows everything as large as possible; a smaller
+ * scale is chosen if it keeps symbols clear of overlays. Overlays that would take too much of a
+ * small map are left out. `continuity` is the state of the previous frame. Runs on any thread with
+ * a QGuiApplication (fonts).
  */
 [[nodiscard]] MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style,
                                    const QRectF& rect,

@@ -37,7 +37,7 @@ double largestRing_px(const MapPicture& picture, const SymbolScale& scale)
     return scale.ringRadius_px(kSymbolRadius_px, picture.sigmaFull_m2);
 }
 
-/** "5" or "0.25": a tick is round, so it needs no more digits than it has. */
+/** "5" or "0.25": as many digits as the round tick needs. */
 QString tickText(double tick_m2, const QLocale& locale)
 {
     int decimals = 0;
@@ -64,7 +64,7 @@ void paintSigmaBar(QPainter& painter, const QRectF& bar, const MapPicture& pictu
     }
 }
 
-/** Where the parts that explain sigma are, from the top of the block. */
+/** Vertical positions in the block that explains sigma, from its top. */
 struct SigmaBlock
 {
     double samples_y = 0; ///< centres of the sample rings
@@ -83,7 +83,7 @@ SigmaBlock sigmaBlock(const MapPicture& picture, const SymbolScale& scale, bool 
     return block;
 }
 
-/** Icebergs of round sigmas along the bar. */
+/** Draws sample icebergs of round sigmas along the bar. */
 void paintSamples(QPainter& painter, const QPointF& from, const MapPicture& picture,
                   const MapStyle& style, const SymbolScale& scale)
 {
@@ -104,15 +104,15 @@ double widestNumber_px(const MapPicture& picture, const MapStyle& style)
         .horizontalAdvance(tickText(picture.sigmaFull_m2, style.locale));
 }
 
-/** From the end of the bar, on which the middle of the last number is. */
+/** Distance of the unit from the end of the bar, on which the last number is centred. */
 double unitAfter_px(double number_px)
 {
     return std::max(16.0, number_px / 2 + 5);
 }
 
 /**
- * Their sigmas and the radii of 95 %, one below the other; where they are long every other one,
- * always the last.
+ * Draws the sigmas and the 95 % radii below the bar in two lines. If numbers are wide, every other
+ * one is left out, but never the last.
  */
 void paintSigmaNumbers(QPainter& painter, const QPointF& from, const MapPicture& picture,
                        const MapStyle& style)
@@ -160,7 +160,7 @@ void paintSigma(QPainter& painter, const QPointF& at, const SigmaBlock& block,
     paintSigmaNumbers(painter, at + QPointF(0, block.numbers_y), picture, style);
 }
 
-/** Signs and their texts below each other, or in two columns. */
+/** Symbols with their texts, in one or two columns. */
 class SignGrid
 {
 public:
@@ -236,7 +236,7 @@ private:
 
 std::vector<double> sigmaTicks(double full_m2)
 {
-    // Few enough that the sample rings stay apart.
+    // Few enough ticks to keep the sample rings separate.
     double step_m2 = full_m2 / 2;
     for (const double parts : {4.0, 3.0}) {
         if (std::abs(roundDown125(full_m2 / parts) - full_m2 / parts) < 1e-9 * full_m2) {

@@ -3,6 +3,7 @@
 #include "widgets/map/paint/map_dots.h"
 #include "widgets/map/paint/map_layout.h"
 #include "widgets/map/paint/map_marks.h"
+#include "widgets/map/paint/map_paths.h"
 #include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/picture/route_colours.h"
@@ -22,17 +23,17 @@ namespace {
 
 constexpr double kRow_px = 18;
 constexpr double kSymbolRow_px = 26;
-constexpr double kSignRow_px = 20; // of the UAVs
+constexpr double kSignRow_px = 20; // row height of UAVs
 constexpr double kSign_px = 19;
 constexpr double kSignGap_px = 14;
-constexpr double kSignScale = 0.55; // of the symbol on the map
+constexpr double kSignScale = 0.55; // relative to the symbol on the map
 
 struct MapLegend
 {
     Q_DECLARE_TR_FUNCTIONS(MapLegend)
 };
 
-bool visitsOneAgain(const MapRoute& route)
+bool hasRepeatVisits(const MapRoute& route)
 {
     std::vector<int> sorted = route.plan;
     std::ranges::sort(sorted);
@@ -63,7 +64,7 @@ void drawTrackSwatch(QPainter& painter, const QRectF& swatch, const RouteColours
     QLinearGradient fade(swatch.topLeft(), swatch.topRight());
     fade.setColorAt(0, mixed(theme.panel, colours.track, 0.15));
     fade.setColorAt(1, colours.track);
-    // Filled: neither SVG nor PDF of Qt has pens with a gradient.
+    // A filled rectangle, because Qt's SVG and PDF engines do not support gradient pens.
     painter.fillRect(QRectF(swatch.left(), swatch.center().y() - 1, swatch.width(), 2), fade);
 }
 
@@ -72,7 +73,7 @@ void drawComparisonSwatch(QPainter& painter, const QRectF& swatch, const Theme& 
     const QLineF line(swatch.left(), swatch.center().y(), swatch.right(), swatch.center().y());
     painter.setPen(QPen(theme.comparison, 1.6, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(line);
-    const QPointF beyond(kLegendSwatch_px, 0); // marks keep off lines too short for them
+    const QPointF beyond(kLegendSwatch_px, 0); // direction marks are not drawn on short lines
     drawDirectionMark(painter, QLineF(line.p1() - beyond, line.p2() + beyond), theme.comparison, 9);
 }
 
@@ -86,7 +87,7 @@ void drawFieldSwatch(QPainter& painter, const QRectF& swatch, const QColor& colo
     painter.drawRect(box);
 }
 
-/** Water, the right half of it seen. */
+/** Draws water whose right half has been seen. */
 void drawSweptSwatch(QPainter& painter, const QRectF& swatch, const Theme& theme)
 {
     const QRectF box(swatch.left() + 2, swatch.center().y() - 6, swatch.width() - 4, 12);
@@ -120,7 +121,7 @@ void drawClusterSwatch(QPainter& painter, const QRectF& swatch, const QColor& pl
     drawAim(painter, swatch.center(), plan, theme);
 }
 
-/** Gathers the rows in their order. */
+/** Collects the rows in order. */
 class RowList
 {
 public:
@@ -134,18 +135,19 @@ public:
                 {.text = text, .word = word, .draw = std::move(draw), .height_px = kRow_px});
     }
 
-    /** With the drawing of such an iceberg. */
-    void addIceberg(const std::function<bool(const MapIceberg&)>& isSuch, const QString& text,
-                    const QString& word, const IcebergLook& look)
+    /** Adds a row with an iceberg symbol if `matches` is true for any iceberg. */
+    void addIceberg(const std::function<bool(const MapIceberg&)>& matches, const QString& text,
+                    const QString& word, const IcebergStyle& style)
     {
-        if (!any(isSuch))
+        if (!any(matches))
             return;
-        m_rows.push_back(
-            {.text = text,
-             .word = word,
-             .draw = [&theme = m_theme, look](
-                         QPainter& p, const QRectF& r) { drawIceberg(p, r.center(), look, theme); },
-             .height_px = kSymbolRow_px});
+        m_rows.push_back({.text = text,
+                          .word = word,
+                          .draw =
+                              [&theme = m_theme, style](QPainter& p, const QRectF& r) {
+                                  drawIceberg(p, r.center(), style, theme);
+                              },
+                          .height_px = kSymbolRow_px});
     }
 
     template <class Test>
@@ -167,26 +169,27 @@ void addIcebergRows(RowList& rows, const MapPicture& picture, const MapStyle& st
     const Theme& theme = style.theme;
     const bool isCertain =
         !rows.any([](const MapIceberg& iceberg) { return iceberg.inView && iceberg.sigma_m2 > 0; });
-    const bool stays = // while the others stand still
-        style.isLive &&
-        picture.anyRoute([](const MapRoute& route) { return route.track.size() > 1; });
+    // In flight the row stays, so that the rows below do not jump.
+    const bool stays = style.isLive && picture.anyRoute([](const MapRoute& route) {
+        return route.track.size() > 1;
+    });
     rows.addIceberg(
         [stays](const MapIceberg& iceberg) { return iceberg.inView || stays; },
         isCertain ? MapLegend::tr("In view now: σ is 0") : MapLegend::tr("In view now"),
         MapLegend::tr("In view"),
         {.radius_px = 6, .sigma = {}, .inView = true, .bracket = routeColours(picture, theme).uav});
     rows.addIceberg([](const MapIceberg& iceberg) { return iceberg.appears_s > 0; },
-                    MapLegend::tr("Still to come, with its time"), MapLegend::tr("To come"),
+                    MapLegend::tr("Appears later, with time"), MapLegend::tr("Appears later"),
                     {.radius_px = 6, .ring_px = 10, .sigma = theme.sigma.at(0.3), .later = true});
     rows.addIceberg([](const MapIceberg& iceberg) { return iceberg.status == TrackStatus::Lost; },
-                    MapLegend::tr("Lost: not where it should be"), MapLegend::tr("Lost"),
+                    MapLegend::tr("Lost: not found where expected"), MapLegend::tr("Lost"),
                     {.radius_px = 8, .sigma = {}, .status = TrackStatus::Lost});
     rows.addIceberg(
         [](const MapIceberg& iceberg) { return iceberg.status == TrackStatus::GivenUp; },
-        MapLegend::tr("Search for it given up"), MapLegend::tr("Given up"),
+        MapLegend::tr("Search given up"), MapLegend::tr("Given up"),
         {.radius_px = 8, .sigma = {}, .status = TrackStatus::GivenUp});
     rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.circle_m > 0; }),
-             MapLegend::tr("Inside it with 95 %"), MapLegend::tr("95 % circle"),
+             MapLegend::tr("95 % position circle"), MapLegend::tr("95 % circle"),
              [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, circlePen(theme)); });
     rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.truth_m.has_value(); }),
              MapLegend::tr("True position"), MapLegend::tr("Truth"),
@@ -201,7 +204,7 @@ void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
     rows.add(!pairsTooClose(picture).empty(), MapLegend::tr("UAVs too close to each other"),
              MapLegend::tr("Too close"),
              [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
-    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.keptFor >= 0; }),
+    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.assignedUav >= 0; }),
              MapLegend::tr("Assigned to the UAV of this colour"), MapLegend::tr("Assigned to one"),
              [&](QPainter& p, const QRectF& r) {
                  drawPin(p, r.center() + QPointF(0, 7), theme.ink, theme);
@@ -216,7 +219,7 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
         picture.anyRoute([](const MapRoute& route) { return !route.plan.empty(); }),
         MapLegend::tr("Plan, next leg thicker"), MapLegend::tr("Plan"),
         [&theme, colours](QPainter& p, const QRectF& r) { drawPlanSwatch(p, r, colours, theme); });
-    rows.add(picture.anyRoute(visitsOneAgain), MapLegend::tr("Later visit in the plan"),
+    rows.add(picture.anyRoute(hasRepeatVisits), MapLegend::tr("Later visit in the plan"),
              MapLegend::tr("Later visit"), [&theme, colours](QPainter& p, const QRectF& r) {
                  paintLaterDisk(p, r.center(), 9, colours.plan, theme);
              });
@@ -226,7 +229,7 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
         [colours](QPainter& p, const QRectF& r) { drawLineSwatch(p, r, searchPen(colours.uav)); });
     rows.add(
         picture.anyRoute([](const MapRoute& route) { return !route.searchPlaces.empty(); }),
-        MapLegend::tr("Place to search, chance of finding"), MapLegend::tr("Place to search"),
+        MapLegend::tr("Place to search, probability of finding"), MapLegend::tr("Place to search"),
         [colours](QPainter& p, const QRectF& r) { drawSearchPlace(p, r.center(), colours.plan); });
     rows.add(std::any_of(picture.clusters.begin(), picture.clusters.end(),
                          [](const std::vector<int>& members) { return members.size() > 1; }),
@@ -238,6 +241,11 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
              MapLegend::tr("Point aimed at"), MapLegend::tr("Aim point"),
              [&theme, colours](QPainter& p, const QRectF& r) {
                  drawAim(p, r.center(), colours.plan, theme);
+             });
+    rows.add(picture.anyRoute([](const MapRoute& route) { return !route.laterVisits_m.empty(); }),
+             MapLegend::tr("Later visits of the patrol"), MapLegend::tr("Patrol"),
+             [colours](QPainter& p, const QRectF& r) {
+                 drawLineSwatch(p, r, laterVisitsPen(colours.plan));
              });
     rows.add(layers.shows(MapLayer::FormerPlan) &&
                  picture.anyRoute([](const MapRoute& route) { return !route.formerPlan.empty(); }),
@@ -296,14 +304,14 @@ void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme,
              MapLegend::tr("Home"), MapLegend::tr("Home"),
              [&](QPainter& p, const QRectF& r) { drawHome(p, r.center(), theme.ink, theme); });
     rows.add(picture.anyRoute([](const MapRoute& route) { return !route.toNoReturn_m.empty(); }),
-             MapLegend::tr("Point of no return: reserve needed beyond"),
-             MapLegend::tr("Point of no return"),
+             MapLegend::tr("Point of no return"), MapLegend::tr("Point of no return"),
              [&](QPainter& p, const QRectF& r) { drawNoReturn(p, r.center(), theme.uav, theme); });
     rows.add(picture.station.has_value(), MapLegend::tr("Radio range of the ground station"),
              MapLegend::tr("Radio range"),
              [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, linkRingPen(theme)); });
     rows.add(picture.isFenced && !picture.area_m.empty(),
-             MapLegend::tr("Geofence: kept if the start is clear"), MapLegend::tr("Geofence"),
+             MapLegend::tr("Geofence (kept if the UAV starts inside it)"),
+             MapLegend::tr("Geofence"),
              [&](QPainter& p, const QRectF& r) { drawFenceSwatch(p, r, theme); });
     const auto hasClosed = [&](bool isRing) {
         return std::any_of(picture.closed.begin(), picture.closed.end(),
@@ -336,7 +344,7 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
     addFleetRows(rows, picture, theme);
     addPathRows(rows, picture, theme, style.layers);
     addPlaceRows(rows, picture, theme, style.layers);
-    rows.add(scale.showsDots, MapLegend::tr("Close together: dot, or how many"),
+    rows.add(scale.showsDots, MapLegend::tr("Close together: dot or number"),
              MapLegend::tr("Close together"), [&theme](QPainter& p, const QRectF& r) {
                  drawIcebergDot(p, r.center() - QPointF(11, 0), theme.sigma.at(0.4), false, theme);
                  drawIcebergCount(p, r.center() + QPointF(7, 0), 4, theme.sigma.at(0.4), theme);

@@ -7,12 +7,12 @@
 
 namespace berg {
 
-/** One sign of the map: a small drawing and what it means. */
+/** Legend entry: a symbol of the map and its meaning. */
 struct LegendRow
 {
     QString text;
-    QString word;                                       ///< the same where there is little room
-    std::function<void(QPainter&, const QRectF&)> draw; ///< into a swatch
+    QString word;                                       ///< short form for compact legends
+    std::function<void(QPainter&, const QRectF&)> draw; ///< draws the symbol into a swatch
     double height_px = 0;
 };
 
@@ -20,20 +20,21 @@ inline constexpr double kLegendSwatch_px = 34;
 inline constexpr double kLegendBar_px = 190;
 inline constexpr double kLegendUnits_px = 34; ///< room for "m²" after the last number of the bar
 
-/** The signs that are in the picture. Theme and picture are borrowed: they must outlive the rows.
+/**
+ * Returns the legend entries for `picture`. Picture and theme are borrowed and must outlive them.
  */
 [[nodiscard]] std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& style,
                                                 const SymbolScale& scale);
 
-/** The UAVs of a fleet in the legend: their signs and names one beside the other, in rows. */
+/** Symbols and names of the UAVs of a fleet in the legend, side by side in rows. */
 class LegendUavs
 {
 public:
-    /** Of a single UAV there is nothing to say: the height is 0. */
+    /** Lays out the UAVs in this width; empty (height zero) for a single UAV. */
     LegendUavs(const MapPicture& picture, const Theme& theme, double width_px);
 
     [[nodiscard]] double height_px() const { return m_height_px; }
-    /** From the top left; the theme is that of the constructor. */
+    /** Paints with the top left corner at `at`; `theme` must be that of the constructor. */
     void paint(QPainter& painter, const QPointF& at, const Theme& theme) const;
 
 private:

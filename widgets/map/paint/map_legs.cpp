@@ -5,7 +5,7 @@
 namespace berg {
 namespace {
 
-/** Where a leg to this iceberg ends. */
+/** End of a leg to this iceberg: its symbol, or the middle of its cluster. */
 LabelDisk stopAt(const MapPicture& picture, const MapLayout& layout, int iceberg)
 {
     if (const std::vector<int>* members = clusterOf(picture, iceberg))
@@ -13,14 +13,14 @@ LabelDisk stopAt(const MapPicture& picture, const MapLayout& layout, int iceberg
     return layout.icebergs[static_cast<std::size_t>(iceberg)];
 }
 
-/** On the way from `from` to `to`, past the edge of its symbol. */
+/** Point towards `to` at the edge of the symbol `from`. */
 QPointF pastEdge(const LabelDisk& from, const QPointF& to)
 {
     const QLineF path(from.centre_px, to);
     return path.length() > 0 ? path.pointAt(from.radius_px / path.length()) : to;
 }
 
-/** By way of the corners, cut at the symbols; empty: there is no room between. */
+/** Leg through `corners`, cut at the symbols; empty if there is no room between them. */
 QPolygonF legBetween(const LabelDisk& from, const QPolygonF& corners, const LabelDisk& to)
 {
     const double length_px = QLineF(from.centre_px, to.centre_px).length();
@@ -32,7 +32,7 @@ QPolygonF legBetween(const LabelDisk& from, const QPolygonF& corners, const Labe
     return leg;
 }
 
-/** That leg `k` of the plan goes round. */
+/** Geofence corners of leg `k` of the plan. */
 QPolygonF cornersOf(const MapRoute& route, const MapLayout& layout, std::size_t k)
 {
     return k < route.planCorners.size() ? layout.view.toPixels(route.planCorners[k]) : QPolygonF();

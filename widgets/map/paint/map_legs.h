@@ -7,18 +7,19 @@
 namespace berg {
 
 /**
- * The legs of a UAV's plan on the screen until it goes home, from the UAV on, one for each iceberg
- * of the order: lines cut at the symbols, or the ways of a plan with aim points; empty where there
- * is no room, and between those that are planned as one point.
+ * Returns the legs of a UAV's plan on the screen up to its flight home, starting at the UAV: one
+ * line per iceberg of this sortie, cut at the symbols, or the paths of a plan with aim points. A
+ * leg is empty if there is no room for it, or between icebergs planned as one point.
  */
 [[nodiscard]] std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layout,
                                               std::size_t uav);
 
-/** From the last iceberg of this sortie to home; empty: there is no home, or all are flown to. */
+/** Returns the leg from the last iceberg of this sortie to home; empty if the UAV does not fly
+ * home. */
 [[nodiscard]] QPolygonF homeLeg(const MapPicture& picture, const MapLayout& layout,
                                 std::size_t uav);
 
-/** The legs of what the plan took the place of, from where the UAV was then. */
+/** Returns the legs of the replaced plan, from where the UAV was at the replacement. */
 [[nodiscard]] std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& layout,
                                                 std::size_t uav);
 

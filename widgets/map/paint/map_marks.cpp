@@ -13,7 +13,7 @@
 namespace berg {
 namespace {
 
-constexpr double kRingGap_px = 3.5; // between the symbol and the ring round it
+constexpr double kRingGap_px = 3.5; // between the symbol and its ring
 constexpr double kHandle_px = 6;
 
 void drawRing(QPainter& painter, const QPointF& centre, double radius_px, double width_px,
@@ -36,10 +36,11 @@ void paintSelectionMark(QPainter& painter, const LabelDisk& symbol, const Theme&
     drawRing(painter, symbol.centre_px, radius_px, 1.8, theme);
     painter.setPen(QPen(theme.text, 1.4));
     painter.setBrush(theme.panel);
-    // On the diagonals they are out of the way of names, which are mostly beside the symbol.
+    // Handles are on the diagonals, because names are mostly beside the symbol.
     const double diagonal_px = radius_px * std::numbers::sqrt2 / 2;
-    for (const QPointF& path : {QPointF(1, 1), QPointF(-1, 1), QPointF(-1, -1), QPointF(1, -1)}) {
-        const QPointF at = symbol.centre_px + path * diagonal_px;
+    for (const QPointF& direction :
+         {QPointF(1, 1), QPointF(-1, 1), QPointF(-1, -1), QPointF(1, -1)}) {
+        const QPointF at = symbol.centre_px + direction * diagonal_px;
         painter.drawRect(
             QRectF(at.x() - kHandle_px / 2, at.y() - kHandle_px / 2, kHandle_px, kHandle_px));
     }
@@ -53,7 +54,7 @@ void paintLaterDisk(QPainter& painter, const QPointF& centre, int number, const 
     painter.setBrush(theme.sea);
     painter.drawEllipse(centre, kLaterDisk_px, kLaterDisk_px);
     QFont font = theme.small();
-    font.setPixelSize(number > 99 ? 7 : 9); // all of it on the disk
+    font.setPixelSize(number > 99 ? 7 : 9); // fits three digits on the disk
     painter.setFont(font);
     painter.setPen(theme.text);
     const QRectF box(centre - QPointF(2, 1) * kLaterDisk_px, QSizeF(4, 2) * kLaterDisk_px);
@@ -70,7 +71,7 @@ void paintRecordedTrack(QPainter& painter, const QPolygonF& path, const Theme& t
 {
     if (path.isEmpty())
         return;
-    QPolygonF seen{path.front()}; // a pixel apart
+    QPolygonF seen{path.front()}; // thinned to points at least a pixel from each other
     for (const QPointF& at : path)
         if ((at - seen.back()).manhattanLength() >= 1)
             seen << at;
@@ -114,7 +115,7 @@ void paintBubble(QPainter& painter, const QPointF& at, const QString& text, cons
         widest_px = std::max(widest_px, tabularWidth(metrics, line));
     const QSizeF size(widest_px + 20, static_cast<double>(lines.size()) * metrics.height() + 10);
     QPointF corner = at + QPointF(18, 14);
-    // Where there is no room the other side of the cursor has some.
+    // The bubble goes to the other side of the cursor if there is no room.
     if (corner.x() + size.width() > area.right())
         corner.setX(at.x() - 14 - size.width());
     if (corner.y() + size.height() > area.bottom())

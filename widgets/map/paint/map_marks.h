@@ -7,42 +7,42 @@
 
 namespace berg {
 
-/** Steps of directions while Shift is down. */
+/** Direction step while Shift is pressed. */
 inline constexpr double kDirectionStep_deg = 15;
 
-// Marks that the interactive map adds to its picture: what is selected, meant or being done. All
-// are told by shape, not by colour alone; each function leaves the painter as it found it.
+// Marks of the interactive map for selection and gestures. They differ in shape, not only in
+// colour; each function restores the painter's state.
 
-/** Selected: a ring with four handles round the symbol. */
+/** Marks a selected symbol by a ring with four handles. */
 void paintSelectionMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme);
 
-/** The place of a later visit in a plan of this colour: like that of the first, and fainter. */
+/** Draws the number of a later visit: like that of the first visit, but fainter. */
 void paintLaterDisk(QPainter& painter, const QPointF& centre, int number, const QColor& colour,
                     const Theme& theme);
-/** Under the cursor or meant by a row of a list: a thin ring. */
+/** Marks the symbol under the cursor or of a hovered table row by a thin ring. */
 void paintHoverMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme);
 
-/** The frame that selects what is inside. */
+/** Draws the frame of a box selection. */
 void paintRubberBand(QPainter& painter, const QRectF& band, const Theme& theme);
 
-/** From where something was taken to where it is now. */
+/** Draws a line from the start of a drag to its present place. */
 void paintDragTrail(QPainter& painter, const QLineF& path, const Theme& theme);
 
-/** Where an iceberg truly was, by its record; faint. Points on the screen, in the order of time. */
+/** Draws the recorded true track of an iceberg, faintly; points on the screen in time order. */
 void paintRecordedTrack(QPainter& painter, const QPolygonF& path, const Theme& theme);
 
-/** Selected or under the cursor: the outline of the area is thicker. */
+/** Marks an area that is selected or under the cursor by a thicker outline. */
 void paintAreaMark(QPainter& painter, const QPolygonF& outline, bool isSelected,
                    const Theme& theme);
 
-/** A few words in the middle of a line, on a panel. */
+/** Draws a short text on a panel, centred at a point. */
 void paintTag(QPainter& painter, const QPointF& centre, const QString& text, const Theme& theme);
 
-/** Lines of words beside the cursor, inside `area`, on a panel. */
+/** Draws lines of text on a panel beside the cursor, inside `area`. */
 void paintBubble(QPainter& painter, const QPointF& at, const QString& text, const QRectF& area,
                  const Theme& theme);
 
-/** A frame inside the edge: this widget has the keys. */
+/** Draws a frame inside the edge of a widget with keyboard focus. */
 void paintFocusFrame(QPainter& painter, const QRectF& rect, const Theme& theme);
 
 } // namespace berg

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace Qt::StringLiterals;
 
@@ -18,7 +19,8 @@ namespace {
 
 constexpr double kPadding_px = 12;
 constexpr double kReadoutGap_px = 24;
-constexpr double kParts_px = 32; // beside the title, for what moves and folds the panel
+constexpr double kReadoutsBelow_px = 8; // gap below the title
+constexpr double kParts_px = 32;        // reserved for the buttons that move and fold the panel
 constexpr double kUnitGap_px = 5;
 constexpr double kMetresPerNauticalMile = 1852;
 constexpr double kBarLength_px = 120;
@@ -51,7 +53,7 @@ double textHeight(const QFont& font)
     return QFontMetricsF(font).height();
 }
 
-/** One bar of the scale: its round length in its own unit. */
+/** One scale bar, of a round length in its unit. */
 struct ScaleBar
 {
     double length_px = 0;
@@ -68,7 +70,7 @@ ScaleBar scaleBar(const MapViewTransform& view, const MapStyle& style, DistanceU
 
 void paintBar(QPainter& painter, const QPointF& at, const ScaleBar& bar, const Theme& theme)
 {
-    // Alternating fields, as on paper charts, so that halves can be read off.
+    // Alternating fields, as on paper charts, mark the halves.
     painter.setPen(QPen(theme.ink, 1));
     for (int field = 0; field < 2; ++field) {
         const QRectF half(at.x() + field * bar.length_px / 2, at.y() - kBarHeight_px / 2,
@@ -87,7 +89,7 @@ void paintBar(QPainter& painter, const QPointF& at, const ScaleBar& bar, const T
 
 double SymbolScale::ringRadius_px(double symbol_px, double sigma_m2) const
 {
-    constexpr double kLargest_px = 18; // of one whose sigma is far beyond the scale
+    constexpr double kLargest_px = 18; // limit for sigmas far beyond the scale
     return sigma_m2 > 0 ? symbol_px + 2.5 + std::min(ring_pxpm * std::sqrt(sigma_m2), kLargest_px)
                         : 0;
 }
@@ -111,34 +113,88 @@ void paintPanel(QPainter& painter, const QRectF& rect, const Theme& theme)
     painter.drawRoundedRect(rect.adjusted(0.5, 0.5, -0.5, -0.5), 7, 7);
 }
 
-QSizeF titleSize(const MapPicture& picture, const MapStyle& style, double widest_px)
+std::vector<MapReadout> readoutsThatFit(const MapPicture& picture, const Theme& theme,
+                                        double room_px)
+{
+    const std::vector<MapReadout>& all = picture.readouts;
+    std::vector<std::size_t> byRank(all.size());
+    std::iota(byRank.begin(), byRank.end(), std::size_t{0});
+    std::ranges::stable_sort(byRank, {}, [&](std::size_t i) { return all[i].rank; });
+    std::vector<bool> fits(all.size());
+    double left_px = room_px + kReadoutGap_px;
+    for (const std::size_t i : byRank) {
+        const double width_px = readoutWidth(all[i], theme) + kReadoutGap_px;
+        fits[i] = width_px <= left_px; // a cut-off number could be misread
+        left_px -= fits[i] ? width_px : 0;
+    }
+    std::vector<MapReadout> shown;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (fits[i])
+            shown.push_back(all[i]);
+    return shown;
+}
+
+QSizeF titleSize(const MapPicture& picture, const MapStyle& style, TitleForm form)
 {
     if (picture.title.isEmpty() && picture.readouts.empty())
         return {};
     const QFont font = titleFont(style.theme);
-    double width_px = QFontMetricsF(font).horizontalAdvance(picture.title) + kParts_px;
-    double height_px = textHeight(font);
-    if (!picture.subtitle.isEmpty()) {
+    double width_px = kParts_px;
+    double height_px = 0;
+    if (!form.isCompact) {
+        width_px += QFontMetricsF(font).horizontalAdvance(picture.title);
+        height_px += textHeight(font);
+    }
+    if (!picture.subtitle.isEmpty() && !form.isCompact) {
         width_px = std::max(width_px,
                             QFontMetricsF(style.theme.small()).horizontalAdvance(picture.subtitle));
         height_px += textHeight(style.theme.small()) + 2;
     }
+    width_px = std::min(width_px, form.widestText_px - 2 * kPadding_px - 1);
     if (!picture.readouts.empty()) {
         double row_px = -kReadoutGap_px;
         for (MapReadout readout : picture.readouts) {
             if (style.isLive && !readout.unit.isEmpty() && readout.value.size() < 6)
-                readout.value = u"88 888"_s; // it grows in flight, the card does not
+                readout.value = u"88 888"_s; // room for growth in flight
             row_px += readoutWidth(readout, style.theme) + kReadoutGap_px;
         }
         width_px = std::max(width_px, row_px);
-        height_px += textHeight(style.theme.small()) + textHeight(style.theme.figure()) + 8;
+        height_px += textHeight(style.theme.small()) + textHeight(style.theme.figure()) +
+                     (form.isCompact ? 0 : kReadoutsBelow_px);
     }
-    return {std::min(std::ceil(width_px) + 2 * kPadding_px + 1, widest_px),
+    return {std::min(std::ceil(width_px) + 2 * kPadding_px + 1, form.widest_px),
             height_px + 2 * kPadding_px - 4};
 }
 
+namespace {
+
+/** Paints readouts side by side, the first caption at `at`. */
+void paintReadouts(QPainter& painter, QPointF at, const std::vector<MapReadout>& readouts,
+                   const Theme& theme)
+{
+    const double captionHeight_px = textHeight(theme.small());
+    const QFontMetricsF small(theme.small());
+    const QFontMetricsF large(theme.figure());
+    for (const MapReadout& readout : readouts) {
+        painter.setFont(theme.small());
+        painter.setPen(theme.mutedText);
+        painter.drawText(at + QPointF(0, small.ascent()), readout.caption);
+        const QPointF baseline = at + QPointF(0, captionHeight_px + large.ascent());
+        painter.setFont(theme.figure());
+        painter.setPen(theme.text);
+        drawTabular(painter, baseline, readout.value);
+        painter.setFont(theme.body());
+        painter.setPen(theme.mutedText);
+        painter.drawText(baseline + QPointF(tabularWidth(large, readout.value) + kUnitGap_px, 0),
+                         readout.unit);
+        at.rx() += readoutWidth(readout, theme) + kReadoutGap_px;
+    }
+}
+
+} // namespace
+
 void paintTitle(QPainter& painter, const QRectF& rect, const MapPicture& picture,
-                const MapStyle& style)
+                const MapStyle& style, bool isCompact)
 {
     const PainterState saved(painter);
     const Theme& theme = style.theme;
@@ -155,31 +211,15 @@ void paintTitle(QPainter& painter, const QRectF& rect, const MapPicture& picture
                          metrics.elidedText(text, Qt::ElideRight, room_px));
         at.ry() += metrics.height();
     };
-    line(titleFont(theme), theme.text, picture.title, width_px - kParts_px);
-    if (!picture.subtitle.isEmpty()) {
-        at.ry() += 2;
-        line(theme.small(), theme.mutedText, picture.subtitle, width_px);
+    if (!isCompact) {
+        line(titleFont(theme), theme.text, picture.title, width_px - kParts_px);
+        if (!picture.subtitle.isEmpty()) {
+            at.ry() += 2;
+            line(theme.small(), theme.mutedText, picture.subtitle, width_px);
+        }
+        at.ry() += kReadoutsBelow_px;
     }
-    at.ry() += 8;
-    const double captionHeight_px = textHeight(theme.small());
-    const QFontMetricsF small(theme.small());
-    const QFontMetricsF large(theme.figure());
-    for (const MapReadout& readout : picture.readouts) {
-        if (at.x() + readoutWidth(readout, theme) > rect.right() - kPadding_px / 2)
-            break; // half a figure would be read as another
-        painter.setFont(theme.small());
-        painter.setPen(theme.mutedText);
-        painter.drawText(at + QPointF(0, small.ascent()), readout.caption);
-        const QPointF baseline = at + QPointF(0, captionHeight_px + large.ascent());
-        painter.setFont(theme.figure());
-        painter.setPen(theme.text);
-        drawTabular(painter, baseline, readout.value);
-        painter.setFont(theme.body());
-        painter.setPen(theme.mutedText);
-        painter.drawText(baseline + QPointF(tabularWidth(large, readout.value) + kUnitGap_px, 0),
-                         readout.unit);
-        at.rx() += readoutWidth(readout, theme) + kReadoutGap_px;
-    }
+    paintReadouts(painter, at, readoutsThatFit(picture, theme, width_px + kPadding_px / 2), theme);
 }
 
 QSizeF scaleBarSize(const MapViewTransform& view, const MapStyle& style)
@@ -246,7 +286,7 @@ void paintEmptyState(QPainter& painter, const QRectF& area, const MapPicture& pi
     const QSizeF size(width_px, symbol_px + title.height() + hint.height() + 34);
     if (size.height() > area.height())
         return;
-    // Below the middle, where the UAV is.
+    // Placed below the middle, because the UAV is in the middle.
     const double top = area.top() + 0.8 * (area.height() - size.height());
     const QRectF rect(QPointF(area.center().x() - size.width() / 2, top), size);
     paintPanel(painter, rect, theme);

@@ -12,7 +12,7 @@
 
 namespace berg {
 
-/** Panels on the map, in the order in which they are painted. */
+/** Panels on the map, in painting order. */
 enum class MapPanel
 {
     Legend,
@@ -23,76 +23,97 @@ enum class MapPanel
 };
 inline constexpr std::size_t kMapPanels = 5;
 
-/** What the user has made of a panel. */
+/** State of a panel set by the user. */
 struct MapPanelState
 {
     bool isHidden = false;
-    bool isFolded = false; ///< an icon in its corner
-    bool isOpened = false; ///< from its icon: shown even where it takes the room of others
-    QPointF moved_px;      ///< from where it is by itself
+    bool isFolded = false; ///< shown as an icon in its corner
+    bool isOpened = false; ///< opened from its icon: shown even if it displaces others
+    QPointF moved_px;      ///< offset from its default place
     bool operator==(const MapPanelState&) const = default;
 };
 using MapPanelStates = std::array<MapPanelState, kMapPanels>;
 
-/** What decides the look of a map beside its content. Borrowed theme: it must outlive the style. */
+/** Parameters of a map's style. The theme is borrowed and must outlive the style. */
 struct MapStyle
 {
     const Theme& theme;
     QLocale locale;
-    double cover_px = 0;  ///< at the top of the map, below what lies over it
-    QSizeF inset_px = {}; ///< kept free below the north arrow; empty: nothing
+    double cover_px = 0; ///< height at the top of the map covered by another widget
+    QSizeF inset_px =
+        {}; ///< size reserved below the north arrow for the overview inset; may be empty
     MapPanelStates panels = {};
     MapLayers layers = {};
-    /** Of the window: the panel of the wind is there in calm, too, to be used, and rows of the
-     * legend for what comes and goes in flight. */
+    /** Interactive map: shows the wind panel in calm, too, and keeps legend rows in flight. */
     bool isLive = false;
 };
 
-/** How symbols are scaled in one view; the legend explains it. */
+/** Scale of symbols in one view, which the legend explains. */
 struct SymbolScale
 {
-    double ring_pxpm = 2;   ///< pixels of ring for each metre of the root of sigma
-    double driftTime_s = 0; ///< drift arrows show the way of this time; 0: no arrows
-    bool showsDots = false; ///< of icebergs without room for their symbols
-    bool showsRings = true; ///< there is room for them
-    /** Radius of the ring round a symbol of `symbol_px`; 0 in view or for sigma 0. */
+    double ring_pxpm = 2;   ///< pixels of ring per metre of the square root of sigma
+    double driftTime_s = 0; ///< horizon of drift arrows; zero hides them
+    bool showsDots = false; ///< icebergs without room for symbols are dots
+    bool showsRings = true; ///< there is room for sigma rings
+    /** Returns the radius of the sigma ring of a symbol of `symbol_px`; zero if sigma is zero. */
     [[nodiscard]] double ringRadius_px(double symbol_px, double sigma_m2) const;
 };
 
-/** Round ticks of a sigma scale that ends at `full_m2`: two to four, 0 not included. */
+/**
+ * Returns two to four evenly spaced ticks of a sigma scale, without zero; the last is `full_m2`.
+ */
 [[nodiscard]] std::vector<double> sigmaTicks(double full_m2);
 
-// The panels on the map: a size to lay them out by, and a painter for the place they got.
+// Panels of the map: each has a size for the layout and a painter.
 
-/** Size of title, subtitle and readouts, not wider than `widest_px`; empty: nothing to say. */
-[[nodiscard]] QSizeF titleSize(const MapPicture& picture, const MapStyle& style, double widest_px);
+/** Layout parameters of the title panel. */
+struct TitleForm
+{
+    double widest_px = 0;
+    double widestText_px = 1e9; ///< width limit for title and subtitle alone
+    bool isCompact = false;     ///< shows only the readouts
+};
+
+/** Returns the size of the title panel; empty if there is nothing to show. */
+[[nodiscard]] QSizeF titleSize(const MapPicture& picture, const MapStyle& style, TitleForm form);
+/** Paints title, subtitle and readouts into `rect`; only the readouts if compact. */
 void paintTitle(QPainter& painter, const QRectF& rect, const MapPicture& picture,
-                const MapStyle& style);
+                const MapStyle& style, bool isCompact);
+/**
+ * Returns the readouts that fit into `room_px`, in their order; the lowest ranks are kept first.
+ */
+[[nodiscard]] std::vector<MapReadout> readoutsThatFit(const MapPicture& picture, const Theme& theme,
+                                                      double room_px);
 
-/** `compact`: for low maps, with the samples of sigma on its bar and two signs in a row. */
+/** Returns the size of the legend, empty without icebergs. A compact one, for low maps, has the
+ * sigma samples on the bar and two columns. */
 [[nodiscard]] QSizeF legendSize(const MapPicture& picture, const MapStyle& style,
                                 const SymbolScale& scale, bool compact);
+/** Paints the legend into `rect`, laid out as for `legendSize`. */
 void paintLegend(QPainter& painter, const QRectF& rect, const MapPicture& picture,
                  const MapStyle& style, const SymbolScale& scale, bool compact);
 
-/** Two bars, metric and nautical miles, each of a round length near 120 px. */
+/** Returns the size of the scale bars: metric and nautical, each of the longest round length (1, 2
+ * or 5 times a power of ten) up to 120 px. */
 [[nodiscard]] QSizeF scaleBarSize(const MapViewTransform& view, const MapStyle& style);
+/** Paints both scale bars into `rect`. */
 void paintScaleBar(QPainter& painter, const QRectF& rect, const MapViewTransform& view,
                    const MapStyle& style);
 
+/** Returns the size of the north arrow panel. */
 [[nodiscard]] QSizeF northArrowSize();
-/** `angle_rad` of true north, clockwise from straight up. */
+/** Paints a north arrow; `angle_rad` is the direction of true north, clockwise from up. */
 void paintNorthArrow(QPainter& painter, const QRectF& rect, double angle_rad,
                      const MapStyle& style);
 
-/** The words in the middle of a map without icebergs. */
+/** Paints the message on a map without icebergs, if there is room for it. */
 void paintEmptyState(QPainter& painter, const QRectF& area, const MapPicture& picture,
                      const MapStyle& style);
 
-/** Rounded, slightly translucent ground of every panel. */
+/** Paints the rounded, slightly translucent background of a panel. */
 void paintPanel(QPainter& painter, const QRectF& rect, const Theme& theme);
 
-/** Largest 1, 2 or 5 times a power of ten that is at most `value` > 0. */
+/** Returns the largest value of 1, 2 or 5 times a power of ten that is at most `value` > 0. */
 [[nodiscard]] double roundDown125(double value);
 
 } // namespace berg

@@ -8,7 +8,7 @@
 
 namespace berg {
 
-/** What the parts of a map are painted with: clipped to the map, saved and restored. */
+/** Painting context of a map: clips to the map, and restores the painter when destroyed. */
 struct MapPaint : MapFrame
 {
     QPainter& painter;
@@ -26,8 +26,8 @@ struct MapPaint : MapFrame
     MapPaint& operator=(const MapPaint&) = delete;
 };
 
-/** Draws round `at`, by way of the kept drawings when there are any. */
-void paintKept(const MapPaint& p, const QString& key, const QRectF& bounds, const QPointF& at,
-               const std::function<void(QPainter&)>& draw);
+/** Draws at `at`, from the cache of drawings under `key` if there is one. */
+void paintCached(const MapPaint& p, const QString& key, const QRectF& bounds, const QPointF& at,
+                 const std::function<void(QPainter&)>& draw);
 
 } // namespace berg

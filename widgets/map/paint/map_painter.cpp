@@ -30,11 +30,11 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kLeastArrow = 0.2; // of one that is being drawn while the others are hidden
-constexpr double kSigmaSteps = 250; // of the colour of kept drawings
-constexpr double kRingSteps = 4;    // for each pixel, of the rings of kept drawings
+constexpr double kLeastArrow = 0.2; // opacity of an arrow being drawn while the layer is hidden
+constexpr double kSigmaSteps = 250; // number of colours of cached drawings
+constexpr double kRingSteps = 4;    // ring sizes per pixel of cached drawings
 
-/** A layer as strongly as the user wants it; a hidden one not at all. */
+/** Draws a layer with the user's opacity; a hidden one is skipped. */
 template <class Draw>
 void withOpacity(const MapPaint& p, double opacity, const Draw& draw)
 {
@@ -61,17 +61,17 @@ void paintGraticuleLabels(const MapPaint& p)
          graticuleLabels(p.graticule, p.layout.rect, QFontMetricsF(p.theme.small()), p.style.locale,
                          std::move(taken))) {
         const QSizeF size = label.rect.size();
-        paintKept(p, u"graticule "_s + label.text, QRectF(QPointF(-3, -3), size + QSizeF(6, 6)),
-                  label.rect.topLeft(), [&](QPainter& painter) {
-                      painter.setFont(p.theme.small());
-                      drawHaloText(painter, QRectF(QPointF(0, 0), size), Qt::AlignCenter,
-                                   label.text, p.theme.graticuleText, p.theme.sea);
-                  });
+        paintCached(p, u"graticule "_s + label.text, QRectF(QPointF(-3, -3), size + QSizeF(6, 6)),
+                    label.rect.topLeft(), [&](QPainter& painter) {
+                        painter.setFont(p.theme.small());
+                        drawHaloText(painter, QRectF(QPointF(0, 0), size), Qt::AlignCenter,
+                                     label.text, p.theme.graticuleText, p.theme.sea);
+                    });
     }
 }
 
-/** Kept drawings come in steps too fine to see, so that slow growth can use them. */
-void roundForKeeping(double& ring_px, double& sigma)
+/** Rounds to steps too fine to see, so that slowly growing symbols can use cached drawings. */
+void roundForCache(double& ring_px, double& sigma)
 {
     ring_px = std::round(ring_px * kRingSteps) / kRingSteps;
     sigma = std::round(sigma * kSigmaSteps) / kSigmaSteps;
@@ -92,31 +92,31 @@ void paintIcebergs(const MapPaint& p)
         double ring_px = isSmall ? 0 : p.layout.symbols.ringRadius_px(symbol_px, iceberg.sigma_m2);
         double sigma = std::clamp(iceberg.sigma_m2 / p.picture.sigmaFull_m2, 0.0, 1.0);
         if (p.sprites != nullptr)
-            roundForKeeping(ring_px, sigma);
-        // Neighbours differ in form; the id decides, so that a form stays with its iceberg.
+            roundForCache(ring_px, sigma);
+        // Neighbours differ in form; the hash of the id keeps the form of an iceberg constant.
         const auto variant = static_cast<unsigned>(stableHash(iceberg.id.toStdString()) % 6);
-        const IcebergLook look{.radius_px = symbol_px,
-                               .ring_px = ring_px,
-                               .ringOpacity = p.style.layers.opacity(MapLayer::Rings),
-                               .sigma = p.theme.sigma.at(sigma),
-                               .inView = iceberg.inView,
-                               .bracket = routeColours(p.picture, p.theme).uav,
-                               .later = iceberg.appears_s > 0,
-                               .status = iceberg.status,
-                               .variant = variant};
+        const IcebergStyle style{.radius_px = symbol_px,
+                                 .ring_px = ring_px,
+                                 .ringOpacity = p.style.layers.opacity(MapLayer::Rings),
+                                 .sigma = p.theme.sigma.at(sigma),
+                                 .inView = iceberg.inView,
+                                 .bracket = routeColours(p.picture, p.theme).uav,
+                                 .later = iceberg.appears_s > 0,
+                                 .status = iceberg.status,
+                                 .variant = variant};
         const QString key =
             u"ice %1 %2 %3 %4 %5 %6 %7"_s.arg(symbol_px)
                 .arg(ring_px)
                 .arg(sigma)
-                .arg(int(look.inView) + 2 * int(look.later) + 4 * static_cast<int>(look.status))
+                .arg(int(style.inView) + 2 * int(style.later) + 4 * static_cast<int>(style.status))
                 .arg(variant)
-                .arg(look.bracket.rgb())
-                .arg(look.ringOpacity);
+                .arg(style.bracket.rgb())
+                .arg(style.ringOpacity);
         const double reach_px = std::max(symbol_px + 7, ring_px) + 2;
-        paintKept(p, key, QRectF(-reach_px, -reach_px, 2 * reach_px, 2 * reach_px), disk.centre_px,
-                  [&](QPainter& painter) {
-                      drawIceberg(painter, {0, 0}, look, p.theme);
-                  });
+        paintCached(p, key, QRectF(-reach_px, -reach_px, 2 * reach_px, 2 * reach_px),
+                    disk.centre_px, [&](QPainter& painter) {
+                        drawIceberg(painter, {0, 0}, style, p.theme);
+                    });
         const QLineF arrow = driftArrow(p.picture, p.layout, i);
         if (!arrow.isNull())
             withOpacity(p, std::max(p.style.layers.opacity(MapLayer::Drift), kLeastArrow), [&] {
@@ -133,7 +133,7 @@ void paintLabel(const MapPaint& p, std::size_t i)
     if (label.rect.isNull() || (opacity <= 0 && p.layout.stops[i].order <= 0))
         return;
     const LabelDisk& disk = p.layout.icebergs[i];
-    if (label.apart) {
+    if (label.needsLeader) {
         const QPointF near(std::clamp(disk.centre_px.x(), label.rect.left(), label.rect.right()),
                            std::clamp(disk.centre_px.y(), label.rect.top(), label.rect.bottom()));
         const QLineF path(disk.centre_px, near);
@@ -161,7 +161,7 @@ void paintLabel(const MapPaint& p, std::size_t i)
                            ground, p.theme);
         }
         if (opacity <= 0)
-            return; // the numbers in the order are of the plan
+            return; // order numbers belong to the plan and stay
         painter.setOpacity(painter.opacity() * opacity);
         painter.setFont(labelFont(p.theme));
         drawHaloText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, text, p.theme.text,
@@ -172,10 +172,10 @@ void paintLabel(const MapPaint& p, std::size_t i)
         text;
     for (const int later : stop.later)
         key += u" %1"_s.arg(later);
-    paintKept(p, key, QRectF(QPointF(-3, -3), size + QSizeF(8, 6)), label.rect.topLeft(), draw);
+    paintCached(p, key, QRectF(QPointF(-3, -3), size + QSizeF(8, 6)), label.rect.topLeft(), draw);
 }
 
-/** Below handles, which are dragged in the direction that they are on. */
+/** Painted below handles, which may be dragged across the names. */
 void paintUavLabels(const MapPaint& p)
 {
     p.painter.setFont(labelFont(p.theme));
@@ -185,7 +185,7 @@ void paintUavLabels(const MapPaint& p)
                          p.theme.sea);
 }
 
-/** What the look of the legend depends on. */
+/** Cache key of the legend: all that its drawing depends on. */
 QString legendKey(const MapPaint& p)
 {
     QString key = u"legend %1 %2 %3 %4 %5 %6"_s.arg(p.layout.symbols.ring_pxpm)
@@ -201,7 +201,7 @@ QString legendKey(const MapPaint& p)
     return key;
 }
 
-/** A symbol is below the panel. */
+/** Returns whether a symbol lies below the panel. */
 bool hidesSomething(const MapPaint& p, const QRectF& rect)
 {
     return std::ranges::any_of(p.layout.icebergs,
@@ -226,7 +226,7 @@ void paintPanelIcons(const MapPaint& p)
         }
 }
 
-/** On the panel below the pointer: what moves and what folds it. */
+/** Paints the move handle and the fold button on the panel under the pointer. */
 void paintPanelParts(const MapPaint& p, const QRectF& rect)
 {
     const QRectF fold = foldButtonOf(rect);
@@ -253,8 +253,8 @@ void paintOverlays(const MapPaint& p, double north_rad, const std::optional<QPoi
         const QRectF bounds(QPointF(0, 0), rect.size());
         fade(rect);
         if (!rect.isNull())
-            paintKept(p, key + u" %1 %2"_s.arg(rect.width()).arg(rect.height()), bounds,
-                      rect.topLeft(), [&](QPainter& painter) { draw(painter, bounds); });
+            paintCached(p, key + u" %1 %2"_s.arg(rect.width()).arg(rect.height()), bounds,
+                        rect.topLeft(), [&](QPainter& painter) { draw(painter, bounds); });
     };
     panel(p.layout.legend, legendKey(p), [&](QPainter& painter, const QRectF& rect) {
         paintLegend(painter, rect, p.picture, p.style, p.layout.symbols, p.layout.isLegendCompact);
@@ -273,7 +273,7 @@ void paintOverlays(const MapPaint& p, double north_rad, const std::optional<QPoi
         paintWindPanel(p.painter, p.layout.wind, p.picture.air, p.style);
     fade(p.layout.title);
     if (!p.layout.title.isNull())
-        paintTitle(p.painter, p.layout.title, p.picture, p.style);
+        paintTitle(p.painter, p.layout.title, p.picture, p.style, p.layout.isTitleCompact);
     p.painter.setOpacity(1);
     paintPanelIcons(p);
     for (const MapPanel which : kFoldingPanels)
@@ -288,8 +288,8 @@ void paintOverlays(const MapPaint& p, double north_rad, const std::optional<QPoi
 
 } // namespace
 
-void paintKept(const MapPaint& p, const QString& key, const QRectF& bounds, const QPointF& at,
-               const std::function<void(QPainter&)>& draw)
+void paintCached(const MapPaint& p, const QString& key, const QRectF& bounds, const QPointF& at,
+                 const std::function<void(QPainter&)>& draw)
 {
     if (p.sprites != nullptr) {
         p.sprites->paint(p.painter, key, bounds, at, draw);
@@ -307,10 +307,10 @@ void paintMapGround(QPainter& painter, const MapFrame& frame)
                            .view = p.layout.view,
                            .rect = p.layout.rect,
                            .ratio = painter.device()->devicePixelRatioF(),
-                           .look = landLookOf(p.theme),
+                           .style = landStyleOf(p.theme),
                            .backdrop = p.style.layers.backdrop,
                            .backdropOpacity = p.style.layers.opacity(MapLayer::Backdrop),
-                           .backdropLook = backdropLookOf(p.theme)};
+                           .backdropStyle = backdropStyleOf(p.theme)};
     if (frame.land != nullptr)
         frame.land->paint(painter, land);
     else
@@ -337,7 +337,8 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     withOpacity(p, layers.opacity(MapLayer::Compared), [&] { paintComparison(p); });
     paintTracks(p);
     paintFieldsOfView(p);
-    paintDots(p); // below the plans
+    paintDots(p); // dots lie below the plans
+    paintLaterVisits(p);
     withOpacity(p, layers.opacity(MapLayer::FormerPlan), [&] { paintFormerPlans(p); });
     paintClusters(p);
     paintPlans(p);

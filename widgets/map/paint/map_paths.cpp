@@ -17,16 +17,16 @@
 namespace berg {
 namespace {
 
-constexpr double kOldestTrack = 0.2; // share of the track's colour left at its oldest end
+constexpr double kOldestTrack = 0.2; // share of the track's colour at its oldest end
 constexpr int kTrackShades = 40;
 constexpr double kComparison_px = 1.2;      // thinner than the track
-constexpr double kComparisonMarks_px = 150; // between its arrow heads
+constexpr double kComparisonMarks_px = 150; // distance of its arrow heads
 constexpr double kComparisonMark_px = 9;
 constexpr std::size_t kHeadingLegs = 3;
 constexpr double kHeading_px = 24;
-constexpr double kFarPlan = 0.5; // share of its colour left in what is far ahead in a dense field
+constexpr double kFarPlan = 0.5; // colour share of far legs in a dense field
 
-/** Where an arrow head has room. */
+/** Longest straight piece, which has most room for an arrow head. */
 QLineF longestPiece(const QPolygonF& leg)
 {
     QLineF longest;
@@ -36,17 +36,17 @@ QLineF longestPiece(const QPolygonF& leg)
     return longest;
 }
 
-/** The direction of the nose, of length 1, on a course in the wind; both over the plane. */
+/** Unit vector of the heading for a course in wind, both over the local plane. */
 Point headingOn(const Point& course, const Point& wind_mps, double airspeed_mps)
 {
     const double across = std::clamp(-cross(course, wind_mps) / airspeed_mps, -1.0, 1.0);
     return Eigen::Rotation2Dd(std::asin(across)) * course;
 }
 
-/** Small aircraft that crab along their legs. */
+/** Draws small aircraft that crab along their legs. */
 void paintHeadingMarks(const MapPaint& p, std::size_t uav, const QColor& colour)
 {
-    constexpr double kSize = 0.7; // of a UAV
+    constexpr double kSize = 0.7; // relative to a UAV's symbol
     for (const QLineF& mark : headingMarks(p.picture, p.layout, uav)) {
         p.painter.save();
         p.painter.translate(mark.p1());
@@ -56,7 +56,8 @@ void paintHeadingMarks(const MapPaint& p, std::size_t uav, const QColor& colour)
     }
 }
 
-/** Legs end when their iceberg comes into view; their lines point on at these. */
+/** Draws aim points. A leg ends when its iceberg comes into view; a dotted line leads on to them.
+ */
 void paintAims(const MapPaint& p, const MapRoute& route, const QColor& colour)
 {
     for (const MapPath& path : route.planPaths) {
@@ -69,7 +70,7 @@ void paintAims(const MapPaint& p, const MapRoute& route, const QColor& colour)
     }
 }
 
-/** One colour and arrow heads along the way: told from the flown track by shape too. */
+/** Draws a track in one colour with arrow heads, which distinguish it from the flown track. */
 void paintComparisonTrack(const MapPaint& p, const std::vector<MapTrackPoint>& track)
 {
     if (track.size() < 2)
@@ -84,7 +85,7 @@ void paintComparisonTrack(const MapPaint& p, const std::vector<MapTrackPoint>& t
         line << step.p2();
         sinceMark_px += step.length();
         if (sinceMark_px >= kComparisonMarks_px && p.layout.rect.contains(step.p2())) {
-            // Longer than the step: marks keep off lines too short for them.
+            // Longer than the step, because direction marks are not drawn on short lines.
             const QPointF reach = (step.p2() - step.p1()) / step.length() * 3 * kComparisonMark_px;
             marks.emplace_back(step.p2() - reach, step.p2() + reach);
             sinceMark_px = 0;
@@ -111,8 +112,8 @@ void paintTrack(const MapPaint& p, const std::vector<MapTrackPoint>& track, cons
     QPolygonF piece{p.layout.view.toPixel(track.front().position_m)};
     int shade = 0;
     const auto flush = [&] {
-        // Mixed with the sea instead of translucent: crossings would add up otherwise. Round joins
-        // look the same on so thin a line, but take most of the time of a frame.
+        // Mixed with the sea instead of translucent, else crossings would add up. Bevel joins look
+        // like round ones on so thin a line and are much faster.
         const double share =
             kOldestTrack + (1 - kOldestTrack) * static_cast<double>(shade) / (kTrackShades - 1);
         p.painter.setPen(QPen(mixed(p.theme.sea, colour, share), 1.6, Qt::SolidLine, Qt::FlatCap,
@@ -134,7 +135,7 @@ void paintTrack(const MapPaint& p, const std::vector<MapTrackPoint>& track, cons
     flush();
 }
 
-/** Where the plan looks for lost icebergs: a ring with the chance of finding one there. */
+/** Draws places to search as rings with the probability of finding an iceberg there. */
 void paintSearchPlaces(const MapPaint& p, const MapRoute& route, const QColor& colour)
 {
     const QFontMetricsF metrics(p.theme.small());
@@ -164,7 +165,7 @@ void paintPlan(const MapPaint& p, std::size_t uav)
         const double width_px = isNext ? 3.2 : 1.6;
         if (legs[k].size() < 2)
             continue;
-        if (p.layout.density.isDense && k >= kNumberedNext) { // or there would be nothing but plan
+        if (p.layout.density.isDense && k >= kNumberedNext) { // far legs must not cover the field
             p.painter.setPen(QPen(mixed(p.theme.sea, colours.plan, kFarPlan), 1));
             p.painter.drawPolyline(legs[k]);
             continue;
@@ -187,20 +188,20 @@ void paintSwept(const MapPaint& p)
 {
     if (!p.picture.showsSwept())
         return;
-    const SweptLook look{.view = p.layout.view,
-                         .rect = p.layout.rect,
-                         .ratio = p.painter.device()->devicePixelRatioF(),
-                         .tint = p.theme.swept};
+    const SweptStyle style{.view = p.layout.view,
+                           .rect = p.layout.rect,
+                           .ratio = p.painter.device()->devicePixelRatioF(),
+                           .tint = p.theme.swept};
     std::vector<SweptTrail> trails;
     for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav)
         if (const SweptPointer& swept = p.picture.routes[uav].swept)
             trails.push_back({.poses = *swept, .sensor = p.picture.uavs[uav].sensor});
     if (p.swept != nullptr) {
-        p.swept->paint(p.painter, trails, look);
+        p.swept->paint(p.painter, trails, style);
         return;
     }
     SweptMask mask;
-    p.painter.drawImage(p.layout.rect.topLeft(), mask.updated(trails, look));
+    p.painter.drawImage(p.layout.rect.topLeft(), mask.updated(trails, style));
 }
 
 void paintComparison(const MapPaint& p)
@@ -224,6 +225,30 @@ void paintFieldsOfView(const MapPaint& p)
         p.painter.setPen(QPen(line, 1.6, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
         p.painter.setBrush(fill);
         p.painter.drawPolygon(fieldOutline(uav, p.layout.view));
+    }
+}
+
+QPen laterVisitsPen(const QColor& colour)
+{
+    QColor faint = colour;
+    faint.setAlphaF(0.45F);
+    return {faint, 1, Qt::DotLine, Qt::FlatCap, Qt::BevelJoin};
+}
+
+void paintLaterVisits(const MapPaint& p)
+{
+    p.painter.setBrush(Qt::NoBrush);
+    for (std::size_t uav = 0; uav < p.picture.routes.size(); ++uav) {
+        const MapRoute& route = p.picture.routes[uav];
+        if (route.laterVisits_m.empty())
+            continue;
+        QPolygonF line;
+        if (!route.planPaths.empty() && !route.planPaths.back().path_m.empty())
+            line << p.layout.view.toPixel(route.planPaths.back().path_m.back());
+        for (const Point& place_m : route.laterVisits_m)
+            line << p.layout.view.toPixel(place_m);
+        p.painter.setPen(laterVisitsPen(routeColours(p.picture, p.theme, uav).plan));
+        p.painter.drawPolyline(line);
     }
 }
 

@@ -6,25 +6,31 @@ namespace berg {
 
 struct MapPaint;
 
-// Where the UAVs were, are and go, as parts of the content of a map.
+// Tracks, fields of view and plans of the UAVs, as parts of the content of a map.
 
-/** The water seen so far, in one tint however often it was seen. */
+/** Paints the water seen so far in one tint, however often it was seen. */
 void paintSwept(const MapPaint& p);
-/** The tracks of another run. */
+/** Paints the tracks of the compared run. */
 void paintComparison(const MapPaint& p);
-/** The flown tracks, older parts fainter. */
+/** Paints the flown tracks, older parts fainter. */
 void paintTracks(const MapPaint& p);
+/** Paints the fields of view of all UAVs. */
 void paintFieldsOfView(const MapPaint& p);
-/** What the plans took the place of: thin and dashed, without numbers. */
+/** Returns the pen for later rounds of a patrol: faint dots. */
+[[nodiscard]] QPen laterVisitsPen(const QColor& colour);
+/** Paints the later rounds of patrols: faint lines between the places of their visits. */
+void paintLaterVisits(const MapPaint& p);
+/** Paints the replaced plans: thin and dashed, without numbers. */
 void paintFormerPlans(const MapPaint& p);
-/** The patterns that are flown to find a lost iceberg. */
+/** Paints the search patterns being flown. */
 void paintSearches(const MapPaint& p);
-/** The plans, the next leg of each thicker; all thin while something else is flown. */
+/** Paints the plans with the next leg thicker; all legs are thin during a search. */
 void paintPlans(const MapPaint& p);
 
 /**
- * In wind: where small aircraft are drawn, from the middle of the first legs along the heading that
- * they are flown with, heading = course + asin(-w_n / U). Legs without room for one have none.
+ * Returns the heading marks in wind: from the middle of each of the first three legs along its
+ * heading, heading = course + asin(-w_n / U). Legs that are too short have none; the result is
+ * empty without wind.
  */
 [[nodiscard]] std::vector<QLineF> headingMarks(const MapPicture& picture, const MapLayout& layout,
                                                std::size_t uav);

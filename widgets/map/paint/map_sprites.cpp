@@ -6,7 +6,7 @@
 namespace berg {
 namespace {
 
-// In each of two parts: some MB; only a long flight with ever new numbers comes near it.
+// Limit of each of the two maps, a few MB; only a long flight with ever new numbers comes near it.
 constexpr qsizetype kMostSprites = 1000;
 
 } // namespace
@@ -19,7 +19,7 @@ void MapSprites::paint(QPainter& painter, const QString& key, const QRectF& boun
         clear();
         m_ratio = ratio;
     }
-    if (m_pixmaps.size() >= kMostSprites) // those in use come back one by one
+    if (m_pixmaps.size() >= kMostSprites) // drawings in use move back on demand
         m_older = std::exchange(m_pixmaps, {});
     const auto snapped = [ratio](double v) { return std::floor(v * ratio) / ratio; };
     const QPointF corner(snapped(bounds.left()), snapped(bounds.top()));

@@ -9,20 +9,21 @@
 namespace berg {
 
 /**
- * Small drawings kept as pixels, because smooth shapes and text cost far more to draw than to
- * copy. A drawing is known by its key, which must name everything that decides its look.
+ * Cache of small drawings as pixels: smooth shapes and text cost far more to draw than to copy. The
+ * key of a drawing must contain all that decides its style.
  */
 class MapSprites
 {
 public:
     /**
-     * Shows what `draw` paints round the origin, inside `bounds`, with the origin at `at`, moved by
-     * less than a device pixel so that the pixels fit.
+     * Shows what `draw` paints around the origin, inside `bounds`, with the origin at `at`, rounded
+     * to a device pixel. `draw` is called only if the key is not cached: if it is new, has not been
+     * used for long, or the painter's device has another pixel ratio than the last one.
      */
     void paint(QPainter& painter, const QString& key, const QRectF& bounds, const QPointF& at,
                const std::function<void(QPainter&)>& draw);
 
-    /** Forgets all drawings, e.g. because the theme is another one. */
+    /** Drops all drawings, for example because the theme has changed. */
     void clear()
     {
         m_pixmaps.clear();
@@ -31,8 +32,8 @@ public:
 
 private:
     QHash<QString, QPixmap> m_pixmaps;
-    QHash<QString, QPixmap> m_older; ///< from before there were too many
-    double m_ratio = 0;              ///< device pixels for each unit of the drawings held
+    QHash<QString, QPixmap> m_older; ///< drawings moved here when `m_pixmaps` was full
+    double m_ratio = 0;              ///< device pixels per unit of the cached drawings
 };
 
 } // namespace berg

@@ -1,7 +1,7 @@
 #include "widgets/map/paint/map_surroundings.h"
 
 #include "core/base/geometry.h"
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_paint.h"
 #include "widgets/map/paint/map_symbols.h"
@@ -26,11 +26,11 @@ struct MapWorld
     Q_DECLARE_TR_FUNCTIONS(MapWorld)
 };
 
-constexpr double kClusterGap_px = 6; // between a symbol and the outline round it
+constexpr double kClusterGap_px = 6; // between a symbol and the cluster's outline
 
 void paintFence(const MapPaint& p, const std::vector<Point>& corners_m)
 {
-    // Posts stand on the right of the way along: inside when the corners go round clockwise.
+    // Posts stand to the right of the direction of travel: inside for clockwise corners.
     const bool isClockwise = signedArea(corners_m) < 0;
     for (std::size_t i = 0; i < corners_m.size(); ++i) {
         const QLineF side(p.layout.view.toPixel(corners_m[i]),
@@ -39,7 +39,7 @@ void paintFence(const MapPaint& p, const std::vector<Point>& corners_m)
     }
 }
 
-/** Outer ring dashed, inner ring in full. */
+/** Draws the outer ring dashed and the inner ring solid. */
 void paintRings(const MapPaint& p, const MapAsset& asset)
 {
     const QPointF at = p.layout.view.toPixel(asset.position_m);
@@ -51,7 +51,7 @@ void paintRings(const MapPaint& p, const MapAsset& asset)
     p.painter.drawEllipse(at, asset.alarm_m * scale_pxpm, asset.alarm_m * scale_pxpm);
 }
 
-/** Round the symbols of the members, as a string would lie. */
+/** Outline of the symbols of the members, like a taut string around them. */
 QPainterPath outlineOf(const MapLayout& layout, const std::vector<int>& members)
 {
     QPainterPath outline;
@@ -62,7 +62,7 @@ QPainterPath outlineOf(const MapLayout& layout, const std::vector<int>& members)
         centres << disk.centre_px;
         widest_px = std::max(widest_px, disk.radius_px);
     }
-    // Every two of them joined: together these cover the hull's edges.
+    // Joining all pairs covers the edges of the convex hull.
     for (const QPointF& from : centres)
         for (const QPointF& to : centres) {
             outline.moveTo(from);
@@ -75,19 +75,19 @@ QPainterPath outlineOf(const MapLayout& layout, const std::vector<int>& members)
     return stroker.createStroke(outline).simplified();
 }
 
-/** Of the plan that the first of them is in. */
+/** Colour of the plan that contains the first member. */
 QColor clusterColour(const MapPaint& p, const std::vector<int>& members)
 {
     const MapStop& stop = p.layout.stops[static_cast<std::size_t>(members.front())];
     return stop.order > 0 ? routeColours(p.picture, p.theme, stop.uav).plan : p.theme.plan;
 }
 
-/** Round both, as a string would lie, with a sign in the middle. */
+/** Draws an outline around both UAVs with an alarm in the middle. */
 void paintPairTooClose(const MapPaint& p, const QLineF& path)
 {
     constexpr double kReach_px = 22;
     QPainterPath line(path.p1());
-    line.lineTo(path.p2() + QPointF(0.01, 0)); // two in one place still have an outline
+    line.lineTo(path.p2() + QPointF(0.01, 0)); // also outlines two UAVs at one place
     QPainterPathStroker stroker;
     stroker.setWidth(2 * kReach_px);
     stroker.setCapStyle(Qt::RoundCap);
@@ -110,16 +110,16 @@ AreaNames::AreaNames(const MapPaint& p) : m_p(p), m_taken(p.layout.overlays())
     for (const MapPlaceName& name : p.layout.places)
         m_taken.push_back(name.rect);
     constexpr QSizeF kUav_px(40, 40);
-    constexpr QSizeF kAsset_px(100, 60); // with its name below
-    const auto take = [&](const Point& place_m, const QSizeF& size_px) {
+    constexpr QSizeF kAsset_px(100, 60); // includes its name below
+    const auto reserveAt = [&](const Point& place_m, const QSizeF& size_px) {
         QRectF taken(QPointF(0, 0), size_px);
         taken.moveCenter(p.layout.view.toPixel(place_m));
         m_taken.push_back(taken);
     };
     for (const MapUav& uav : p.picture.uavs)
-        take(uav.position_m, kUav_px);
+        reserveAt(uav.position_m, kUav_px);
     if (p.picture.asset)
-        take(p.picture.asset->position_m, kAsset_px);
+        reserveAt(p.picture.asset->position_m, kAsset_px);
 }
 
 bool AreaNames::isFree(const QRectF& label) const
@@ -180,10 +180,10 @@ void paintClosedAreas(const MapPaint& p, AreaNames& names)
             continue;
         drawClosed(p.painter, outline, p.layout.rect, p.theme);
         if (area.isRing)
-            continue; // the asset has its name
+            continue; // the asset bears the name
         names.paint(shown, {area.name, heightsText(area.floor_m, area.ceiling_m, p.style.locale)},
                     {0.5, 0.3, 0.7, 0.1, 0.9});
-        names.keepOff(shown); // or it would be read as another area
+        names.reserve(shown); // a name inside would seem to belong to this area
     }
 }
 
@@ -204,7 +204,7 @@ QPen volumePen(VolumePart part, const Theme& theme)
 
 QPen airspacePen(const Theme& theme)
 {
-    // Purple, as on charts: red is the compared run.
+    // Purple as on charts; red is used for the compared run.
     return {theme.toned(theme.isDark ? 0xc99cf5 : 0x7a3ea8), 1.4, Qt::DashDotDotLine};
 }
 
@@ -298,7 +298,10 @@ void paintCircles(const MapPaint& p)
 {
     p.painter.setBrush(Qt::NoBrush);
     p.painter.setPen(circlePen(p.theme));
-    for (const MapIceberg& iceberg : p.picture.icebergs) {
+    for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
+        const MapIceberg& iceberg = p.picture.icebergs[i];
+        if (p.layout.density.marks[i] != IcebergMark::Symbol)
+            continue; // circles around all dots would hide a dense field
         const double radius_px = iceberg.circle_m * p.layout.view.scale_pxpm();
         const LabelDisk circle{.centre_px = p.layout.view.toPixel(iceberg.position_m),
                                .radius_px = radius_px};
@@ -315,7 +318,7 @@ void paintTruths(const MapPaint& p)
         const QLineF path(p.layout.view.toPixel(iceberg.position_m),
                           p.layout.view.toPixel(*iceberg.truth_m));
         if (path.length() < icebergSymbolRadius_px(iceberg.radius_m))
-            continue; // at this scale they are in one place
+            continue; // the places coincide at this scale
         p.painter.setPen(QPen(p.theme.ink, 1, Qt::DotLine));
         p.painter.drawLine(path);
         drawTruth(p.painter, path.p2(), p.theme);
@@ -338,11 +341,11 @@ void paintPins(const MapPaint& p)
 {
     for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
         const MapIceberg& iceberg = p.picture.icebergs[i];
-        if (iceberg.keptFor < 0)
+        if (iceberg.assignedUav < 0)
             continue;
         const double beside_px = 0.7 * icebergSymbolRadius_px(iceberg.radius_m);
         drawPin(p.painter, p.layout.icebergs[i].centre_px - QPointF(beside_px, beside_px),
-                uavColour(p.theme, iceberg.keptFor), p.theme);
+                uavColour(p.theme, iceberg.assignedUav), p.theme);
     }
 }
 

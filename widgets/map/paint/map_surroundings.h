@@ -11,20 +11,21 @@ namespace berg {
 
 struct MapPaint;
 
-// What there is beside icebergs and ways, as parts of the content of a map.
+// Objects besides icebergs and paths, as parts of the content of a map.
 
-/** Names of areas with their heights: they give way to panels, to all that has a symbol and to each
- * other. */
+/** Places names of areas clear of panels, symbols and each other. */
 class AreaNames
 {
 public:
     explicit AreaNames(const MapPaint& p);
-    /** `shown`: of the area; `shares` of its height, the best first. Nothing without a free place.
+    /**
+     * Draws two lines at a free place; nothing if there is none. `shown` is the visible part of the
+     * area, `shares` are the heights in it to try, best first.
      */
     void paint(const QRectF& shown, const std::array<QString, 2>& lines,
                const std::array<double, 5>& shares);
-    /** No further name there. */
-    void keepOff(const QRectF& place) { m_taken.push_back(place); }
+    /** Excludes a rectangle for further names. */
+    void reserve(const QRectF& place) { m_taken.push_back(place); }
 
 private:
     [[nodiscard]] bool isFree(const QRectF& label) const;
@@ -33,36 +34,40 @@ private:
     std::vector<QRectF> m_taken;
 };
 
-/** The area that is monitored, with a fence the one that the UAVs stay inside. */
+/** Paints the monitored area, with fence posts if the UAVs stay inside. */
 void paintArea(const MapPaint& p);
-/** No-fly areas and the stand-off ring: hatched, with their names and heights. */
+/** Paints no-fly areas and the stand-off ring: hatched, with names and heights. */
 void paintClosedAreas(const MapPaint& p, AreaNames& names);
-/** Outlines of airspace and of the operation volume. */
+/** Paints the outlines of airspace and of the operation volume. */
 void paintPermit(const MapPaint& p, AreaNames& names);
+/** Returns the line style of a part of the operation volume. */
 [[nodiscard]] QPen volumePen(VolumePart part, const Theme& theme);
+/** Returns the line style of airspace. */
 [[nodiscard]] QPen airspacePen(const Theme& theme);
-/** Where the UAVs land. */
+/** Paints the landing places of the UAVs. */
 void paintHomes(const MapPaint& p);
-/** What is to be protected, with its rings. */
+/** Paints the protected asset with its rings. */
 void paintAsset(const MapPaint& p);
-/** Where the radio link is kept from, and how far it reaches. */
+/** Paints the ground station and its radio range. */
 void paintStation(const MapPaint& p);
-/** Points of no return on the plans. */
+/** Paints the points of no return of the plans, with dotted paths from the visits before them. */
 void paintNoReturns(const MapPaint& p);
-/** Outlines round icebergs that are planned as one point. */
+/** Paints outlines around icebergs that are planned as one point. */
 void paintClusters(const MapPaint& p);
-/** The circles that hold 95 %. */
+/** Paints the 95 % position circles. */
 void paintCircles(const MapPaint& p);
-/** True positions that are apart from the estimates. */
+/** Paints true positions that differ visibly from the estimates. */
 void paintTruths(const MapPaint& p);
-/** Signs at icebergs on their way into the inner ring of the asset. */
+/** Paints an alarm at icebergs that will enter the asset's inner ring. */
 void paintAlarms(const MapPaint& p);
-/** At icebergs that one of several UAVs alone is to visit. */
+/** Paints a pin at icebergs assigned to one UAV of a fleet. */
 void paintPins(const MapPaint& p);
-/** Round UAVs that are nearer to each other than they should be. */
+/** Paints an alarm around UAVs that are too close to each other. */
 void paintTooClose(const MapPaint& p);
 
-/** Places in `uavs` of those aloft in one altitude layer, nearer than `separation_m`. */
+/**
+ * Returns pairs of indices in `uavs`: aloft, in one altitude layer and nearer than `separation_m`.
+ */
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>>
 pairsTooClose(const MapPicture& picture);
 

@@ -78,32 +78,32 @@ void drawBrackets(QPainter& painter, const QPointF& centre, double half_px, cons
     }
 }
 
-/** The form of an iceberg where it is drawn: pens that do not scale are beyond many SVG readers. */
-IceForm formOf(const QPointF& centre, const IcebergLook& look)
+/** Form of an iceberg in screen coordinates: many SVG readers lack pens that do not scale. */
+IceForm formOf(const QPointF& centre, const IcebergStyle& style)
 {
-    const bool isMirrored = (look.variant / iceForms().size()) % 2 == 1;
+    const bool isMirrored = (style.variant / iceForms().size()) % 2 == 1;
     const QTransform place =
         QTransform::fromTranslate(centre.x(), centre.y())
-            .scale(isMirrored ? -look.radius_px : look.radius_px, look.radius_px);
-    const IceForm& form = iceForms()[look.variant % iceForms().size()];
+            .scale(isMirrored ? -style.radius_px : style.radius_px, style.radius_px);
+    const IceForm& form = iceForms()[style.variant % iceForms().size()];
     return {place.map(form.outline), place.map(form.shade)};
 }
 
-/** Nobody knows that it is there. */
-void drawLostForm(QPainter& painter, const QPointF& centre, const IcebergLook& look,
+/** Draws an iceberg whose place is unknown. */
+void drawLostForm(QPainter& painter, const QPointF& centre, const IcebergStyle& style,
                   const Theme& theme)
 {
     QPen edge(theme.ink, 1.4, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
     edge.setDashPattern({2.5, 2});
     painter.setPen(edge);
     painter.setBrush(theme.sea);
-    painter.drawPolygon(formOf(centre, look).outline);
+    painter.drawPolygon(formOf(centre, style).outline);
     QFont font = theme.strong();
-    font.setPixelSize(static_cast<int>(std::lround(std::max(11.0, 1.5 * look.radius_px))));
+    font.setPixelSize(static_cast<int>(std::lround(std::max(11.0, 1.5 * style.radius_px))));
     painter.setFont(font);
     const QRectF box(centre.x() - 20, centre.y() - 20, 40, 40);
     drawHaloText(painter, box, Qt::AlignCenter,
-                 QString(look.status == TrackStatus::Lost ? u'?' : u'×'), theme.text, theme.sea);
+                 QString(style.status == TrackStatus::Lost ? u'?' : u'×'), theme.text, theme.sea);
 }
 
 double widestDigit(const QFontMetricsF& metrics)
@@ -120,7 +120,7 @@ bool isPaper(const QPainter& painter)
     return type == QPaintEngine::Pdf || type == QPaintEngine::SVG;
 }
 
-/** Where a text can be searched for and copied, it is there once. */
+/** Halo for PDF and SVG as one outline, so that the text is searchable and copied only once. */
 void drawOutline(QPainter& painter, const QRectF& box, const QString& text, const QColor& halo)
 {
     QPainterPath outline;
@@ -129,7 +129,7 @@ void drawOutline(QPainter& painter, const QRectF& box, const QString& text, cons
     painter.strokePath(outline, QPen(halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
-/** Keeps the hinting of the font, which an outline would lose. */
+/** Halo for the screen as shifted copies, which keep the font's hinting. */
 void drawCopies(QPainter& painter, const QRectF& rect, int flags, const QString& text,
                 const QColor& halo)
 {
@@ -144,7 +144,7 @@ void drawCopies(QPainter& painter, const QRectF& rect, int flags, const QString&
 
 double icebergSymbolRadius_px(double radius_m)
 {
-    // Growlers and bergy bits, small, medium, large, very large.
+    // Size classes: growlers and bergy bits, small, medium, large, very large.
     if (radius_m < 7.5)
         return 7.5;
     if (radius_m < 30)
@@ -154,34 +154,34 @@ double icebergSymbolRadius_px(double radius_m)
     return radius_m < 100 ? 12.5 : 14;
 }
 
-void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergLook& look,
+void drawIceberg(QPainter& painter, const QPointF& centre, const IcebergStyle& style,
                  const Theme& theme)
 {
     const PainterState saved(painter);
-    const bool isSure = !look.later && look.status == TrackStatus::Tracked;
+    const bool isSure = !style.later && style.status == TrackStatus::Tracked;
     const Qt::PenStyle line = isSure ? Qt::SolidLine : Qt::DashLine;
-    if (look.later)
+    if (style.later)
         painter.setOpacity(0.6);
-    if (look.inView) {
-        drawBrackets(painter, centre, look.radius_px + 5,
-                     look.bracket.isValid() ? look.bracket : theme.uav);
-    } else if (look.ring_px > 0) {
-        QColor fill = look.sigma;
+    if (style.inView) {
+        drawBrackets(painter, centre, style.radius_px + 5,
+                     style.bracket.isValid() ? style.bracket : theme.uav);
+    } else if (style.ring_px > 0) {
+        QColor fill = style.sigma;
         fill.setAlphaF(0.16F);
         const double before = painter.opacity();
-        painter.setOpacity(before * look.ringOpacity);
+        painter.setOpacity(before * style.ringOpacity);
         painter.setBrush(fill);
-        painter.setPen(QPen(look.sigma, 1.8, line, Qt::FlatCap));
-        painter.drawEllipse(centre, look.ring_px, look.ring_px);
+        painter.setPen(QPen(style.sigma, 1.8, line, Qt::FlatCap));
+        painter.drawEllipse(centre, style.ring_px, style.ring_px);
         painter.setOpacity(before);
     }
-    if (look.status != TrackStatus::Tracked) {
-        drawLostForm(painter, centre, look, theme);
+    if (style.status != TrackStatus::Tracked) {
+        drawLostForm(painter, centre, style, theme);
         return;
     }
-    const IceForm form = formOf(centre, look);
-    const QColor lit = look.inView ? theme.ice : mixed(look.sigma, theme.ice, 0.3);
-    const QColor shaded = look.inView ? mixed(theme.ice, theme.ink, 0.22) : look.sigma;
+    const IceForm form = formOf(centre, style);
+    const QColor lit = style.inView ? theme.ice : mixed(style.sigma, theme.ice, 0.3);
+    const QColor shaded = style.inView ? mixed(theme.ice, theme.ink, 0.22) : style.sigma;
     QPen edge(theme.isDark ? mixed(theme.ink, theme.sea, 0.1) : theme.ink, 1.2, line);
     edge.setJoinStyle(Qt::RoundJoin);
     painter.setPen(Qt::NoPen);
@@ -241,7 +241,7 @@ void drawStation(QPainter& painter, const QPointF& centre, const Theme& theme)
     painter.setBrush(theme.panel);
     painter.drawPolygon(QPolygonF{{0, -3}, {6, 9}, {-6, 9}});
     painter.setBrush(Qt::NoBrush);
-    constexpr int kSixteenths = 16; // of a degree, as Qt has it
+    constexpr int kSixteenths = 16; // Qt's arcs are in sixteenths of a degree
     for (const double radius_px : {5.0, 9.0})
         for (const int from_deg : {-35, 145})
             painter.drawArc(QRectF(-radius_px, -5 - radius_px, 2 * radius_px, 2 * radius_px),
@@ -370,7 +370,7 @@ void drawClosed(QPainter& painter, const QPolygonF& outline, const QRectF& shown
     QColor hatch = theme.uav;
     hatch.setAlphaF(0.55F);
     painter.setPen(QPen(hatch, 1));
-    // Lines of one family wherever the box is, so that they stay when the map moves under it.
+    // Hatch lines are fixed to the screen, independent of the box, so that they do not flicker.
     const double first = std::ceil((box.left() + box.top()) / kSpacing_px) * kSpacing_px;
     for (double sum = first; sum < box.right() + box.bottom(); sum += kSpacing_px)
         painter.drawLine(QPointF(sum - box.top(), box.top()),
@@ -450,7 +450,7 @@ void drawOrderDisk(QPainter& painter, const QPointF& centre, double radius_px, i
     QFont font = theme.small();
     font.setWeight(QFont::Bold);
     if (number > 99)
-        font.setPixelSize(7); // all of it on the disk
+        font.setPixelSize(7); // fits three digits on the disk
     painter.setFont(font);
     const QSizeF size(2 * radius_px + 8, 2 * radius_px);
     painter.drawText(QRectF(centre - QPointF(size.width() / 2, size.height() / 2), size),

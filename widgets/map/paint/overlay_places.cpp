@@ -8,11 +8,12 @@
 namespace berg {
 namespace {
 
-// Overlays may take this share of the width and height before they are left out.
+// Overlays larger than these shares of the map's width and height are left out.
 constexpr double kWidestShare = 0.45;
 constexpr double kTallestShare = 0.62;
-constexpr double kLargestShare = 0.16; // of the area
+constexpr double kLargestShare = 0.16; // share of the area
 constexpr double kLargestCalmShare = 0.05;
+constexpr double kTitleShare = 0.6; // share of the width for title and subtitle
 constexpr double kFolded_px = 26;
 constexpr double kPanelPart_px = 17;
 
@@ -41,14 +42,14 @@ auto& panelOf(Layout& layout, MapPanel which)
     return layout.title;
 }
 
-/** Where overlays may be. */
+/** Area for overlays. */
 QRectF innerOf(const MapLayout& layout, const MapStyle& style)
 {
     return layout.rect.adjusted(kOverlayGap_px, style.cover_px + kOverlayGap_px, -kOverlayGap_px,
                                 -kOverlayGap_px);
 }
 
-/** As the user wants it: hidden, an icon in the same corner, or elsewhere; on the map. */
+/** Applies the user's choices: hides a panel, folds it to an icon, or moves it inside the map. */
 void rearrange(MapLayout& layout, const MapStyle& style)
 {
     const QRectF inner = innerOf(layout, style);
@@ -81,13 +82,13 @@ void rearrange(MapLayout& layout, const MapStyle& style)
 
 bool isClear(const MapLayout& layout, const QRectF& rect)
 {
-    constexpr double kAway_px = kOverlayGap_px - 1; // sums of just the margin are not exact
+    constexpr double kAway_px = kOverlayGap_px - 1; // tolerates rounding of sums of the margin
     return std::ranges::none_of(layout.overlays(), [&rect](const QRectF& other) {
         return other.adjusted(-kAway_px, -kAway_px, kAway_px, kAway_px).intersects(rect);
     });
 }
 
-/** Beside the north arrow. */
+/** Places the wind panel beside the north arrow. */
 void placeWind(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
 {
     const QSizeF size = windPanelSize(picture.air, style);
@@ -103,7 +104,7 @@ void placeWind(MapLayout& layout, const MapPicture& picture, const MapStyle& sty
         layout.wind = rect;
 }
 
-/** In a corner on the right that the others leave, or beside them; null: nowhere. */
+/** Free corner on the right, or place beside other panels; null if there is none. */
 QRectF freePlace(const MapLayout& layout, const QRectF& inner, const QSizeF& size)
 {
     const double right = inner.right() - size.width();
@@ -121,8 +122,7 @@ QRectF freePlace(const MapLayout& layout, const QRectF& inner, const QSizeF& siz
     return {};
 }
 
-/** At the bottom, beside the title if there is room: what it lies over is away until it is folded.
- */
+/** Opens the legend at the bottom, beside the title if there is room; hides panels it covers. */
 void openLegend(MapLayout& layout, const QRectF& inner, const QSizeF& size)
 {
     QRectF rect(QPointF(inner.left(), inner.bottom() - size.height()), size);
@@ -138,20 +138,93 @@ void openLegend(MapLayout& layout, const QRectF& inner, const QSizeF& size)
     layout.legend = rect;
 }
 
+/** Width limit of the title: leaves room for the panels at the top, but most of a narrow map. */
+double widestTitle_px(const MapLayout& layout, const MapPicture& picture, const MapStyle& style)
+{
+    const double others_px = northArrowSize().width() + windPanelSize(picture.air, style).width();
+    return std::max(kTitleShare * layout.rect.width(),
+                    layout.rect.width() - others_px - 4 * kOverlayGap_px);
+}
+
+bool coversIceberg(const MapLayout& layout, const QRectF& panel)
+{
+    constexpr double kSeen_px = 10; // visible radius required
+    return std::ranges::any_of(layout.icebergs, [&](const LabelDisk& iceberg) {
+        return overlaps(layout.rect, iceberg) &&
+               overlaps(panel, {.centre_px = iceberg.centre_px, .radius_px = kSeen_px});
+    });
+}
+
+/** Shrinks a panel towards the sides of the map that it is near. */
+QRectF shrunk(const QRectF& panel, const QSizeF& size, const QRectF& map)
+{
+    QRectF rect(panel.topLeft(), size);
+    if (panel.center().x() > map.center().x())
+        rect.moveRight(panel.right());
+    if (panel.center().y() > map.center().y())
+        rect.moveBottom(panel.bottom());
+    return rect;
+}
+
+void uncoverByTitle(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
+{
+    if (layout.title.isNull() || picture.readouts.empty() || !coversIceberg(layout, layout.title))
+        return;
+    const QSizeF size = titleSize(
+        picture, style, {.widest_px = widestTitle_px(layout, picture, style), .isCompact = true});
+    const QRectF compact = shrunk(layout.title, size, layout.rect);
+    if (coversIceberg(layout, compact))
+        return;
+    layout.title = compact;
+    layout.isTitleCompact = true;
+}
+
+void uncoverByLegend(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
+{
+    constexpr auto kLegend = static_cast<std::size_t>(MapPanel::Legend);
+    const MapPanelState& state = style.panels[kLegend];
+    if (layout.legend.isNull() || state.isOpened || !coversIceberg(layout, layout.legend))
+        return;
+    const QSizeF size = legendSize(picture, style, layout.symbols, true);
+    QRectF compact = shrunk(layout.legend, size, layout.rect);
+    const QRectF covered = std::exchange(layout.legend, {});
+    if (coversIceberg(layout, compact) && !style.isLive)
+        compact = freePlace(layout, innerOf(layout, style), size);
+    if (!compact.isNull() && !coversIceberg(layout, compact)) {
+        layout.legend = compact;
+        layout.isLegendCompact = true;
+    } else if (style.isLive) {
+        layout.icons[kLegend] = shrunk(covered, {kFolded_px, kFolded_px}, layout.rect);
+    } else {
+        layout.legend = covered;
+    }
+}
+
 } // namespace
+
+void uncoverIcebergs(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
+{
+    layout.isTitleCompact = false;
+    if (layout.density.isCrowded)
+        return;
+    uncoverByTitle(layout, picture, style);
+    uncoverByLegend(layout, picture, style);
+}
 
 void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle& style)
 {
     layout.title = layout.legend = layout.scaleBar = layout.north = layout.wind = layout.inset = {};
     layout.icons = {};
     const QRectF inner = innerOf(layout, style);
-    const QSizeF title = titleSize(picture, style, 0.6 * layout.rect.width());
+    const QSizeF title = titleSize(picture, style,
+                                   {.widest_px = widestTitle_px(layout, picture, style),
+                                    .widestText_px = kTitleShare * layout.rect.width()});
     if (!title.isEmpty() && title.width() >= 120 && title.height() <= 0.4 * layout.rect.height())
         layout.title = QRectF(inner.topLeft(), title);
     layout.isLegendCompact = layout.rect.height() < kLowMap_px;
     QSizeF legend = legendSize(picture, style, layout.symbols, layout.isLegendCompact);
     if (style.isLive && !layout.isLegendCompact && !fits(legend, layout.rect)) {
-        layout.isLegendCompact = true; // it grows in flight: rather small than away
+        layout.isLegendCompact = true; // it grows in flight: better compact than hidden
         legend = legendSize(picture, style, layout.symbols, true);
         layout.leastLegend_px = {};
     }
@@ -182,7 +255,7 @@ void placeOverlays(MapLayout& layout, const MapPicture& picture, const MapStyle&
     const QRectF icon(inner.left(), inner.bottom() - kFolded_px, kFolded_px, kFolded_px);
     if (style.isLive && !legend.isEmpty() && layout.legend.isNull() &&
         !style.panels[kLegend].isHidden && layout.icons[kLegend].isNull() && isClear(layout, icon))
-        layout.icons[kLegend] = icon; // it is shown, says its menu, but there is no room
+        layout.icons[kLegend] = icon; // the menu says it is shown, but there is no room
 }
 
 std::vector<QRectF> MapLayout::overlays() const

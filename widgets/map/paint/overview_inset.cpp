@@ -18,21 +18,21 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kFrame_px = 5; // of the panel round the chart
+constexpr double kFrame_px = 5; // width of the panel's frame
 constexpr double kLargestScale_pxpm = 2e-3;
 constexpr double kNotch = 120; // eighths of a degree
 constexpr double kWheelZoom = 1.25;
-constexpr double kParallels_px = 26; // between parallels, at least
+constexpr double kParallels_px = 26; // smallest distance of parallels
 constexpr double kSmallestBox_px = 7;
 constexpr double kMark_px = 4;
 
-/** The usual way up: Greenland below the North Pole, Greenwich above the South Pole. */
+/** Customary orientation: Greenland below the North Pole, Greenwich above the South Pole. */
 PolarFrame frameOf(Pole pole)
 {
     return pole == Pole::North ? PolarFrame(pole, -45) : PolarFrame(pole, 0);
 }
 
-/** Pen with a rim that sets it off from land and sea. */
+/** Strokes a line with a rim that separates it from land and sea. */
 void strokeTwice(QPainter& painter, const QPolygonF& line, const QColor& colour, const QColor& rim)
 {
     painter.setBrush(Qt::NoBrush);
@@ -132,18 +132,18 @@ void OverviewInset::showWhole()
     update();
 }
 
-/** The chart always covers what it can of its rectangle. */
+/** Limits the view so that the chart covers as much of its rectangle as possible. */
 void OverviewInset::setView(const MapViewTransform& view)
 {
     const QRectF chart = chartRect();
     const double reach_px = mapReach_m(m_frame) * view.scale_pxpm();
     const QPointF pole_px = view.toPixel(Point::Zero());
-    const auto kept = [&](double at, double middle, double side_px) {
-        const double room_px = std::max(0.0, reach_px - side_px / 2);
-        return std::clamp(at, middle - room_px, middle + room_px);
+    const auto limited = [&](double at, double middle, double side_px) {
+        const double slack_px = std::max(0.0, reach_px - side_px / 2);
+        return std::clamp(at, middle - slack_px, middle + slack_px);
     };
-    const QPointF wanted(kept(pole_px.x(), chart.center().x(), chart.width()),
-                         kept(pole_px.y(), chart.center().y(), chart.height()));
+    const QPointF wanted(limited(pole_px.x(), chart.center().x(), chart.width()),
+                         limited(pole_px.y(), chart.center().y(), chart.height()));
     m_view = view.moved(wanted - pole_px);
     update();
 }
@@ -153,7 +153,7 @@ void OverviewInset::updateTexts()
     setAccessibleRole(*this, QAccessible::Canvas);
     setAccessibleName(tr("Overview"));
     setAccessibleDescription(
-        tr("Polar chart of where the map is. A click picks a place for the map."));
+        tr("Polar chart showing the location of the map. Click a place to move the map there."));
 }
 
 void OverviewInset::paintGraticule(QPainter& painter) const
@@ -165,7 +165,7 @@ void OverviewInset::paintGraticule(QPainter& painter) const
             step_deg = finer_deg;
     if (spacing_px(step_deg) < kParallels_px)
         step_deg = 20;
-    QColor line = m_theme.graticule; // of so small a globe the land is what matters
+    QColor line = m_theme.graticule; // faint, so that the land stands out
     line.setAlphaF(0.35F * line.alphaF());
     painter.setPen(QPen(line, 1));
     painter.setBrush(Qt::NoBrush);
@@ -229,7 +229,7 @@ void OverviewInset::paintEvent(QPaintEvent*)
                            .view = m_view,
                            .rect = chart,
                            .ratio = devicePixelRatioF(),
-                           .look = landLookOf(m_theme)});
+                           .style = landStyleOf(m_theme)});
     paintGraticule(painter);
     paintMarks(painter);
     painter.restore();
@@ -256,7 +256,7 @@ void OverviewInset::changeEvent(QEvent* event)
 
 void OverviewInset::mousePressEvent(QMouseEvent* event)
 {
-    event->accept(); // the map below has nothing to do with it
+    event->accept(); // keeps the event from the map below
     if (event->button() != Qt::LeftButton)
         return;
     m_pressed = event->position();

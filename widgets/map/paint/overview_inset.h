@@ -10,9 +10,8 @@
 namespace berg {
 
 /**
- * A polar chart of a hemisphere: shows where a place is and what part a map shows, and picks places
- * with a click. Of any size; a navigable one is zoomed with the wheel and moved with the mouse too.
- * GUI thread.
+ * Polar chart of a hemisphere that shows a place and the extent of a map, and picks places by
+ * click. A navigable chart can also be zoomed by wheel and moved by mouse. GUI thread.
  */
 class OverviewInset : public QWidget
 {
@@ -27,22 +26,25 @@ public:
     [[nodiscard]] Pole pole() const { return m_frame.pole(); }
     /** Marks a place and shows its hemisphere. */
     void setPlace(const LatLon& place);
-    /** Corners, and points between them, of what a map shows; empty: no box. */
+    /**
+     * Sets the outline of the map's extent as a polygon; an empty or very small one draws no box.
+     */
     void setExtent(std::vector<LatLon> outline);
 
-    /** Where a place is in the widget. */
+    /** Returns the position of a place in the widget. */
     [[nodiscard]] QPointF pixelOf(const LatLon& place) const;
-    /** What is at a pixel; none: outside the chart. */
+    /** Returns the place at a pixel; nullopt outside the chart. */
     [[nodiscard]] std::optional<LatLon> placeAt(const QPointF& at) const;
-    /** Zooms by a factor > 0 about a pixel, not farther out than the whole chart. */
+    /** Zooms by a factor > 0 about a pixel, at most out to the whole chart. */
     void zoomBy(double factor, const QPointF& at);
-    /** Waits until all the land last painted can be painted: for pictures. */
+    /** Waits for the land that was painted last: for image export. */
     void finishLand();
 
     [[nodiscard]] QSize sizeHint() const override { return {184, 184}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {80, 80}; }
 
 signals:
+    /** The user clicked this place. */
     void placePicked(const berg::LatLon& place);
 
 protected:
@@ -74,7 +76,7 @@ private:
     std::optional<LatLon> m_place;
     std::vector<LatLon> m_extent;
     std::optional<QPointF> m_cursor;
-    std::optional<QPointF> m_pressed; ///< none: no button, or it has become a move
+    std::optional<QPointF> m_pressed; ///< reset on release and once the mouse has moved
     QPointF m_movedTo;
 };
 

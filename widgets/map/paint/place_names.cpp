@@ -16,16 +16,16 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-/** Metres in a pixel, by rank, beyond which names are left out. */
+/** Largest metres per pixel at which names are shown, by rank. */
 constexpr std::array<double, 5> kFarthest_mppx{25'000, 6000, 2500, 900, 300};
-/** The same, below which the middle of a water or land stands for nothing. */
+/** Smallest metres per pixel at which names of waters and lands are shown, by rank. */
 constexpr std::array<double, 5> kNearest_mppx{150, 50, 15, 5, 0};
-constexpr double kGap_px = 5;        // between the mark of a place and its name
-constexpr double kMargin_px = 3;     // kept free round a name
-constexpr double kUavRoom_px = 20;   // half of what its symbol takes
-constexpr double kAssetRoom_px = 34; // no place is shown so near to it
+constexpr double kGap_px = 5;        // between a place's mark and its name
+constexpr double kMargin_px = 3;     // free margin around a name
+constexpr double kUavRoom_px = 20;   // half the size of its symbol
+constexpr double kAssetRoom_px = 34; // no place is shown nearer to it
 
-/** Waters and lands have their name in the middle, without a mark. */
+/** Waters and lands are named at their middle without a mark, other places at a point. */
 bool isPoint(PlaceKind kind)
 {
     return kind != PlaceKind::Water && kind != PlaceKind::Land;
@@ -39,7 +39,7 @@ QFont placeFont(const GazetteerPlace& place, const Theme& theme)
     return font;
 }
 
-/** Where names may go, and which places are in sight. */
+/** Finds free places for names, and whether a place is in sight. */
 class NameRoom
 {
 public:
@@ -50,10 +50,10 @@ public:
             m_taken.push_back(label.rect);
         m_taken.insert(m_taken.end(), layout.uavLabels.begin(), layout.uavLabels.end());
         for (const MapUav& uav : picture.uavs)
-            keepOff(uav.position_m, kUavRoom_px);
+            reserve(uav.position_m, kUavRoom_px);
         if (picture.asset) {
             m_asset_px = layout.view.toPixel(picture.asset->position_m);
-            keepOff(picture.asset->position_m, kAssetRoom_px);
+            reserve(picture.asset->position_m, kAssetRoom_px);
         }
         const QRectF& rect = layout.rect;
         const Point middle_m = layout.view.toWorld(rect.center());
@@ -62,10 +62,10 @@ public:
         m_sight_rad = side_px / 2 / layout.view.scale_pxpm() / kEarthRadius_m;
     }
 
-    /** Returns nullopt where it is out of sight or too near to the asset. */
+    /** Returns nullopt if the place is out of sight or too near the asset. */
     [[nodiscard]] std::optional<QPointF> pixelOf(const LatLon& place) const
     {
-        constexpr double kRounding = 1.02; // the Earth is no sphere
+        constexpr double kRounding = 1.02; // the Earth is not a sphere
         if (arcTo_rad(place) > kRounding * m_sight_rad)
             return std::nullopt;
         const Point position_m = m_plane.toPlane(place);
@@ -88,16 +88,16 @@ public:
                });
     }
 
-    void take(const QRectF& name) { m_taken.push_back(name); }
+    void reserve(const QRectF& name) { m_taken.push_back(name); }
 
 private:
-    void keepOff(const Point& position_m, double half_px)
+    void reserve(const Point& position_m, double half_px)
     {
         const QPointF half(half_px, half_px);
         const QPointF at = m_layout.view.toPixel(position_m);
         m_taken.emplace_back(at - half, at + half);
     }
-    /** From the middle of the map, on a sphere. */
+    /** Arc from the middle of the map, on a sphere. */
     [[nodiscard]] double arcTo_rad(const LatLon& place) const
     {
         const double from = radFromDeg(m_middle.latitude_deg);
@@ -116,7 +116,7 @@ private:
     double m_sight_rad = 0;
 };
 
-/** The first free place beside the mark, or at the middle; null: there is none. */
+/** First free place beside the mark, or around the middle; null if there is none. */
 QRectF freePlace(const NameRoom& room, const QPointF& at, const QSizeF& size_px, bool isBeside)
 {
     const double aside_px = kGap_px + size_px.width() / 2;
@@ -160,7 +160,7 @@ std::vector<MapPlaceName> placeNamesOn(const MapLayout& layout, const MapPicture
     for (const GazetteerPlace& place : gazetteer()) {
         const std::size_t rank = static_cast<std::size_t>(place.rank) - 1;
         if (kFarthest_mppx.at(rank) * layout.view.scale_pxpm() < 1)
-            break; // all that follow are less known
+            break; // the rest are less well known
         const bool isTooNear =
             !isPoint(place.kind) && kNearest_mppx.at(rank) * layout.view.scale_pxpm() > 1;
         const std::optional<QPointF> at = room.pixelOf(place.at);
@@ -172,7 +172,7 @@ std::vector<MapPlaceName> placeNamesOn(const MapLayout& layout, const MapPicture
         const QRectF rect = freePlace(room, *at, size_px, isPoint(place.kind));
         if (rect.isNull())
             continue;
-        room.take(rect);
+        room.reserve(rect);
         names.push_back({.place = &place, .at_px = *at, .rect = rect});
     }
     return names;
@@ -188,7 +188,7 @@ void paintPlaceNames(const MapPaint& p)
         const QString text = placeName(place);
         const bool isOnLand = place.kind == PlaceKind::Land || place.kind == PlaceKind::Town;
         const QSizeF size_px = name.rect.size();
-        paintKept(
+        paintCached(
             p, u"place %1 "_s.arg(static_cast<int>(place.kind)) + text,
             QRectF(QPointF(-kHalo_px, -kHalo_px), size_px + QSizeF(2 * kHalo_px, 2 * kHalo_px)),
             name.rect.topLeft(), [&](QPainter& painter) {

@@ -13,24 +13,24 @@ struct MapPaint;
 struct MapPicture;
 struct Theme;
 
-/** Name of a place of the gazetteer where it stands on the map. */
+/** Name of a gazetteer place as it appears on the map. */
 struct MapPlaceName
 {
-    const GazetteerPlace* place = nullptr; ///< of the gazetteer, which stays
-    QPointF at_px;                         ///< the place itself
-    QRectF rect;                           ///< of the name
+    const GazetteerPlace* place = nullptr; ///< entry of the gazetteer, which is permanent
+    QPointF at_px;                         ///< position of the place
+    QRectF rect;                           ///< rectangle of the name
 };
 
 /**
- * Names of places in sight that suit the scale, those of lower rank first: seas and towns that
- * everybody knows on a map of the ocean, villages on that of a bay. They give way to panels, to
- * names and symbols of the mission and to each other, and none is at the asset, which often is one
- * of these places. `layout` has all but them.
+ * Returns the names of places in sight that suit the scale, better known ones first: seas and large
+ * towns on a map of the ocean, villages on a map of a bay. They avoid panels, the mission's names
+ * and symbols and each other. The asset's surroundings stay free, because it often is one of these
+ * places. `layout` must be complete but for them.
  */
 [[nodiscard]] std::vector<MapPlaceName> placeNamesOn(const MapLayout& layout,
                                                      const MapPicture& picture, const Theme& theme);
 
-/** Below everything of the mission. */
+/** Paints the names, which lie below all objects of the mission. */
 void paintPlaceNames(const MapPaint& p);
 
 } // namespace berg

@@ -7,21 +7,22 @@ class QPainter;
 namespace berg {
 
 /**
- * The water seen so far below a map that moves. After a long flight a new view is painted over
- * several frames, a few milliseconds in each; until then the last one is shown, moved and scaled.
+ * Water seen so far, below a moving map. After a long flight a new view is painted over several
+ * frames, a few milliseconds in each; until it is complete the last one is shown, moved and scaled.
  */
 class SweptLayer
 {
 public:
-    void paint(QPainter& painter, const std::vector<SweptTrail>& trails, const SweptLook& look);
+    /** Continues painting for a few milliseconds and draws the best image available. */
+    void paint(QPainter& painter, const std::vector<SweptTrail>& trails, const SweptStyle& style);
 
-    /** False: painting again shows more. */
+    /** Returns false if painting again would show more. */
     [[nodiscard]] bool isDone() const { return m_isDone; }
 
 private:
     SweptMask m_shown;
-    SweptMask m_next;          ///< of a view wanted, while there is more to paint of it
-    bool m_isUnderWay = false; ///< `m_next`
+    SweptMask m_next;          ///< next view, while it is incomplete
+    bool m_isUnderWay = false; ///< whether `m_next` is in progress
     bool m_isDone = true;
 };
 

@@ -14,25 +14,25 @@
 namespace berg {
 namespace {
 
-constexpr double kSlack_px = 0.3;        // that an edge may be off
-constexpr double kLargestTurn_rad = 0.5; // of the footprint in one piece
-constexpr int kMostPieces = 400;         // of the way between two poses
+constexpr double kSlack_px = 0.3;        // tolerance of edges
+constexpr double kLargestTurn_rad = 0.5; // of the footprint within one piece
+constexpr int kMostPieces = 400;         // limit of pieces between two poses
 
-/** In pixels of the image, y down; angles clockwise on the screen. */
+/** A pose in pixels of the image: y down, angles clockwise on the screen. */
 struct PixelPose
 {
     Point at = Point::Zero();
     double heading_rad = 0;
 };
 
-/** From one angle to another, both in [-pi, pi], the shorter way. */
+/** Shorter turn from one angle to another, both in [-pi, pi]. */
 double turnBetween(double from_rad, double to_rad)
 {
     const double turn_rad = to_rad - from_rad;
     return turn_rad > kPi ? turn_rad - 2 * kPi : turn_rad < -kPi ? turn_rad + 2 * kPi : turn_rad;
 }
 
-/** Corners of a disk of that radius so that its edge is true. */
+/** Number of corners for which a disk's polygon stays within the tolerance. */
 int diskCornersFor(double radius_px)
 {
     constexpr int kFewest = 8;
@@ -41,29 +41,29 @@ int diskCornersFor(double radius_px)
     return std::clamp(static_cast<int>(std::ceil(kPi / std::acos(1 - share))), kFewest, kMost);
 }
 
-/** Directions in which the end of a straight line keeps near all the points passed. */
+/** Directions of straight lines from the origin that stay near all points passed so far. */
 struct Cone
 {
-    std::optional<Point> right; ///< none: any direction
+    std::optional<Point> right; ///< nullopt means any direction
     Point left = Point::Zero();
-    double reach_px = 0; ///< of the farthest point passed
+    double reach_px = 0; ///< distance of the farthest point
 
-    /** Narrows to the lines that pass near `path_px` too; false: there are none. */
-    bool admit(const Point& path_px)
+    /** Narrows the cone to lines near `point_px` as well; returns false if there are none. */
+    bool admit(const Point& point_px)
     {
-        const double length_px = path_px.norm();
+        const double length_px = point_px.norm();
         if (length_px <= kSlack_px)
             return true;
-        if (length_px < reach_px - kSlack_px) // on the way back
+        if (length_px < reach_px - kSlack_px) // the path turns back
             return false;
-        if (right && (cross(*right, path_px) < 0 || cross(path_px, left) < 0))
+        if (right && (cross(*right, point_px) < 0 || cross(point_px, left) < 0))
             return false;
-        const Point aside = Point(-path_px.y(), path_px.x()) * (kSlack_px / length_px);
+        const Point aside = Point(-point_px.y(), point_px.x()) * (kSlack_px / length_px);
         const bool isFirst = !right;
-        if (isFirst || cross(*right, path_px - aside) > 0)
-            right = path_px - aside;
-        if (isFirst || cross(path_px + aside, left) > 0)
-            left = path_px + aside;
+        if (isFirst || cross(*right, point_px - aside) > 0)
+            right = point_px - aside;
+        if (isFirst || cross(point_px + aside, left) > 0)
+            left = point_px + aside;
         reach_px = std::max(reach_px, length_px);
         return true;
     }
@@ -71,11 +71,11 @@ struct Cone
 
 } // namespace
 
-/** Paints the footprint along a way, joined to pieces as long as the pixels allow. */
+/** Paints the footprint along a path, merged into pieces as long as the tolerance allows. */
 class SweptMask::Brush
 {
 public:
-    Brush(QImage& image, std::vector<PaintedRun>& rows, const SweptLook& look,
+    Brush(QImage& image, std::vector<PaintedRun>& rows, const SweptStyle& style,
           const SensorSpec& sensor)
         : m_rows(rows)
         , m_pixels(reinterpret_cast<QRgb*>(image.bits()))
@@ -83,10 +83,10 @@ public:
         , m_width(image.width())
         , m_height(image.height())
         , m_sensor(sensor)
-        , m_scale_pxpm(look.view.scale_pxpm() * look.ratio)
+        , m_scale_pxpm(style.view.scale_pxpm() * style.ratio)
         , m_origin_px(
-              pointOf((look.view.toPixel(Point::Zero()) - look.rect.topLeft()) * look.ratio))
-        , m_tint(qPremultiply(look.tint.rgba()))
+              pointOf((style.view.toPixel(Point::Zero()) - style.rect.topLeft()) * style.ratio))
+        , m_tint(qPremultiply(style.tint.rgba()))
         , m_left(rows.size(), kNowhere)
         , m_right(rows.size(), -kNowhere)
     {
@@ -96,15 +96,15 @@ public:
             corner = Point(corner.x(), -corner.y()) * m_scale_pxpm;
             m_reach_px = std::max(m_reach_px, corner.norm());
         }
-        // The edge between two turned footprints is straight: r turn^2 / 8 short of the arc.
+        // The edge between two rotated footprints is straight: it misses the arc by r turn^2 / 8.
         m_largestTurn_rad =
             std::min(kLargestTurn_rad, std::sqrt(8 * kSlack_px / std::max(1.0, m_reach_px)));
     }
 
-    /** Returns how many of the poses are painted: at least two if there are, all in time. */
+    /** Paints poses within the budget; returns their number, at least two if there are two. */
     std::size_t paint(std::span<const MapPose> poses, double budget_ms)
     {
-        constexpr std::size_t kBetweenLooks = 64; // at the clock
+        constexpr std::size_t kPosesPerClockCheck = 64;
         QElapsedTimer clock;
         clock.start();
         start(pixelPose(poses.front()));
@@ -112,7 +112,7 @@ public:
         while (count < poses.size()) {
             flyTo(pixelPose(poses[count]));
             ++count;
-            if (count % kBetweenLooks == 0 &&
+            if (count % kPosesPerClockCheck == 0 &&
                 static_cast<double>(clock.nsecsElapsed()) > budget_ms * 1e6)
                 break;
         }
@@ -144,13 +144,14 @@ private:
     }
     void finish() { sweep(m_from, m_end); }
 
-    /** On from the end along an arc in pieces that are straight enough. */
+    /** Continues along an arc to `next` in pieces that are nearly straight. */
     void flyTo(const PixelPose& next)
     {
         const PixelPose from = m_end;
         const double bend_rad = turnBetween(from.heading_rad, next.heading_rad);
         const Point path = next.at - from.at;
-        const Point sagitta = Point(path.y(), -path.x()) * (bend_rad / 8); // of the arc, nearly
+        const Point sagitta =
+            Point(path.y(), -path.x()) * (bend_rad / 8); // approximate sagitta of the arc
         if (isOutOfSight(from.at, next.at, m_reach_px + sagitta.norm())) {
             finish();
             start(next);
@@ -185,7 +186,7 @@ private:
         m_end = next;
     }
 
-    /** Whether the piece under way may end at `next`: straight, and turned one way only. */
+    /** Extends the current piece to `next` if it stays straight and turns in one direction. */
     bool lengthen(const PixelPose& next)
     {
         const double turn_rad = turnBetween(m_startTurn_rad, turnOf(next));
@@ -202,7 +203,7 @@ private:
         return true;
     }
 
-    /** Paints what lies between the two footprints and in them. */
+    /** Paints both footprints and the area between them. */
     void sweep(const PixelPose& from, const PixelPose& to)
     {
         placeCorners(from, m_fromCorners);
@@ -230,7 +231,7 @@ private:
                                  pose.at.y() + along.y() * corner.x() + along.x() * corner.y());
     }
 
-    /** Makes the rows that the line crosses reach to it. */
+    /** Extends the rows that the line crosses to reach it. */
     void widen(Point upper, Point lower)
     {
         if (upper.y() > lower.y())
@@ -252,8 +253,7 @@ private:
         m_bottom = std::max(m_bottom, last);
     }
 
-    /** Paints the pixels of the row whose centres are inside, those that are known to be left out.
-     */
+    /** Paints the pixels of a row with their centres inside, except those known to be painted. */
     void fillRow(std::size_t row)
     {
         const double left = std::exchange(m_left[row], kNowhere);
@@ -292,36 +292,36 @@ private:
     double m_scale_pxpm;
     Point m_origin_px;
     QRgb m_tint;
-    std::vector<Point> m_corners_px; ///< of the footprint with the turn 0
-    double m_reach_px = 0;           ///< of the corners from the centre
+    std::vector<Point> m_corners_px; ///< of the footprint before rotation
+    double m_reach_px = 0;           ///< distance of the farthest corner from the centre
     double m_largestTurn_rad = kLargestTurn_rad;
 
-    PixelPose m_from; ///< the piece under way
+    PixelPose m_from; ///< start of the current piece
     PixelPose m_end;
     Cone m_cone;
     double m_startTurn_rad = 0;
-    double m_least_rad = 0; ///< turn in it against its start
+    double m_least_rad = 0; ///< turn within it, relative to its start
     double m_most_rad = 0;
 
     std::vector<Point> m_fromCorners;
     std::vector<Point> m_toCorners;
-    std::vector<double> m_left; ///< extent of the footprint being painted, by row
+    std::vector<double> m_left; ///< extent of the current footprint, by row
     std::vector<double> m_right;
     int m_top = 0;
     int m_bottom = -1;
 };
 
-const QImage& SweptMask::updated(const std::vector<SweptTrail>& trails, const SweptLook& look)
+const QImage& SweptMask::updated(const std::vector<SweptTrail>& trails, const SweptStyle& style)
 {
-    advance(trails, look, std::numeric_limits<double>::infinity());
+    advance(trails, style, std::numeric_limits<double>::infinity());
     return m_image;
 }
 
-bool SweptMask::advance(const std::vector<SweptTrail>& trails, const SweptLook& look,
+bool SweptMask::advance(const std::vector<SweptTrail>& trails, const SweptStyle& style,
                         double budget_ms)
 {
-    if (!(look == m_look) || !isOf(trails))
-        startAnew(trails, look);
+    if (!(style == m_style) || !isOf(trails))
+        restart(trails, style);
     QElapsedTimer clock;
     clock.start();
     bool isAll = true;
@@ -338,9 +338,10 @@ bool SweptMask::advance(const SweptTrail& trail, Progress& progress, double budg
         return true;
     const std::size_t known = progress.count > 0 ? progress.count - 1 : 0;
     const std::size_t painted =
-        known + Brush(m_image, m_rows, m_look, trail.sensor).paint(poses.subspan(known), budget_ms);
+        known +
+        Brush(m_image, m_rows, m_style, trail.sensor).paint(poses.subspan(known), budget_ms);
     progress.until_s = poses[painted - 1].time_s;
-    // The last of all may be an instant between two samples, which later poses do not hold.
+    // The last pose may be an instant between two samples, which later lists do not contain.
     const bool isAll = painted == poses.size();
     progress.count = isAll ? painted - 1 : painted;
     if (progress.count > 0)
@@ -348,18 +349,18 @@ bool SweptMask::advance(const SweptTrail& trail, Progress& progress, double budg
     return isAll;
 }
 
-void SweptMask::startAnew(const std::vector<SweptTrail>& trails, const SweptLook& look)
+void SweptMask::restart(const std::vector<SweptTrail>& trails, const SweptStyle& style)
 {
-    m_look = look;
+    m_style = style;
     m_progress.clear();
     for (const SweptTrail& trail : trails)
         m_progress.push_back({.sensor = trail.sensor, .anchor = {}});
-    const QSizeF size = look.rect.size() * look.ratio;
+    const QSizeF size = style.rect.size() * style.ratio;
     const QSize size_px(std::max(1, static_cast<int>(std::ceil(size.width()))),
                         std::max(1, static_cast<int>(std::ceil(size.height()))));
     if (m_image.size() != size_px)
         m_image = QImage(size_px, QImage::Format_ARGB32_Premultiplied);
-    m_image.setDevicePixelRatio(look.ratio);
+    m_image.setDevicePixelRatio(style.ratio);
     m_image.fill(Qt::transparent);
     m_rows.assign(static_cast<std::size_t>(size_px.height()), {});
 }

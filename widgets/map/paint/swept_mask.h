@@ -10,17 +10,17 @@
 
 namespace berg {
 
-/** How the water seen so far is to be shown. */
-struct SweptLook
+/** View and colour of the image of the water seen. */
+struct SweptStyle
 {
     MapViewTransform view;
-    QRectF rect;      ///< of the map
-    double ratio = 1; ///< device pixels for each unit of `rect`
-    QColor tint;      ///< of the water seen, translucent
-    bool operator==(const SweptLook&) const = default;
+    QRectF rect;      ///< map rectangle
+    double ratio = 1; ///< device pixels per unit of `rect`
+    QColor tint;      ///< translucent colour of the water seen
+    bool operator==(const SweptStyle&) const = default;
 };
 
-/** Where a UAV has been, in order of time, and what it sees from there. Borrowed poses. */
+/** Poses of a UAV in time order (borrowed), and its sensor. */
 struct SweptTrail
 {
     std::span<const MapPose> poses;
@@ -28,51 +28,51 @@ struct SweptTrail
 };
 
 /**
- * The water that the fields of view have passed over, as an image in one tint without overlaps,
- * true to about a pixel. Between two poses a UAV is taken to turn evenly. While the look stays and
- * the flight goes on, only what is new is painted.
+ * Image of the water that the fields of view have passed over, in one tint without overlaps,
+ * accurate to about a pixel. Between two poses a UAV is assumed to turn evenly. While the view
+ * stays and the flight continues, only new poses are painted.
  */
 class SweptMask
 {
 public:
     /**
-     * The image for these trails, to be drawn at the top left of the map. Cost when the look has
-     * changed: about a microsecond for each pose in sight.
+     * Completes the image for these trails and returns it; draw it at the top left of the map.
+     * After a change of view it takes about a microsecond per pose in sight.
      */
     [[nodiscard]] const QImage& updated(const std::vector<SweptTrail>& trails,
-                                        const SweptLook& look);
+                                        const SweptStyle& style);
 
-    /** The same for at most about `budget_ms`; false: there is more to paint. */
-    bool advance(const std::vector<SweptTrail>& trails, const SweptLook& look, double budget_ms);
-    /** What is painted now, to be drawn at the top left of the map. */
+    /** Paints for about `budget_ms` at most; returns false if there is more to paint. */
+    bool advance(const std::vector<SweptTrail>& trails, const SweptStyle& style, double budget_ms);
+    /** Returns the image painted so far; draw it at the top left of the map. */
     [[nodiscard]] const QImage& image() const { return m_image; }
-    [[nodiscard]] const SweptLook& look() const { return m_look; }
-    /** Something is painted, and all of it belongs to these trails. */
+    [[nodiscard]] const SweptStyle& style() const { return m_style; }
+    /** Returns true if something is painted and all of it belongs to these trails. */
     [[nodiscard]] bool isOf(const std::vector<SweptTrail>& trails) const;
 
 private:
-    /** Pixels of one row that are known to be painted; empty: `last` before `first`. */
+    /** Pixels of one row that are known to be painted; empty if `last` < `first`. */
     struct PaintedRun
     {
         int first = 0;
         int last = -1;
     };
-    /** How far a trail is painted. */
+    /** Painted part of a trail. */
     struct Progress
     {
         SensorSpec sensor;
-        std::size_t count = 0; ///< poses painted that stay
-        MapPose anchor;        ///< the last of them
-        double until_s = 0;    ///< time of the last pose painted
+        std::size_t count = 0; ///< number of painted poses that will not change
+        MapPose anchor;        ///< last of these poses
+        double until_s = 0;    ///< time of the last painted pose
 
         [[nodiscard]] bool isOf(const SweptTrail& trail) const;
     };
     class Brush;
 
-    void startAnew(const std::vector<SweptTrail>& trails, const SweptLook& look);
+    void restart(const std::vector<SweptTrail>& trails, const SweptStyle& style);
     bool advance(const SweptTrail& trail, Progress& progress, double budget_ms);
 
-    SweptLook m_look;
+    SweptStyle m_style;
     QImage m_image;
     std::vector<PaintedRun> m_rows;
     std::vector<Progress> m_progress; ///< by trail

@@ -26,15 +26,15 @@ struct WindText
 
 constexpr double kDial_px = 34; // radius
 constexpr double kPadding_px = 10;
-constexpr double kTextGap_px = 5;    // below the dial
-constexpr double kCurrentGap_px = 4; // above the lines about the current
+constexpr double kTextGap_px = 5;    // gap below the dial
+constexpr double kCurrentGap_px = 4; // gap above the text of the current
 constexpr double kCurrentArrow_px = 16;
 constexpr double kTick_px = 4;
-constexpr double kGrip_px = 5; // that its head keeps off the tip, where it is dragged
+constexpr double kGrip_px = 5; // gap between the arrow head and the handle at its tip
 constexpr double kStep_mps = 0.5;
 constexpr double kStep_deg = 5;
 
-/** Two lines; one in calm. */
+/** Two lines of text; one in calm. */
 QStringList windLines(const MapAir& air, const QLocale& locale)
 {
     if (air.wind_mps.isZero(0))
@@ -47,7 +47,7 @@ QStringList windLines(const MapAir& air, const QLocale& locale)
         .split(u'\n');
 }
 
-/** Two lines; none without a current. */
+/** Two lines of text; empty without a current. */
 QStringList currentLines(const MapAir& air, const QLocale& locale)
 {
     if (air.current_mps.isZero(0))
@@ -65,7 +65,7 @@ double widest_px(const QStringList& lines, const QFontMetricsF& metrics)
     return width_px;
 }
 
-/** One below the other, in the middle of a strip from `top` on. */
+/** Draws lines of text centred between `left` and `right`, from `top` down. */
 void drawLines(QPainter& painter, const QStringList& lines, double left, double right, double top)
 {
     const QFontMetricsF metrics(painter.font());
@@ -81,7 +81,7 @@ QPointF dialCentre(const QRectF& panel)
     return {panel.center().x(), panel.top() + kPadding_px + kDial_px};
 }
 
-/** On the screen, of a length in metres a second. */
+/** Screen vector on the dial of a velocity. */
 QPointF onDial(const Point& velocity_mps, const MapAir& air)
 {
     return QPointF(velocity_mps.x(), -velocity_mps.y()) * (kDial_px / air.limit_mps);
@@ -93,22 +93,22 @@ void paintDial(QPainter& painter, const QPointF& centre, const MapStyle& style)
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.mutedText, 1));
     painter.drawEllipse(centre, kDial_px, kDial_px);
-    for (const QPointF& path : {QPointF(0, -1), QPointF(1, 0), QPointF(0, 1), QPointF(-1, 0)})
-        painter.drawLine(centre + path * (kDial_px - kTick_px), centre + path * kDial_px);
+    for (const QPointF& direction : {QPointF(0, -1), QPointF(1, 0), QPointF(0, 1), QPointF(-1, 0)})
+        painter.drawLine(centre + direction * (kDial_px - kTick_px), centre + direction * kDial_px);
     painter.setPen(QPen(theme.graticuleText, 1, Qt::DashLine));
     painter.drawEllipse(centre, kStrongWindShare * kDial_px, kStrongWindShare * kDial_px);
 }
 
 void paintArrow(QPainter& painter, const QPointF& centre, const MapAir& air, const MapStyle& style)
 {
-    const QPointF path = onDial(air.wind_mps, air);
-    const double length_px = QLineF({0, 0}, path).length();
+    const QPointF arrow = onDial(air.wind_mps, air);
+    const double length_px = QLineF({0, 0}, arrow).length();
     const double short_px = style.isLive ? kGrip_px : 0;
     if (length_px <= short_px / 2)
         return;
     const QColor ink = isStrong(air) ? style.theme.uav : style.theme.ink;
-    drawArrow(painter, {centre - path, centre + path * (1 - short_px / length_px)}, QPen(ink, 2.2),
-              9);
+    drawArrow(painter, {centre - arrow, centre + arrow * (1 - short_px / length_px)},
+              QPen(ink, 2.2), 9);
 }
 
 } // namespace
@@ -124,7 +124,7 @@ QSizeF windPanelSize(const MapAir& air, const MapStyle& style)
     if (air.limit_mps <= 0 || (isStill && !style.isLive))
         return {};
     const QFontMetricsF metrics(style.theme.small());
-    // The longest words: the panel keeps its size while the wind is dragged.
+    // Uses the longest texts, so that the panel keeps its size while the wind is dragged.
     const MapAir fastest{.wind_mps = {air.limit_mps, 0}, .limit_mps = air.limit_mps};
     const double wind_px = widest_px(windLines(fastest, style.locale), metrics);
     QSizeF size(std::max(2 * kDial_px, wind_px), 2 * kDial_px + kTextGap_px + 2 * metrics.height());
@@ -194,11 +194,12 @@ QString windToolTip(const MapAir& air, const QLocale& locale)
     QStringList lines{windText(air, locale)};
     if (const QStringList current = currentLines(air, locale); !current.isEmpty())
         lines << current.join(u' ');
-    lines << WindText::tr("The arrow points where the wind blows to; the ring is the airspeed of "
-                          "%1, beyond the dashed one the UAV makes little way against the wind.")
+    lines << WindText::tr("The arrow points downwind. The ring is the airspeed of the slowest UAV "
+                          "(%1); beyond the dashed ring UAVs make little headway.")
                  .arg(speedText(air.limit_mps, locale));
     if (!air.wind_mps.isZero(0))
-        lines << WindText::tr("The thin line in the middle of a leg is the heading flown there.");
+        lines << WindText::tr(
+            "The small aircraft in the middle of a leg shows the heading flown there.");
     return lines.join(u'\n');
 }
 

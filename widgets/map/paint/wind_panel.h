@@ -4,32 +4,36 @@
 
 namespace berg {
 
-// The panel of the map that shows wind and current: an arrow across the middle of a dial to where
-// the wind blows to. From the middle to its tip it is as long as the wind is fast; the ring round
-// the dial is the airspeed of the slowest UAV, the dashed one where `validate` begins to warn.
+// Panel of the map that shows wind and current. An arrow across a dial points downwind; half its
+// length is the wind speed, the ring is the airspeed of the slowest UAV, and the dashed ring is the
+// limit of strong wind (see `validate`).
 
-/** Empty: there is nothing to show. It does not depend on what the wind is. */
+/** Returns the size of the panel, independent of the present wind; empty if there is nothing to
+ * show. */
 [[nodiscard]] QSizeF windPanelSize(const MapAir& air, const MapStyle& style);
+/** Paints the panel into `rect`. */
 void paintWindPanel(QPainter& painter, const QRectF& rect, const MapAir& air,
                     const MapStyle& style);
 
-/** Where the tip of the arrow is; in calm the middle of the dial. */
+/** Returns the position of the arrow's tip; the middle of the dial in calm. */
 [[nodiscard]] QPointF windTip(const QRectF& panel, const MapAir& air);
 
 /**
- * The wind when the tip is there: steps of half a metre a second or a knot and of 5 degrees, or
- * those of `kDirectionStep_deg`; always slower than the UAV flies.
+ * Returns the wind for an arrow tip dragged to `tip`: rounded to 0.5 m/s or one knot and to 5
+ * degrees, or to `kDirectionStep_deg` if `inLargeSteps`; always below the slowest airspeed.
  */
 [[nodiscard]] Point windAtTip(const QRectF& panel, const MapAir& air, const QPointF& tip,
                               bool inLargeSteps);
 
-/** The airspeed share from which on the wind is strong. */
+/** Returns true if the wind reaches the share of the airspeed from which it counts as strong. */
 [[nodiscard]] bool isStrong(const MapAir& air);
 
-/** "Wind 8.0 m/s from 250°", "Wind 18.0 m/s from 250°, strong", "No wind". */
+/**
+ * Returns a text such as "Wind 8.0 m/s from 250°", "Wind 18.0 m/s from 250°, strong" or "No wind".
+ */
 [[nodiscard]] QString windText(const MapAir& air, const QLocale& locale);
 
-/** All there is to say about the panel, for its tool tip. */
+/** Returns the tool tip of the panel. */
 [[nodiscard]] QString windToolTip(const MapAir& air, const QLocale& locale);
 
 } // namespace berg

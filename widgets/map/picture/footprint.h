@@ -8,18 +8,20 @@
 namespace berg {
 
 /**
- * Corners of the field of view round a UAV at (0, 0) with the turn 0, metres, counter-clockwise; a
- * disk is a polygon of `diskCorners`.
+ * Returns the corners of a field of view round the origin, before it is rotated: metres,
+ * counter-clockwise, x along the heading (north for `FovShape::North`). A disk becomes a polygon of
+ * `diskCorners`.
  */
 [[nodiscard]] std::vector<Point> footprintCorners(const SensorSpec& sensor, int diskCorners);
 
-/** By how much those corners are turned when the UAV's psi is `psi_rad`. */
+/** Returns the rotation of those corners on the map, radians counter-clockwise, for a UAV that
+ * heads towards `psi_rad`. */
 [[nodiscard]] double footprintTurn_rad(const SensorSpec& sensor, double psi_rad);
 
-/** Corners of the field of view round that UAV. */
+/** Returns the corners of the field of view of `uav` on the map, metres. */
 [[nodiscard]] std::vector<Point> fieldCorners(const MapUav& uav);
 
-/** Outline of the field of view on the screen. */
+/** Returns the closed outline of the field of view of `uav` on the screen. */
 [[nodiscard]] QPolygonF fieldOutline(const MapUav& uav, const MapViewTransform& view);
 
 } // namespace berg

@@ -9,9 +9,9 @@
 namespace berg {
 namespace {
 
-constexpr double kFieldMargin_px = 6; // of the field of view from the edge
+constexpr double kFieldMargin_px = 6; // distance of the field of view from the edge
 
-/** Corners of the field of view that may lie nearer to the edge than symbols, by `slack_m`. */
+/** Adds the corners of the field of view, drawn in by `slack_m`: they may be nearer to the edge. */
 void addField(std::vector<Point>& points_m, const MapUav& uav, double slack_m)
 {
     const auto nearer = [slack_m](double d_m) {
@@ -23,8 +23,7 @@ void addField(std::vector<Point>& points_m, const MapUav& uav, double slack_m)
     }
 }
 
-/** Where the rings reach, but so far only that the rest is not shown at less than half the scale.
- */
+/** Adds the extent of the rings, limited so that the rest is shown at half the scale or more. */
 void addRings(std::vector<Point>& points_m, const MapAsset& asset)
 {
     const WorldBounds rest = boundsOf(points_m);

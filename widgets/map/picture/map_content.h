@@ -4,9 +4,14 @@
 
 namespace berg {
 
-inline constexpr double kSymbolMargin_px = 44; ///< of the outermost symbols from the edge
+inline constexpr double kSymbolMargin_px =
+    44; ///< distance of the outermost symbols from the map's edge
 
-/** Everything to be shown, the tips of the drift arrows included; `scale_pxpm` is about right. */
+/**
+ * Returns all points that a view of the whole picture must contain: metres, with the tips of drift
+ * arrows of `driftTime_s`. Large rings of the asset are cut, so that they take at most half of the
+ * view. `scale_pxpm` is the approximate scale of that view.
+ */
 [[nodiscard]] std::vector<Point> contentPoints(const MapPicture& picture, double driftTime_s,
                                                double scale_pxpm);
 

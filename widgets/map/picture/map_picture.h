@@ -15,7 +15,7 @@
 
 namespace berg {
 
-/** One iceberg as the map shows it. */
+/** An iceberg as the map shows it. */
 struct MapIceberg
 {
     QString id;
@@ -24,45 +24,47 @@ struct MapIceberg
     double sigma_m2 = 0;
     double radius_m = 50; ///< decides the size class of the symbol
     bool inView = false;
-    double appears_s = 0; ///< > 0: not there yet, drawn faint with this time
-    std::string key;      ///< id in the scenario; empty: the same as `id`
+    double appears_s = 0; ///< start time if it is still to appear: drawn faint, with this time
+    std::string key;      ///< id in the scenario; empty if it equals `id`
     TrackStatus status = TrackStatus::Tracked;
-    double circle_m = 0;            ///< it is within this of the estimate with 95 %; 0: not shown
-    std::optional<Point> truth_m{}; ///< where it is in truth; none: not shown
-    std::optional<double> ringEntry_s{}; ///< from now, into the inner ring of the asset; 0: inside
-    int keptFor = -1; ///< place of the UAV that alone is to visit it; -1: any may, as the only one
+    double circle_m = 0;            ///< radius of the 95 % position circle; zero if it is not shown
+    std::optional<Point> truth_m{}; ///< true position, if it is shown
+    /** Time until it enters the asset's inner ring, zero inside; nullopt if it does not. */
+    std::optional<double> ringEntry_s{};
+    int assignedUav = -1; ///< index of the only UAV that may visit it; -1 means any UAV
 };
 
+/** A UAV as the map shows it. */
 struct MapUav
 {
     Point position_m = Point::Zero();
     double psi_rad = 0; ///< from the x = east axis, counter-clockwise
     SensorSpec sensor;
-    std::string key; ///< id in the scenario; empty: cannot be selected
+    std::string key; ///< id in the scenario; empty if it cannot be selected
     double airspeed_mps = 22;
-    QString label{};               ///< beside its symbol; empty: it is the only one
-    int place = 0;                 ///< among the UAVs of the scenario: decides its colour
-    std::optional<Point> home_m{}; ///< where it lands; none: it never does
+    QString label{};               ///< text beside its symbol; empty for a single UAV
+    int place = 0;                 ///< index in the scenario; sets its colour
+    std::optional<Point> home_m{}; ///< landing place, if it has one
     double altitude_m = 100;
     bool isAloft = true;
 };
 
-/** What moves the air and the water of the whole map. */
+/** Wind and current of the whole map. */
 struct MapAir
 {
     Point wind_mps = Point::Zero();
     Point current_mps = Point::Zero();
-    double limit_mps = 0; ///< the wind is slower: airspeed of the slowest UAV; 0: nothing flies
+    double limit_mps = 0; ///< airspeed of the slowest UAV; wind must be below it. Zero without UAVs
 };
 
-/** One point of the flown track. */
+/** A point of a flown track. */
 struct MapTrackPoint
 {
     Point position_m = Point::Zero();
     double time_s = 0;
 };
 
-/** The UAV at one instant of its flight. */
+/** Position and heading of a UAV at one instant. */
 struct MapPose
 {
     Point position_m = Point::Zero();
@@ -71,23 +73,25 @@ struct MapPose
     bool operator==(const MapPose&) const = default;
 };
 
-/** By time. A list that the pictures of one flight share: it grows with the flight. */
+/** Poses by time. The pictures of one flight share the list, which grows with the flight. */
 using SweptPointer = std::shared_ptr<const std::vector<MapPose>>;
 
+/** The protected asset. */
 struct MapAsset
 {
     QString name;
     Point position_m = Point::Zero();
     Point velocity_mps = Point::Zero();
-    double range_m = 0; ///< outer ring: so far it makes icebergs more urgent
+    double range_m = 0; ///< outer ring: icebergs inside become more urgent
     double alarm_m = 0; ///< inner ring
 };
 
-/** Where the radio link is kept from. */
+/** The ground station of the radio link. */
 struct MapStation
 {
     Point position_m = Point::Zero();
-    std::vector<double> ranges_m; ///< of the link, each once: it depends on a UAV's altitude
+    std::vector<double>
+        ranges_m; ///< distinct link ranges, ascending: the range depends on a UAV's altitude
 };
 
 /** A number shown large in the title overlay, e.g. {"Zeta", "84 420", "m² s"}. */
@@ -96,98 +100,106 @@ struct MapReadout
     QString caption;
     QString value;
     QString unit;
+    int rank = 0; ///< if there is no room for all readouts, the lowest ranks are shown
 };
 
-/** One leg of a plan with aim points. */
+/** A leg of a plan with aim points. */
 struct MapPath
 {
-    std::vector<Point> path_m;  ///< as it is flown
-    std::optional<Point> aim_m; ///< none: a hold
+    std::vector<Point> path_m;  ///< the flown path
+    std::optional<Point> aim_m; ///< aim point; nullopt for a hold
 };
 
-/** Where a lost iceberg may be, when it comes into view there. */
+/** A possible position of a lost iceberg, at the time when it comes into view. */
 struct MapSearchPlace
 {
     Point position_m = Point::Zero();
-    double chance = 0; ///< of finding it there
+    double chance = 0; ///< probability of finding it there
 };
 
-/** What one UAV has flown and is going to fly. */
+/** The flown track and the plan of one UAV. */
 struct MapRoute
 {
-    std::vector<int> plan;             ///< indices of the icebergs in the order to be visited
-    std::vector<int> formerPlan;       ///< what `plan` took the place of; empty: nothing to tell
-    std::optional<Point> formerFrom_m; ///< where the UAV was then; none: where it is
-    std::optional<int> thisSortie; ///< so many of `plan` are flown to before going home; none: all
-    std::vector<std::vector<Point>> planCorners; ///< of the geofence that the legs go round, by
-                                                 ///< leg, the way home last; empty: none do
-    std::vector<MapPath> planPaths; ///< how `plan` is flown; empty: straight from symbol to symbol
-    std::vector<MapPath> formerPaths; ///< how `formerPlan` would have been
-    /** The point of no return and, before it, how the plan gets there from the place before; empty:
-     * there is none. */
+    std::vector<int> plan;       ///< indices of the icebergs in visiting order
+    std::vector<int> formerPlan; ///< plan that `plan` replaced; empty if there is none to show
+    std::optional<Point>
+        formerFrom_m; ///< UAV position at the replacement; nullopt means its position now
+    std::optional<int>
+        thisSortie; ///< icebergs of `plan` visited before flying home; nullopt means all
+    /** Corners of the geofence that the legs follow, by leg, the flight home last; empty if none.
+     */
+    std::vector<std::vector<Point>> planCorners;
+    std::vector<MapPath> planPaths;   ///< paths of `plan`; empty if legs are straight lines
+    std::vector<MapPath> formerPaths; ///< paths of `formerPlan`
+    /** Path from the last visit before the point of no return to that point; empty without one. */
     std::vector<Point> toNoReturn_m;
-    std::vector<MapSearchPlace> searchPlaces; ///< on legs of the plan
-    std::vector<Point> search_m; ///< corners flown to find a lost iceberg; empty: no search
-    SweptPointer swept; ///< round and between them the UAV has seen the water; null: none is shown
+    /** Places of the patrol's later visits, from the end of `planPaths` on. */
+    std::vector<Point> laterVisits_m;
+    std::vector<MapSearchPlace>
+        searchPlaces; ///< possible positions of lost icebergs on the plan's legs
+    std::vector<Point>
+        search_m;       ///< remaining corners of a search pattern; empty if it is not searching
+    SweptPointer swept; ///< poses whose fields of view cover the water seen; null if not shown
     std::vector<MapTrackPoint> track;
 };
 
-/** Where no UAV flies at some heights. */
+/** An area that no UAV may enter between two heights. */
 struct MapClosedArea
 {
     QString name;
     std::vector<Point> corners_m;
     double floor_m = 0;
-    std::optional<double> ceiling_m; ///< none: without end
+    std::optional<double> ceiling_m; ///< nullopt means unlimited height
     bool isRing = false;             ///< the stand-off round the asset
     bool operator==(const MapClosedArea&) const = default;
 };
 
-/** Airspace with a rule: for information. */
+/** Airspace with a rule, shown for information. */
 struct MapAirspace
 {
     QString title;
     std::vector<Point> corners_m;
     double floor_m = 0;
-    std::optional<double> ceiling_m; ///< none: without end
+    std::optional<double> ceiling_m; ///< nullopt means unlimited height
 };
 
-/** Everything one picture of the map shows, as plain values. */
+/** Content of one picture of the map, as plain values. */
 struct MapPicture
 {
     QString title;
     QString subtitle;
     std::vector<MapReadout> readouts;
-    TimesAhead times;       ///< writes the instants of the run
-    LatLon origin{47, -48}; ///< of the local plane
+    TimesAhead times;       ///< formats the times of the run
+    LatLon origin{47, -48}; ///< geographic position of the local origin
     std::vector<MapUav> uavs;
-    std::vector<MapRoute> routes; ///< by place in `uavs`, as many
+    std::vector<MapRoute> routes; ///< same size and order as `uavs`
     std::vector<MapIceberg> icebergs;
     std::vector<std::vector<int>> clusters; ///< indices of `icebergs` planned as one point each
-    /** Of another run in the same world, by UAV. */
+    /** Tracks of another run in the same world, by UAV. */
     std::vector<std::vector<MapTrackPoint>> comparisonTracks;
-    QString comparisonName;            ///< what that run is, for the legend
-    std::vector<Point> area_m;         ///< corners; empty: unbounded
+    QString comparisonName;            ///< name of that run for the legend
+    std::vector<Point> area_m;         ///< corners; empty if unbounded
     bool isFenced = false;             ///< the UAVs stay inside the area
     std::vector<MapClosedArea> closed; ///< no-fly areas as in the scenario, then the ring
     std::vector<MapAirspace> airspace;
     std::optional<OperationVolume> operation;
-    double separation_m = 0; ///< UAVs of one altitude layer keep so far apart; 0: not watched
+    double separation_m =
+        0; ///< minimum distance of UAVs in one altitude layer; zero if not monitored
     std::optional<MapAsset> asset;
     std::optional<MapStation> station;
     MapAir air;
-    bool hidesTruth = false;  ///< nothing is shown that the observer does not know
+    bool hidesTruth = false;  ///< shows only what the observer has estimated
     double sigmaFull_m2 = 10; ///< end of the colour scale, > 0
-    QString emptyTitle;       ///< shown when there is no iceberg
-    QString emptyHint;        ///< what to do about it
+    QString emptyTitle;       ///< shown if there is no iceberg
+    QString emptyHint;        ///< advice below `emptyTitle`
 
-    /** A UAV has such a route. */
+    /** Returns true if `test` accepts the route of any UAV. */
     template <class Test>
     [[nodiscard]] bool anyRoute(const Test& test) const
     {
         return std::any_of(routes.begin(), routes.end(), test);
     }
-    /** There is water seen to be shown. */
+    /** Returns true if there is an area seen by the UAVs to show. */
     [[nodiscard]] bool showsSwept() const
     {
         return anyRoute(

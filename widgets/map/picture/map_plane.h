@@ -6,20 +6,21 @@
 
 namespace berg {
 
-/** A plane that a map can be drawn in: about a scenario, or a polar chart. */
+/** Projection plane of a map: the local plane of a scenario or a polar chart. */
 using MapPlane = std::variant<LocalFrame, PolarFrame>;
 
-/** In metres; the middle of the plane is (0, 0). */
+/** Projects a place to metres from the middle of the plane. */
 [[nodiscard]] Point toPlane(const MapPlane& plane, LatLon place);
+/** Returns the geographic place of a point of the plane (inverse of `toPlane`). */
 [[nodiscard]] LatLon toGeographic(const MapPlane& plane, const Point& position_m);
 
-/** Mean radius; for what need not be exact. */
+/** Mean radius of the Earth, for approximate lengths. */
 inline constexpr double kEarthRadius_m = 6'371'000;
 
-/** Arc from the middle of a plane that a map shows; beyond it shapes are too far from true. */
+/** Largest arc from the middle of a plane that a map shows; distortion grows too large beyond. */
 inline constexpr double kMapReach_deg = 60;
 
-/** Radius of the reach in the plane. */
+/** Returns the radius of that arc in the plane, metres. */
 [[nodiscard]] double mapReach_m(const MapPlane& plane);
 
 } // namespace berg

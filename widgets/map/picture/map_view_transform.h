@@ -16,13 +16,13 @@ struct WorldBounds
     Point min_m = Point::Zero();
     Point max_m = Point::Zero();
 
-    /** Grows to contain the point. */
+    /** Enlarges the box to contain the point. */
     void include(const Point& p_m);
     [[nodiscard]] Point size_m() const { return max_m - min_m; }
     [[nodiscard]] Point centre_m() const { return 0.5 * (min_m + max_m); }
 };
 
-/** Smallest box round the points; a point box at the origin when there are none. */
+/** Returns the smallest box that contains the points; an empty box at the origin without points. */
 [[nodiscard]] WorldBounds boundsOf(std::span<const Point> points_m);
 
 /**
@@ -49,12 +49,12 @@ public:
     [[nodiscard]] QPolygonF toPixels(std::span<const Point> points_m) const;
     [[nodiscard]] Point toWorld(const QPointF& p_px) const;
     [[nodiscard]] double scale_pxpm() const { return m_scale_pxpm; }
-    /** What `rect` shows. */
+    /** Returns the part of the plane shown in `rect`. */
     [[nodiscard]] WorldBounds visible(const QRectF& rect) const;
 
-    /** `factor` > 0 times as large; the place under `at_px` stays there. */
+    /** Returns the view scaled by `factor` > 0 with the place under `at_px` unmoved. */
     [[nodiscard]] MapViewTransform zoomed(double factor, const QPointF& at_px) const;
-    /** Everything moved by `offset_px`. */
+    /** Returns the view shifted by `offset_px`. */
     [[nodiscard]] MapViewTransform moved(const QPointF& offset_px) const;
 
     bool operator==(const MapViewTransform&) const = default;

@@ -25,7 +25,7 @@ struct MissionPicture
     Q_DECLARE_TR_FUNCTIONS(MissionPicture)
 };
 
-/** Of the UAV at the time shown. */
+/** Flying time left at the time shown, until the reserve; the full one on the ground. */
 double enduranceLeft_s(const FlightRecord& record, std::size_t uav)
 {
     const UavState& state = record.shown().world.uavs[uav];
@@ -33,7 +33,7 @@ double enduranceLeft_s(const FlightRecord& record, std::size_t uav)
     return usableEndurance_s(record.scenario.uavs[uav].spec) - (isOnGround ? 0 : state.aloft_s);
 }
 
-/** Of the UAV that has the least, with its name if there are others; none: it is unlimited. */
+/** Shows the least endurance left in the fleet; nullopt if all UAVs have an unlimited one. */
 std::optional<MapReadout> enduranceReadout(const FlightRecord& record,
                                            const std::vector<MapUav>& uavs)
 {
@@ -44,14 +44,16 @@ std::optional<MapReadout> enduranceReadout(const FlightRecord& record,
             least = uav;
     if (!least)
         return std::nullopt;
-    return MapReadout{.caption = MissionPicture::tr("Endurance left"),
+    return MapReadout{.caption = MissionPicture::tr("Until the reserve"),
                       .value = clockText(enduranceLeft_s(record, *least)),
-                      .unit = uavs[*least].label};
+                      .unit = uavs[*least].label,
+                      .rank = 2};
 }
 
 /**
- * Of the UAV that has the least, without a figure where none is in the air or all are ordered home;
- * nullopt if all are unlimited. The column is there before take-off, too: the card keeps its size.
+ * Shows the smallest margin above the reserve in the fleet, or a dash if no UAV is in the air or
+ * all were sent home; nullopt if all have unlimited endurance. The readout is there before
+ * take-off, too, so that the panel keeps its size.
  */
 std::optional<MapReadout> homeMarginReadout(const FlightRecord& record)
 {
@@ -66,20 +68,22 @@ std::optional<MapReadout> homeMarginReadout(const FlightRecord& record)
         return std::nullopt;
     return MapReadout{.caption = MissionPicture::tr("Above the reserve"),
                       .value = least_s ? marginText(*least_s) : u"–"_s,
-                      .unit = MissionPicture::tr("if home now")};
+                      .unit = MissionPicture::tr("if home now"),
+                      .rank = 1};
 }
 
-/** None: UAVs in one altitude layer have kept well apart. */
+/** Returns nullopt if UAVs in one altitude layer have stayed well apart. */
 std::optional<MapReadout> closestReadout(const FlightRecord& record, const QLocale& locale)
 {
-    constexpr double kNear = 2; // times the distance they are to keep
+    constexpr double kNear = 2; // times the required separation
     const std::optional<double> closest_m = record.shown().world.closest_m;
     if (!closest_m || *closest_m >= kNear * record.scenario.separation_m)
         return std::nullopt;
     const ShownUnit unit = distanceUnit();
     return MapReadout{.caption = MissionPicture::tr("Closest so far"),
                       .value = significantText(unit.fromSi(*closest_m), 3, locale),
-                      .unit = unit.name};
+                      .unit = unit.name,
+                      .rank = 1};
 }
 
 std::vector<MapReadout> readoutsOf(const FlightRecord& record, const std::vector<MapUav>& uavs,
@@ -93,10 +97,12 @@ std::vector<MapReadout> readoutsOf(const FlightRecord& record, const std::vector
          .unit = {}},
         {.caption = MissionPicture::tr("Zeta ζ"),
          .value = significantText(zeta.fromSi(metrics.zeta_m2s), 4, locale),
-         .unit = zeta.name},
+         .unit = zeta.name,
+         .rank = 3},
         {.caption = MissionPicture::tr("Visits"),
          .value = fixedText(metrics.visits, 0, locale),
-         .unit = {}}};
+         .unit = {},
+         .rank = 4}};
     for (const std::optional<MapReadout>& more :
          {enduranceReadout(record, uavs), homeMarginReadout(record),
           closestReadout(record, locale)})
@@ -118,7 +124,7 @@ MapIceberg icebergOf(const FlightRecord& record, std::size_t i)
                      .inView = track.inView,
                      .key = iceberg.id,
                      .status = track.status,
-                     .keptFor = shown.assigned[i]};
+                     .assignedUav = shown.assigned[i]};
     if (record.scenario.observer.model == ObserverModel::Kalman) {
         drawn.circle_m = radius95_m(track.sigma_m2);
         drawn.truth_m = shown.truth_m[i];
@@ -128,7 +134,7 @@ MapIceberg icebergOf(const FlightRecord& record, std::size_t i)
     return drawn;
 }
 
-/** Icebergs that are there; `shown[i]` is the place of iceberg i in the picture or -1. */
+/** Icebergs present now. Sets `shown[i]` to the index of iceberg i in the result, or to -1. */
 std::vector<MapIceberg> icebergsOf(const FlightRecord& record, std::vector<int>& shown)
 {
     std::vector<MapIceberg> icebergs;
@@ -143,9 +149,9 @@ std::vector<MapIceberg> icebergsOf(const FlightRecord& record, std::vector<int>&
 }
 
 /**
- * The way flown until the time shown: every sample of the last stretch, then every second, fourth,
- * ... of each twice as long one before. Which samples are left depends on their places alone, so
- * that the line stands still while it grows.
+ * Track flown until the time shown: every sample of the last stretch, then every second, fourth,
+ * ... sample of older stretches of twice the length each. A sample is chosen by its index alone, so
+ * that the line does not jitter while it grows.
  */
 std::vector<MapTrackPoint> trackOf(const FlightRecord& record, std::size_t uav)
 {
@@ -174,7 +180,7 @@ MapPose mapPose(const DubinsState& pose, double time_s)
     return {.position_m = pose.position_m, .psi_rad = pose.psi_rad, .time_s = time_s};
 }
 
-/** Adds what is missing until the time shown; the first `samples` are there. The number then. */
+/** Appends the poses after the first `samples` ones until the time shown; returns their number. */
 std::size_t addPoses(std::vector<MapPose>& poses, std::size_t samples, const FlightRecord& record,
                      std::size_t uav)
 {
@@ -188,7 +194,7 @@ std::size_t addPoses(std::vector<MapPose>& poses, std::size_t samples, const Fli
     return samples;
 }
 
-/** What is left of the pattern, which drifts with the iceberg's estimate. */
+/** Remaining corners of the search pattern, which drifts with the iceberg's estimate. */
 std::vector<Point> searchOf_m(const FlightRecord& record, std::size_t uav)
 {
     const UavState& state = record.shown().world.uavs[uav];
@@ -202,7 +208,7 @@ std::vector<Point> searchOf_m(const FlightRecord& record, std::size_t uav)
     return corners_m;
 }
 
-/** Of the straight legs of the plan; none without a geofence. */
+/** Geofence corners that each straight leg of the plan follows; empty without a geofence. */
 std::vector<std::vector<Point>> cornersOf(const MapPicture& picture, const MissionSnapshot& shown,
                                           std::size_t uav)
 {
@@ -218,7 +224,7 @@ std::vector<std::vector<Point>> cornersOf(const MapPicture& picture, const Missi
     return corners_m;
 }
 
-/** Of the plans in force the newest tells. */
+/** Clusters of the newest plan in force. */
 std::vector<std::vector<int>> clustersOf(const std::vector<PlanEvent>& plans,
                                          const std::vector<int>& shown)
 {
@@ -262,7 +268,7 @@ MapUav uavOf(const FlightRecord& record, std::size_t uav)
     return drawn;
 }
 
-/** On the plans of UAVs with a limited endurance. */
+/** Sets the points of no return on the plans of UAVs with a limited endurance. */
 void markNoReturn(MapPicture& picture, const FlightRecord& record)
 {
     const std::vector<Uav>& uavs = record.scenario.uavs;
@@ -278,7 +284,18 @@ void markNoReturn(MapPicture& picture, const FlightRecord& record)
     }
 }
 
-/** Without the corners of the fence, which depend on the other parts. */
+/** Returns the places where a patrol will meet its icebergs, by their present estimates. */
+std::vector<Point> laterVisits_m(const PlanEvent& plan, const WorldState& world, double now_s)
+{
+    std::vector<Point> places_m;
+    for (const PlannedVisit& visit : plan.laterVisits)
+        if (visit.time_s > now_s)
+            places_m.push_back(
+                world.tracks.at(static_cast<std::size_t>(visit.iceberg)).estimate_m(visit.time_s));
+    return places_m;
+}
+
+/** Route without the geofence corners, which depend on other parts of the picture. */
 MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<int>& shown,
                  SweptPaths& swept)
 {
@@ -291,7 +308,10 @@ MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<
         route.plan = placesOf(plan->order, shown);
         route.thisSortie = plan->thisSortie;
         route.planPaths = mapPaths(pathsAhead(record.shown(), place));
+        route.laterVisits_m = laterVisits_m(*plan, record.shown().world, record.shown().time_s);
         route.searchPlaces = searchPlacesOf(*plan, record.shown().time_s);
+    } else if (state.mode == FlightMode::Home && !record.isOver()) {
+        route.thisSortie = 0; // straight home
     }
     if (const std::optional<ShownChange> change = record.changeShown(place)) {
         route.formerPlan = placesOf(change->change.before, shown);
@@ -329,7 +349,7 @@ void addComparison(MapPicture& picture, const ComparedRun& run, double until_s,
 
 SweptPointer SweptPaths::of(const FlightRecord& record, std::size_t uav)
 {
-    if (record.instant) { // the list of the flight goes on beyond it
+    if (record.instant) { // the shared list continues past this instant
         std::vector<MapPose> poses;
         addPoses(poses, 0, record, uav);
         return std::make_shared<const std::vector<MapPose>>(std::move(poses));
@@ -362,7 +382,7 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, Swe
     std::vector<int> shown;
     picture.icebergs = icebergsOf(record, shown);
     picture.clusters = clustersOf(record.shown().plans, shown);
-    // Until it is planned a scenario just edited may have others than the mission.
+    // An edited scenario may have more or fewer UAVs than the mission until it is planned.
     const std::size_t uavs = std::min(scenario.uavs.size(), record.shown().world.uavs.size());
     for (std::size_t uav = 0; uav < uavs; ++uav) {
         picture.uavs.push_back(uavOf(record, uav));

@@ -9,20 +9,20 @@
 namespace berg {
 
 /**
- * Poses of a flight, taken over as it grows: a picture of a long one costs no more than that of a
- * short one. GUI thread.
+ * Cache of the poses of a flight. It only adds new poses, so that pictures late in a flight cost no
+ * more than early ones. GUI thread.
  */
 class SweptPaths
 {
 public:
-    /** Where the UAV was at each sample until the time shown, and is. */
+    /** Returns the poses of UAV `uav` at each sample up to the time shown, and at that time. */
     [[nodiscard]] SweptPointer of(const FlightRecord& record, std::size_t uav);
 
 private:
     struct Path
     {
         std::shared_ptr<std::vector<MapPose>> poses;
-        std::size_t samples = 0; ///< so many of them are samples
+        std::size_t samples = 0; ///< how many of `poses` are recorded samples
     };
     std::uint64_t m_generation = 0;
     std::uint64_t m_rewrites = 0;
@@ -30,18 +30,19 @@ private:
 };
 
 /**
- * The map of a mission at the time shown: the ways flown, of long flights the older the coarser,
- * the plans in force, the estimates of the icebergs that have appeared. Cost: linear in the
- * icebergs and in the few thousand points of the way.
+ * Returns the picture of a mission at the time shown: flown tracks (thinned for the older part of
+ * long flights), current plans and estimates of the icebergs that are present. The cost is linear
+ * in the icebergs and in the few thousand points of a track.
  */
 [[nodiscard]] MapPicture missionPicture(const FlightRecord& record, const QLocale& locale,
                                         SweptPaths& swept);
+/** Returns this picture without a pose cache, which suits a single one. */
 [[nodiscard]] MapPicture missionPicture(const FlightRecord& record, const QLocale& locale);
 
-/** Leaves only what an operator would see. */
+/** Removes what only the simulation knows, so that the picture shows an operator's information. */
 void hideTruth(MapPicture& picture);
 
-/** Lays the tracks of another run over the map, up to `until_s`. */
+/** Adds the tracks of another run, up to `until_s`, to the picture. */
 void addComparison(MapPicture& picture, const ComparedRun& run, double until_s,
                    const QLocale& locale);
 

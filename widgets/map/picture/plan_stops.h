@@ -6,20 +6,23 @@
 
 namespace berg {
 
-/** Icebergs as places in the picture, by iceberg in `shown`; those at -1 are left out. */
+/** Maps iceberg indices to picture indices by `shown`; drops those for which it is -1. */
 [[nodiscard]] std::vector<int> placesOf(const std::vector<int>& icebergs,
                                         const std::vector<int>& shown);
 
-/** The icebergs planned as one point with this one; null: it is planned by itself. */
+/** Returns the cluster that contains `iceberg`; null if it is planned separately. */
 [[nodiscard]] const std::vector<int>* clusterOf(const MapPicture& picture, int iceberg);
 
-/** The icebergs of the plan that are visited before home. */
+/** Returns the icebergs of the plan that are visited before the flight home. */
 [[nodiscard]] std::span<const int> thisSortie(const MapRoute& route);
 
-/** Where the legs of this sortie end, the way home last; the same twice within a cluster. */
+/** Returns the end of each leg of this sortie; members of a cluster have the same end. The home
+ * place is the last one if the UAV has one and the sortie ends there (`MapRoute::thisSortie`). */
 [[nodiscard]] std::vector<Point> planStops_m(const MapPicture& picture, std::size_t uav);
 
-/** The point that icebergs planned as one are flown to. */
+/**
+ * Returns the point that a UAV flies to for a cluster: the centre of the circle around `members`.
+ */
 [[nodiscard]] Point middleOf_m(const MapPicture& picture, const std::vector<int>& members);
 
 } // namespace berg

@@ -8,7 +8,7 @@ namespace berg {
 RouteColours routeColours(const MapPicture& picture, const Theme& theme,
                           std::optional<std::size_t> uav)
 {
-    if (!areToldApart(picture.uavs))
+    if (!areDistinguished(picture.uavs))
         return {.uav = theme.uav,
                 .plan = theme.plan,
                 .former = theme.formerPlan,

@@ -8,19 +8,21 @@
 namespace berg {
 
 /**
- * What the ways of one UAV are drawn in. Of a UAV by itself plan and track have colours of their
- * own; of several each has all its lines in its own.
+ * Colours of one UAV's lines. A single UAV has different colours for plan and track; in a fleet
+ * each UAV uses its own colour for both.
  */
 struct RouteColours
 {
-    QColor uav;    ///< heading, search
-    QColor plan;   ///< lines and numbers
-    QColor former; ///< what the plan took the place of
-    QColor track;  ///< where it is newest
-    QColor home;   ///< where it lands
+    QColor uav;    ///< heading and search pattern
+    QColor plan;   ///< lines and order numbers of the plan
+    QColor former; ///< plan before the last change
+    QColor track;  ///< newest part of the track
+    QColor home;   ///< landing place
 };
 
-/** None: of no single UAV, as in the legend; of several the colour that is none of theirs. */
+/**
+ * Returns the colours of UAV `uav`; for nullopt, as in the legend, a fleet gets a neutral colour.
+ */
 [[nodiscard]] RouteColours routeColours(const MapPicture& picture, const Theme& theme,
                                         std::optional<std::size_t> uav = std::nullopt);
 

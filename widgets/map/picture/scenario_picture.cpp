@@ -32,8 +32,8 @@ MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario)
     if (const std::optional<AssetApproach> approach = approachOf(scenario, iceberg))
         drawn.ringEntry_s = approach->entry_s;
     const auto uav = std::ranges::find(scenario.uavs, iceberg.uav, &Uav::id);
-    if (areToldApart(scenario.uavs) && uav != scenario.uavs.end())
-        drawn.keptFor = static_cast<int>(uav - scenario.uavs.begin());
+    if (areDistinguished(scenario.uavs) && uav != scenario.uavs.end())
+        drawn.assignedUav = static_cast<int>(uav - scenario.uavs.begin());
     return drawn;
 }
 
@@ -48,7 +48,7 @@ std::vector<std::string> keysOf(const std::vector<int>& order,
     return keys;
 }
 
-/** Those of the keys that are there, in their order. */
+/** Indices of the keys that still exist, in the order of `keys`. */
 std::vector<int> placesOf(const std::vector<std::string>& keys,
                           const std::unordered_map<std::string, int>& places)
 {
@@ -59,7 +59,7 @@ std::vector<int> placesOf(const std::vector<std::string>& keys,
     return order;
 }
 
-/** What the UAVs see at t = 0 is certain, unless it is measured with noise. */
+/** Marks icebergs in view at t = 0. Their position is certain unless it is measured with noise. */
 void markInView(MapPicture& picture)
 {
     std::vector<FieldOfView> fields;
@@ -75,7 +75,8 @@ void markInView(MapPicture& picture)
     }
 }
 
-/** With the ring round `asset`, which may not be that of the scenario any more. */
+/** Closed areas with the stand-off ring of `asset`, which in flight may differ from the scenario's.
+ */
 std::vector<MapClosedArea> closedOf(const Scenario& scenario, const std::optional<Asset>& asset)
 {
     return closedOf(scenario.noFly,
@@ -95,7 +96,7 @@ std::optional<MapStation> stationOf(const Scenario& scenario)
     return station;
 }
 
-/** None where no permit is applied for. */
+/** Returns nullopt if the scenario has no operation volume. */
 std::optional<OperationVolume> operationOf(const Scenario& scenario)
 {
     if (!scenario.operation || scenario.uavs.empty())
@@ -108,7 +109,7 @@ bool isAt(const MapUav& drawn, const Uav& uav)
     return drawn.position_m == uav.position_m && drawn.psi_rad == psiFromHeading(uav.heading_deg);
 }
 
-/** UAVs and icebergs are where the picture has them, as far as it has any, in the same wind. */
+/** Returns whether UAVs, icebergs, wind and areas still are as the picture's paths assume. */
 bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
 {
     if (!picture.anyRoute([](const MapRoute& route) {
@@ -131,7 +132,7 @@ bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
                        });
 }
 
-/** Those of the UAVs of the scenario, by its order; of new ones empty. */
+/** Routes by UAV of the scenario; a new UAV gets an empty one. */
 std::vector<MapRoute> routesFor(const Scenario& scenario, const MapPicture& picture)
 {
     std::vector<MapRoute> routes;
@@ -143,7 +144,7 @@ std::vector<MapRoute> routesFor(const Scenario& scenario, const MapPicture& pict
     return routes;
 }
 
-/** Only what holds wherever the UAV is. */
+/** Keeps only the parts of a route that hold wherever the UAV is. */
 void forgetPlaces(MapRoute& route)
 {
     route.planPaths.clear();
@@ -241,7 +242,7 @@ MapUav mapUav(const Scenario& scenario, std::size_t i)
 
 MapPicture withScenario(MapPicture picture, const Scenario& scenario)
 {
-    if (!isAsPlanned(picture, scenario)) // ways are places, an order holds until the next plan
+    if (!isAsPlanned(picture, scenario)) // paths depend on positions
         std::for_each(picture.routes.begin(), picture.routes.end(), forgetPlaces);
     picture.routes = routesFor(scenario, picture);
     const std::vector<MapIceberg> before = std::exchange(picture.icebergs, {});
@@ -268,7 +269,7 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
 
     setSurroundings(picture, scenario, scenario.asset, 0);
     picture.times = {.clock = clockOf(scenario)};
-    if (before.empty()) // else colours and rings stay while something is dragged or previewed
+    if (before.empty()) // otherwise colours and rings are steady while dragging
         picture.sigmaFull_m2 = sigmaEnd_m2(scenario);
     return picture;
 }

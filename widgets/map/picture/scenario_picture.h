@@ -5,41 +5,42 @@
 
 namespace berg {
 
-/** Id of the iceberg in the scenario. */
+/** Returns the scenario id of an iceberg of the picture. */
 [[nodiscard]] std::string keyOf(const MapIceberg& iceberg);
 
-/** An iceberg of the scenario at t = 0. */
+/** Returns an iceberg of the scenario at t = 0, as the map shows it. */
 [[nodiscard]] MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario);
 
-/** Where the asset is `time_s` after the start, with its rings. */
+/** Returns the asset with its rings, `time_s` after the start; nullopt without one. */
 [[nodiscard]] std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s);
 
+/** Returns the airspace of the scenario. */
 [[nodiscard]] std::vector<MapAirspace> airspaceOf(const Scenario& scenario);
 
-/** No-fly areas and stand-off ring. */
+/** Returns the no-fly areas, then the stand-off ring if there is one. */
 [[nodiscard]] std::vector<MapClosedArea> closedOf(const std::vector<NoFlyArea>& noFly,
                                                   const std::optional<NoFlyArea>& ring);
-/** Wind and current of the scenario. */
+/** Returns the wind and current of the scenario, with the airspeed of its slowest UAV. */
 [[nodiscard]] MapAir airOf(const Scenario& scenario);
 
 /**
- * Everything but icebergs and UAVs: areas, airspace, wind, and `asset` at `time_s`, which may not
- * be that of the scenario any more.
+ * Sets all of the picture but icebergs and UAVs: areas, airspace, wind, and `asset` at `time_s`.
+ * In flight the asset may differ from that of the scenario.
  */
 void setSurroundings(MapPicture& picture, const Scenario& scenario,
                      const std::optional<Asset>& asset, double time_s);
 
 /**
- * UAV i of the scenario at t = 0, named when it is one of several. It has no home while its
- * endurance is unlimited and it has none of its own.
+ * Returns UAV i of the scenario at t = 0, with a label in a fleet. A UAV without a home place lands
+ * at its start if its endurance is limited, else nowhere.
  */
 [[nodiscard]] MapUav mapUav(const Scenario& scenario, std::size_t i);
 
 /**
- * The picture with everything that can be edited taken from the scenario at t = 0: icebergs (those
- * still to come too), UAVs, area, asset, wind. The plans keep the order of the icebergs that
- * are still there. So an edit is seen at once, before it is planned again. The colour scale of
- * sigma stays until then; a picture without icebergs gets that of the scenario.
+ * Replaces what the user can edit by the scenario at t = 0: icebergs (future ones included), UAVs,
+ * areas, asset, wind. Plans keep the order of the icebergs that still exist, so that an edit is
+ * visible before the new plan; curved paths are removed if places or wind are no longer those they
+ * were planned for. The sigma colour scale is kept, unless the picture had no icebergs.
  */
 [[nodiscard]] MapPicture withScenario(MapPicture picture, const Scenario& scenario);
 

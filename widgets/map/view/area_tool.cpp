@@ -21,7 +21,7 @@ struct AreaToolText
 };
 
 constexpr double kCloseReach_px = 11;
-constexpr double kSameCorner_px = 3; // both clicks of a double click
+constexpr double kSameCorner_px = 3; // covers both clicks of a double click
 constexpr double kCorner_px = 3.5;   // radius
 constexpr double kFirstCorner_px = 6;
 constexpr std::size_t kFewestCorners = 3;
@@ -165,14 +165,14 @@ void AreaTool::finishDrawing()
     context().selection.set({kAreaKey});
 }
 
-void AreaTool::takeLastBack()
+void AreaTool::undoLastPoint()
 {
     m_fault = Fault::None;
     if (isDrawing())
         m_corners_m.pop_back();
 }
 
-bool AreaTool::dropDrawing()
+bool AreaTool::cancelDrawing()
 {
     const bool wasDrawing = isDrawing();
     m_fault = Fault::None;
@@ -184,7 +184,7 @@ bool AreaTool::dropDrawing()
 bool AreaTool::removePart()
 {
     if (isDrawing()) {
-        takeLastBack();
+        undoLastPoint();
         return true;
     }
     if (!m_corner)
@@ -222,7 +222,8 @@ void AreaTool::paintNextEdge(QPainter& painter, const QPolygonF& outline) const
     painter.drawLine(outline.back(), m_now.at_px);
     if (!isCrossing)
         return;
-    for (const QPointF& arm : {QPointF(6, 6), QPointF(6, -6)}) // told by shape as well
+    for (const QPointF& arm :
+         {QPointF(6, 6), QPointF(6, -6)}) // a cross, so that shape shows the error, too
         painter.drawLine(QLineF(m_now.at_px - arm, m_now.at_px + arm));
 }
 
@@ -291,7 +292,7 @@ QString AreaTool::faultText() const
     case Fault::Crossing:
         return crossingText();
     case Fault::TooFew:
-        return AreaToolText::tr("An area needs three corners. Esc drops what is drawn.");
+        return AreaToolText::tr("An area needs at least three corners. Esc cancels the drawing.");
     case Fault::TooMany:
         if (m_isNoFly && !isDrawing())
             return AreaToolText::tr("A scenario has at most %n no-fly areas.", nullptr,
@@ -309,20 +310,22 @@ QString AreaTool::status() const
     if (m_fault != Fault::None)
         return faultText();
     if (m_corners_m.size() >= kFewestCorners)
-        return AreaToolText::tr("A click on the first corner or Enter closes the area. Backspace "
-                                "takes a corner back, Esc all.");
+        return AreaToolText::tr("Click the first corner or press Enter to close the area. "
+                                "Backspace removes a corner, Esc cancels.");
     if (isDrawing())
         return AreaToolText::tr(
-            "Click sets the next corner. Backspace takes one back, Esc drops the area.");
+            "Click to set the next corner. Backspace removes a corner, Esc cancels.");
     if (m_handle)
         return handleText(context(), *m_handle);
     if (m_isNoFly)
-        return AreaToolText::tr("Click sets the first corner of a no-fly area. Corners and edges' "
-                                "middles of those there are can be dragged. Esc leaves the tool.");
+        return AreaToolText::tr(
+            "Click to set the first corner of a no-fly area, or drag a corner "
+            "or the middle of an edge of an existing one. Esc leaves the tool.");
     if (!context().document.scenario().area_m.empty())
         return AreaToolText::tr(
-            "Drag a corner or an edge's middle; a click begins another area. Esc leaves the tool.");
-    return AreaToolText::tr("Click sets the first corner of the area. Esc leaves the tool.");
+            "Drag a corner or the middle of an edge; clicking starts a new area. Esc leaves the "
+            "tool.");
+    return AreaToolText::tr("Click to set the first corner of the area. Esc leaves the tool.");
 }
 
 } // namespace berg

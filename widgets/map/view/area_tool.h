@@ -6,14 +6,15 @@
 namespace berg {
 
 /**
- * Draws an area corner by corner; a click on the first one, Enter, a double click or the right
- * button closes it. The area then takes the place of the one there was, a no-fly area is one more.
- * Corners and middles of edges of the present ones can be dragged.
+ * Draws an area corner by corner. Clicking the first corner, Enter, a double click or the right
+ * button closes it: the new area replaces the monitored one, or is added as a no-fly area. With
+ * fewer than three corners, or if the outline would cross itself, the drawing stays open and
+ * `status` gives the reason. Corners and edge middles of existing areas can be dragged.
  */
 class AreaTool final : public MapTool
 {
 public:
-    /** `kind`: Area or NoFly. */
+    /** Creates a tool of `kind` Area or NoFly. */
     AreaTool(const MapToolContext& context, MapToolKind kind)
         : MapTool(context), m_isNoFly(kind == MapToolKind::NoFly)
     {
@@ -27,8 +28,8 @@ public:
     void cancel() override;
     [[nodiscard]] bool isDrawing() const override { return !m_corners_m.empty(); }
     void finishDrawing() override;
-    void takeLastBack() override;
-    bool dropDrawing() override;
+    void undoLastPoint() override;
+    bool cancelDrawing() override;
     bool removePart() override;
     void paint(QPainter& painter) const override;
     [[nodiscard]] QCursor cursor(const std::string& over) const override;
@@ -40,7 +41,7 @@ protected:
     void checkPart() override;
 
 private:
-    /** Why the last corner or the closing edge was not taken. */
+    /** Reason why the last corner or the closing edge was rejected. */
     enum class Fault
     {
         None,
@@ -56,20 +57,20 @@ private:
     void paintDrawing(QPainter& painter) const;
     void paintNextEdge(QPainter& painter, const QPolygonF& outline) const;
 
-    /** Of the area, or of all no-fly areas. */
+    /** Handles of the area, or of all no-fly areas. */
     [[nodiscard]] std::vector<MapHandle> handles() const;
-    /** Whether the key is that of one that the tool draws. */
+    /** Returns whether `key` is that of an area of the tool's kind. */
     [[nodiscard]] bool isOwn(const std::string& key) const;
 
     bool m_isNoFly;
-    std::vector<Point> m_corners_m; ///< half drawn
+    std::vector<Point> m_corners_m; ///< corners drawn so far
     MapPointer m_now;
-    bool m_isHovering = false; ///< `m_now` is where the next corner would be
+    bool m_isHovering = false; ///< `m_now` is the place of the next corner
     Fault m_fault = Fault::None;
 
     bool m_isPressed = false;
     MapPointer m_press;
-    std::optional<MapHandle> m_handle; ///< pressed on, or under the cursor
+    std::optional<MapHandle> m_handle; ///< pressed, or under the cursor
     std::optional<MapHandle> m_corner;
     std::unique_ptr<HandleDrag> m_drag;
 };

@@ -24,11 +24,11 @@ struct DriftArrowText
 
 constexpr double kDriftStep_mps = 0.001;
 
-/** An arrow of the usual length may stand for this much drift at least. */
+/** An arrow of usual length can show at least this drift. */
 constexpr double kUsualDrift_mps = 0.4;
 constexpr double kShortestTime_s = 60;
 
-/** The time that the arrows of the map stand for, unless one could hardly be drawn then. */
+/** Horizon of the map's arrows, unless it is so long or short that an arrow is hard to draw. */
 double drawnTime_s(MapScene& scene)
 {
     const double usual_s = driftTimeFor_s(kUsualDrift_mps, scene.view().scale_pxpm());
@@ -69,7 +69,7 @@ Point DriftArrow::velocity_mps(const Iceberg& iceberg, const MapPointer& tip,
 {
     const QPointF centre = m_scene.view().toPixel(iceberg.position_m);
     const std::optional<LabelDisk> symbol = m_scene.symbolOf(iceberg.id);
-    // The arrows of the map begin at the edge of the symbol; inside it there is no drift.
+    // The map's arrows begin at the edge of the symbol, so a tip inside means no drift.
     const double edge_px = symbol ? symbol->radius_px : 0;
     const QPointF tip_px = tip.at_px - m_grip_px;
     const Point path_px(tip_px.x() - centre.x(), centre.y() - tip_px.y());
@@ -90,7 +90,7 @@ Point DriftArrow::velocity_mps(const Iceberg& iceberg, const MapPointer& tip,
 QString DriftArrow::status() const
 {
     return DriftArrowText::tr(
-               "The arrow is the drift over %1. Shift keeps to steps of %2°, Esc takes it back.")
+               "The arrow shows the drift over %1. Shift snaps to steps of %2°; Esc cancels.")
         .arg(durationText(m_time_s, m_scene.locale()))
         .arg(kDirectionStep_deg);
 }

@@ -11,45 +11,46 @@
 namespace berg {
 
 /**
- * A drift arrow that is being drawn by hand: while it lives the arrows of the map stand for one
- * time, so that the tip stays under the cursor.
+ * A drift arrow being drawn by hand. While it exists, the horizon of the map's arrows is fixed, so
+ * that the tip stays under the cursor.
  */
 class DriftArrow
 {
 public:
-    /** `grabbed`: key of the iceberg whose arrow is taken at its tip; empty: a new one is drawn. */
+    /** Starts drawing; `grabbed` is the key of an iceberg whose arrow was grabbed, or empty. */
     explicit DriftArrow(MapScene& scene, const std::string& grabbed = {});
     ~DriftArrow();
     DriftArrow(const DriftArrow&) = delete;
     DriftArrow& operator=(const DriftArrow&) = delete;
 
     /**
-     * Own drift of the iceberg when the tip of its arrow, which shows drift over ground, is at the
-     * pointer; none inside its symbol. Within the limits of a scenario; Shift keeps to steps of
-     * direction.
+     * Returns the iceberg's own drift, relative to the current, for an arrow of drift over ground
+     * with its tip at the pointer; zero inside the symbol. The drift is clamped to the limits of a
+     * scenario and rounded to mm/s; Shift snaps the direction.
      */
     [[nodiscard]] Point velocity_mps(const Iceberg& iceberg, const MapPointer& tip,
                                      const Point& current_mps) const;
 
-    /** What the arrow means, for the status bar. */
+    /** Returns a text for the status bar that explains the arrow. */
     [[nodiscard]] QString status() const;
 
 private:
     MapScene& m_scene;
     double m_time_s;
-    QPointF m_grip_px; ///< from the tip to the pointer: the arrow taken stood for a longer time
+    QPointF m_grip_px; ///< from the tip to the pointer: the grabbed arrow had a longer horizon
 };
 
-/** "0.31 m/s  045°". */
+/** Returns a drift as text, for example "0.31 m/s  045°"; without direction if it is zero. */
 [[nodiscard]] QString driftText(const Point& drift_mps, const QLocale& locale);
 
-/** Whole degrees from a place to the pointer, in steps with Shift; none: it is there. */
+/** Returns the heading from a place to the pointer in whole degrees, with Shift in larger steps.
+ * Returns nullopt if the pointer is at the place. */
 [[nodiscard]] std::optional<double> headingTowards_deg(const Point& from_m,
                                                        const MapPointer& pointer);
-/** "Heading 045°". */
+/** Returns a heading as text, for example "Heading 045°". */
 [[nodiscard]] QString headingText(double heading_deg);
 
-/** "1.20 km  045°". */
+/** Returns length and bearing of a displacement as text, for example "1.20 km  045°". */
 [[nodiscard]] QString pathText(const Point& path_m, const QLocale& locale);
 
 } // namespace berg

@@ -11,34 +11,37 @@ namespace berg {
 class ScenarioDocument;
 
 /**
- * One change made with the mouse, from press to release: seen while it is made, one undo step when
- * it is finished, no trace when it is taken back. Edits the document all the while, so that plans
- * follow; only when there is something to redo, which an edit would forget, it shows a preview and
- * edits at the end.
+ * One change made with the mouse, from press to release: visible at once, one undo step when
+ * finished, and without trace when cancelled. It edits the document continuously, so that plans
+ * follow. If there is something to redo, which an edit would discard, it shows a preview instead
+ * and edits at the end.
  */
 class EditGesture
 {
 public:
     using Change = std::function<void(Scenario&)>;
-    using Preview = std::function<void(const Scenario*)>; ///< null: no preview any more
+    using Preview = std::function<void(const Scenario*)>; ///< null ends the preview
 
-    /** The scenario of now is what the gesture starts from and what `cancel` returns to. */
+    /** Starts from the present scenario, to which `cancel` returns; `text` names the undo step. */
     EditGesture(ScenarioDocument& document, QString text, Preview preview);
-    /** A gesture that was not finished stays as far as it got. */
+    /** An unfinished gesture keeps what it has done to the document; a preview is lost. */
     ~EditGesture();
     EditGesture(const EditGesture&) = delete;
     EditGesture& operator=(const EditGesture&) = delete;
 
+    /** Returns the scenario at the start of the gesture. */
     [[nodiscard]] const Scenario& start() const { return m_start; }
-    /** As far as the gesture got. */
+    /** Returns the scenario with the changes so far. */
     [[nodiscard]] const Scenario& now() const { return m_now; }
 
-    /** Puts `change` of the start in place of what the gesture did before. */
+    /** Replaces the gesture's earlier changes by `change`, applied to the start. */
     void apply(const Change& change);
+    /** Makes the change permanent as one undo step. */
     void finish();
+    /** Undoes the change. */
     void cancel();
 
-    /** True inside `apply`, `finish` and `cancel`: changes of the document then come from here. */
+    /** Returns true during `apply`, `finish` and `cancel`: the gesture causes document changes. */
     [[nodiscard]] bool isApplying() const { return m_isApplying; }
 
 private:

@@ -1,4 +1,5 @@
-// What dragging a handle of the map does to the scenario, or in flight to the flight.
+// Drags of the map's handles, which change the scenario, or in flight request a change of the
+// flight.
 
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/view/drift_arrow.h"
@@ -27,7 +28,7 @@ struct FlightDragText
 
 constexpr std::size_t kFewestCorners = 3;
 
-/** Icebergs among what is selected. */
+/** Ids of the selected icebergs. */
 std::vector<std::string> selectedIcebergs(const MapToolContext& context)
 {
     std::vector<std::string> ids;
@@ -67,7 +68,7 @@ private:
     [[nodiscard]] Point current_mps() const { return context().document.scenario().current_mps; }
 
     std::vector<std::string> m_ids;
-    Iceberg m_iceberg; ///< whose handle it is, with the drift drawn
+    Iceberg m_iceberg; ///< iceberg of the handle, with the drift drawn
     DriftArrow m_arrow;
 };
 
@@ -91,8 +92,8 @@ public:
     [[nodiscard]] QString text() const override { return headingText(m_uav.heading_deg); }
     [[nodiscard]] QString status() const override
     {
-        return HandleText::tr("Let go to keep this heading. Shift keeps to steps of %1°, Esc takes "
-                              "it back.")
+        return HandleText::tr("Release to keep this heading. Shift snaps to steps of %1°; Esc "
+                              "cancels.")
             .arg(kDirectionStep_deg);
     }
 
@@ -100,7 +101,7 @@ private:
     Uav m_uav;
 };
 
-/** A corner of an area, also one that begins in the middle of an edge. */
+/** Drag of a corner, possibly a new one in the middle of an edge. */
 class CornerDrag final : public HandleDrag
 {
 public:
@@ -123,7 +124,7 @@ public:
         area_m[m_index] = placeOf(pointer);
         m_isRefused = !isSimplePolygon(area_m);
         if (m_isRefused)
-            return; // stays where it was last possible
+            return; // keeps the last valid place
         m_area_m = area_m;
         gesture().apply([&](Scenario& scenario) { *outlineIn(scenario, m_id) = area_m; });
     }
@@ -135,21 +136,21 @@ public:
     [[nodiscard]] QString status() const override
     {
         return m_isRefused ? crossingText()
-                           : HandleText::tr("Let go to place the corner here. Esc takes it back.");
+                           : HandleText::tr("Release to place the corner here. Esc cancels.");
     }
 
 private:
-    std::vector<Point> m_area_m; ///< as far as the drag got
+    std::vector<Point> m_area_m; ///< with the drag so far
     std::size_t m_index;
     Point m_from_m;
     std::string m_id;
     bool m_isRefused = false;
 };
 
-// What can be dragged in flight, too: there the end of a drag is told to the flight, and what is
-// under way is only drawn.
+// Drags that are also possible in flight. There the end of a drag requests a change of the flight,
+// and until then it is only drawn.
 
-/** Direction and speed of the wind, by the tip of its arrow. */
+/** Drag of the wind arrow's tip, which changes direction and speed. */
 class WindDrag final : public HandleDrag
 {
 public:
@@ -179,25 +180,24 @@ public:
             emit context().view.windEdited(m_air.wind_mps);
     }
 
-    [[nodiscard]] QString text() const override { return {}; } // the panel has them
+    [[nodiscard]] QString text() const override { return {}; } // the panel shows the values
 
     [[nodiscard]] QString status() const override
     {
         if (isStrong(m_air))
-            return FlightDragText::tr("The UAV makes little way against this wind. Esc takes it "
-                                      "back.");
+            return FlightDragText::tr("The UAV makes little headway in this wind. Esc cancels.");
         return isInFlight()
-                   ? FlightDragText::tr("Let go: this wind blows from now on. Esc takes it back.")
-                   : FlightDragText::tr("Let go to keep this wind. Shift keeps to steps of %1°, "
-                                        "Esc takes it back.")
+                   ? FlightDragText::tr("Release to apply this wind from now on. Esc cancels.")
+                   : FlightDragText::tr("Release to keep this wind. Shift snaps to steps of %1°; "
+                                        "Esc cancels.")
                          .arg(kDirectionStep_deg);
     }
 
 private:
-    MapAir m_air; ///< with the wind drawn
+    MapAir m_air; ///< with the wind of the drag
 };
 
-/** Where the asset is now; in flight only. */
+/** Drag of the asset's present position, in flight only. */
 class AssetDrag final : public HandleDrag
 {
 public:
@@ -233,12 +233,12 @@ public:
 
     [[nodiscard]] QString status() const override
     {
-        return FlightDragText::tr("Let go: the asset is here from now on. Esc takes it back.");
+        return FlightDragText::tr("Release to move the asset here now. Esc cancels.");
     }
 
 private:
     Point m_from_m;
-    Point m_grip_m; ///< from its centre to where it was taken
+    Point m_grip_m; ///< from the asset's centre to the grabbed point
     Point m_to_m;
 };
 
@@ -275,23 +275,23 @@ QString handleText(const MapToolContext& context, const MapHandle& handle)
     switch (handle.kind) {
     case HandleKind::Drift: {
         const auto count = static_cast<int>(selectedIcebergs(context).size());
-        return count > 1 ? HandleText::tr("Drag gives all %n icebergs selected the same drift.",
+        return count > 1 ? HandleText::tr("Drag to give all %n selected icebergs the same drift.",
                                           nullptr, count)
-                         : HandleText::tr("Drag sets the drift of the iceberg.");
+                         : HandleText::tr("Drag to set the drift of the iceberg.");
     }
     case HandleKind::Heading:
-        return HandleText::tr("Drag turns the UAV.");
+        return HandleText::tr("Drag to turn the UAV.");
     case HandleKind::Corner:
-        return HandleText::tr("Drag moves the corner, a click and Del remove it.");
+        return HandleText::tr("Drag to move the corner. To remove it, click it and press Del.");
     case HandleKind::Edge:
-        return HandleText::tr("Drag makes a new corner here.");
+        return HandleText::tr("Drag to add a corner here.");
     case HandleKind::Wind:
         return context.view.isLocked()
-                   ? HandleText::tr("Drag changes the wind from now on; in flight that cannot be "
+                   ? HandleText::tr("Drag to change the wind from now on. In flight this cannot be "
                                     "undone.")
-                   : HandleText::tr("Drag sets the wind: the arrow points where it blows to.");
+                   : HandleText::tr("Drag to set the wind. The arrow points downwind.");
     case HandleKind::Asset:
-        break; // dragged without a mark of its own
+        break; // has no visible handle
     }
     return {};
 }
@@ -307,7 +307,7 @@ void removeCorner(const MapToolContext& context, const MapHandle& corner)
     std::vector<Point> area_m = *outlineIn(context.document.scenario(), corner.id);
     if (area_m.size() <= kFewestCorners) {
         emit context.view.refused(
-            HandleText::tr("An area has at least three corners. Remove the area as a whole."));
+            HandleText::tr("An area needs at least three corners. Delete the whole area instead."));
         return;
     }
     area_m.erase(area_m.begin() + static_cast<std::ptrdiff_t>(corner.index));

@@ -16,10 +16,10 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-/** About this far beside the original a copy is put when the cursor says nothing. */
+/** Approximate offset of a copy if the cursor is not over the map. */
 constexpr double kCopyOffset_px = 40;
 
-/** Middle of the box round icebergs, at least one. */
+/** Middle of the bounding box of at least one iceberg. */
 Point middleOf(std::span<const Iceberg> icebergs)
 {
     std::vector<Point> positions_m;
@@ -30,7 +30,7 @@ Point middleOf(std::span<const Iceberg> icebergs)
 
 } // namespace
 
-/** Ends what the tool has under way; false: the map is locked. */
+/** Cancels the tool's gesture; returns false if the map is locked. */
 bool MapEdits::begin()
 {
     m_context.view.cancelGesture();
@@ -72,7 +72,8 @@ void MapEdits::deleteSelected()
     if (const QString text = removalText(ids); !text.isEmpty())
         m_context.document.edit(text, [&](Scenario& scenario) { removeObjects(scenario, ids); });
     else if (!uavsOf(m_context.document.scenario(), ids).empty())
-        emit m_context.view.refused(tr("The last UAV stays: a scenario has at least one."));
+        emit m_context.view.refused(
+            tr("The last UAV cannot be deleted: a scenario needs at least one."));
 }
 
 void MapEdits::selectAll()
@@ -134,7 +135,7 @@ void MapEdits::pasteAt(const std::optional<Point>& place_m)
         emit m_context.view.refused(
             isOther
                 ? tr("There are no icebergs on the clipboard.")
-                : tr("What is on the clipboard cannot be pasted. %1").arg(errorText(error.code())));
+                : tr("The clipboard content cannot be pasted. %1").arg(errorText(error.code())));
         return;
     }
     const auto count = static_cast<int>(icebergs.size());
@@ -153,7 +154,7 @@ void MapEdits::duplicateSelected()
     addCopiesOf(icebergs, std::nullopt, tr("Duplicate %n icebergs", nullptr, count));
 }
 
-/** About this far beside the original. */
+/** Offset of a copy from its original. */
 Point MapEdits::copyStep_m() const
 {
     const double step_m = roundDown125(kCopyOffset_px / m_context.scene.view().scale_pxpm());
@@ -177,7 +178,7 @@ void MapEdits::duplicateUavs(const std::vector<Uav>& uavs)
     m_context.selection.set(std::move(ids));
 }
 
-/** Says so when there is none. */
+/** Returns whether `count` more UAVs are allowed; reports it if not. */
 bool MapEdits::hasRoomForUavs(std::size_t count)
 {
     if (m_context.document.scenario().uavs.size() + count <= kMostUavs)
@@ -205,7 +206,7 @@ void MapEdits::addUav()
         m_context.scene.view().toWorld(m_context.scene.rect().center())));
 }
 
-/** Round `place_m`, or beside the originals where no copy hides another iceberg. */
+/** Adds copies around `place_m`, or beside the originals where they hide no other iceberg. */
 void MapEdits::addCopiesOf(const std::vector<Iceberg>& icebergs,
                            const std::optional<Point>& place_m, const QString& undoText)
 {

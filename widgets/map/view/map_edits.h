@@ -7,38 +7,44 @@
 namespace berg {
 
 /**
- * What the map does to the scenario beside its tools: what menus and keys ask for. An edit ends
- * what a tool has under way, and is none while the map is locked. What cannot be done is said by
- * `MapView::refused`.
+ * Edits of the scenario from menus and keys rather than tools. An edit first cancels the tool's
+ * gesture. While the map is locked it does not change the document; `deleteSelected` and
+ * `addIcebergAt` then emit a request instead. `MapView::refused` reports why an edit was not
+ * possible.
  */
 class MapEdits
 {
     Q_DECLARE_TR_FUNCTIONS(MapEdits)
 
 public:
-    /** All of it must outlive this. */
+    /** The context must outlive this object. */
     explicit MapEdits(const MapToolContext& context) : m_context(context) {}
 
-    /** What is selected, but the last UAV; or the part that a tool has current. */
+    /** Deletes the tool's current part if there is one, otherwise the selection (but never the last
+     * UAV). In flight it emits `MapView::removalRequested` instead. */
     void deleteSelected();
+    /** Selects all icebergs. */
     void selectAll();
-    /** Moves the selection, metres east and north; calls that follow each other are one undo step.
-     */
+    /** Moves the selection, metres east and north; consecutive calls are one undo step. */
     void nudge(double east_m, double north_m);
 
-    /** The icebergs selected onto the clipboard; false when there are none. */
+    /** Copies the selected icebergs to the clipboard; returns false if there are none. */
     bool copySelected() const;
+    /** Copies the selected icebergs to the clipboard and deletes them. */
     void cutSelected();
-    /** Icebergs of the clipboard round the cursor; beside where they were when it is elsewhere. */
+    /** Pastes icebergs around the cursor, or beside the originals if it is not over the map. */
     void paste();
+    /** Pastes icebergs around `place_m`; nullopt places them beside the originals. */
     void pasteAt(const std::optional<Point>& place_m);
-    /** Icebergs; when none is selected, UAVs. */
+    /** Duplicates the selected icebergs, or the selected UAVs if no iceberg is selected. */
     void duplicateSelected();
-    /** In flight it is told to the flight. */
+    /** Adds an iceberg unless the scenario is full; in flight it emits `MapView::icebergPlaced`
+     * instead. */
     void addIcebergAt(const Point& place_m);
-    /** One more, as the first, in an altitude layer of its own. */
+    /** Adds a copy of the first UAV in an altitude layer of its own, at `place_m` or at a free
+     * place beside it. */
     void addUavAt(const Point& place_m);
-    /** Where the cursor is, else in the middle. */
+    /** Adds a UAV at the cursor, or in the middle of the map. */
     void addUav();
 
 private:

@@ -17,15 +17,15 @@ namespace berg {
 namespace {
 
 constexpr double kReach_px = 8;
-constexpr double kLargeReach_px = 12; // of corners, which nothing else is near to
+constexpr double kLargeReach_px = 12; // for corners, which have no close neighbours
 constexpr double kDrift_px = 4;       // radius
-constexpr double kRimGap_px = 10;     // from the symbol, of a drift too short to see
-constexpr double kHeading_px = 34;    // from the UAV
+constexpr double kRimGap_px = 10;     // distance from the symbol if the drift is too short to see
+constexpr double kHeading_px = 34;    // distance from the UAV
 constexpr double kCorner_px = 8;      // side
 constexpr double kMiddle_px = 3.2;    // radius
 constexpr double kShortestEdge_px = 48;
 
-/** At the tip of the drift arrow; to the north of the symbol when there is none to see. */
+/** Position at the tip of the drift arrow, or north of the symbol if there is no visible arrow. */
 QPointF driftHandle(MapScene& scene, std::size_t iceberg)
 {
     const MapLayout& layout = scene.layout();

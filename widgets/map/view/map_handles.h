@@ -8,56 +8,59 @@
 
 namespace berg {
 
-/** What is changed by dragging a handle. */
+/** Property changed by dragging a handle. */
 enum class HandleKind
 {
     Drift,   ///< velocity of an iceberg, at the tip of its arrow
-    Heading, ///< of the UAV
-    Corner,  ///< of an area
-    Edge,    ///< middle of an edge of an area: a new corner
-    Wind,    ///< tip of the arrow in its panel
-    Asset    ///< in flight: the asset itself
+    Heading, ///< heading of a UAV
+    Corner,  ///< corner of an area
+    Edge,    ///< middle of an edge of an area: dragging adds a corner
+    Wind,    ///< wind, at the tip of the arrow in its panel
+    Asset    ///< position of the asset, in flight only
 };
 
-/** A small mark to be dragged, beside what it belongs to. */
+/** A small mark that can be dragged, beside its object. */
 struct MapHandle
 {
     HandleKind kind = HandleKind::Drift;
-    std::string id;        ///< of the iceberg or UAV; the key of the area
-    std::size_t index = 0; ///< of the corner, or of the one the edge begins at
+    std::string id;        ///< id of the iceberg or UAV, or key of the area
+    std::size_t index = 0; ///< index of the corner, or of the edge's first corner
     int uav = 0;           ///< `MapUav::place`
     QPointF at_px;
 
-    /** The same handle, wherever it is now. */
+    /** Returns true if both are the same handle, regardless of position. */
     [[nodiscard]] bool isSame(const MapHandle& other) const
     {
         return kind == other.kind && id == other.id && index == other.index;
     }
 };
 
-/** None: the panel of the wind has no room. */
+/** Returns the handle of the wind; nullopt if the wind panel is not shown. */
 [[nodiscard]] std::optional<MapHandle> windHandle(MapScene& scene);
-/** Handles of what is selected; those under a panel of the map are left out. */
+/** Returns the handles of the selected objects, except those under a panel or outside the map. */
 [[nodiscard]] std::vector<MapHandle> handlesOf(MapScene& scene, const Selection& selection);
-/** Corners and middles of edges of the area of this key; edges too short for a handle have none. */
+/** Returns the corners and edge middles of the area with this key, except those under a panel or
+ * outside the map; short edges have no middle handle. */
 [[nodiscard]] std::vector<MapHandle> areaHandles(MapScene& scene, const std::string& key);
 
-/** The nearest one in reach; corners come before edges. */
+/** Returns the nearest handle within reach of `at`; corners have a larger reach. Returns nullopt if
+ * there is none. */
 [[nodiscard]] std::optional<MapHandle> handleAt(const std::vector<MapHandle>& handles,
                                                 const QPointF& at);
 
-/** Which handles stand out. */
+/** Highlighted handles. */
 struct HandleMarks
 {
     std::optional<MapHandle> hovered;
-    std::optional<MapHandle> corner; ///< current one: what Del removes
+    std::optional<MapHandle> corner; ///< current corner, which Del removes
 };
+/** Paints the handles; hovered and current ones stand out. */
 void paintHandles(QPainter& painter, const std::vector<MapHandle>& handles,
                   const HandleMarks& marks, const Theme& theme);
 
 /**
- * One drag of a handle: one undo step, taken back by `end(false)`. In flight, where it is one of
- * those that can be dragged then, a draft of the picture and at the end what the map emits.
+ * A drag of a handle as one undo step, which `end(false)` cancels. In flight (wind and asset only)
+ * it changes a draft of the picture and emits a signal of the map at the end.
  */
 class HandleDrag
 {
@@ -67,19 +70,22 @@ public:
     HandleDrag(const HandleDrag&) = delete;
     HandleDrag& operator=(const HandleDrag&) = delete;
 
+    /** Applies the value at the pointer. */
     virtual void move(const MapPointer& pointer) = 0;
-    /** Live values, beside the cursor; empty: they are elsewhere. */
+    /** Returns the live values to show beside the cursor; empty if they are shown elsewhere. */
     [[nodiscard]] virtual QString text() const = 0;
-    /** For the status bar. */
+    /** Returns the text for the status bar. */
     [[nodiscard]] virtual QString status() const = 0;
 
+    /** Ends the drag and keeps or cancels its change. */
     virtual void end(bool keep);
+    /** Returns true while the drag changes the document. */
     [[nodiscard]] bool isApplying() const { return m_gesture && m_gesture->isApplying(); }
 
 protected:
     [[nodiscard]] const MapToolContext& context() const { return m_context; }
     [[nodiscard]] EditGesture& gesture() { return *m_gesture; }
-    /** There is no gesture. */
+    /** Returns true if the drag runs in flight, where there is no gesture. */
     [[nodiscard]] bool isInFlight() const { return m_gesture == nullptr; }
     void begin(const QString& undoText) { m_gesture = makeGesture(m_context, undoText); }
 
@@ -88,19 +94,21 @@ private:
     std::unique_ptr<EditGesture> m_gesture;
 };
 
-/** The drag of this handle; of a drift handle all icebergs selected get the same drift. */
+/** Starts the drag of this handle, whose object must exist; a drift handle changes all selected
+ * icebergs. */
 [[nodiscard]] std::unique_ptr<HandleDrag> makeHandleDrag(const MapToolContext& context,
                                                          const MapHandle& handle);
 
-/** What dragging would do, for the status bar. */
+/** Returns a text for the status bar that explains what dragging would do. */
 [[nodiscard]] QString handleText(const MapToolContext& context, const MapHandle& handle);
 
-/** Removes a corner of the area; says why not when the rest would be no area. */
+/** Removes a corner of an existing area. If the rest would not be a valid area, it removes nothing
+ * and emits `MapView::refused`. */
 void removeCorner(const MapToolContext& context, const MapHandle& corner);
-/** Whether the corner is there still. */
+/** Returns true if the corner still exists. */
 [[nodiscard]] bool hasCorner(const MapToolContext& context, const MapHandle& corner);
 
-/** The sentence for an outline that would cross itself. */
+/** Returns the message for an outline that would cross itself. */
 [[nodiscard]] QString crossingText();
 
 } // namespace berg

@@ -14,17 +14,17 @@
 namespace berg {
 namespace {
 
-constexpr double kUavReach_px = 17; // half the size of the UAV's symbol and a little more
+constexpr double kUavReach_px = 17; // a little more than half the UAV's symbol
 constexpr double kAssetReach_px = 14;
 constexpr double kOutlineReach_px = 5;
-constexpr double kSmallestReach_px = 13; // symbols are at least this easy to hit
+constexpr double kSmallestReach_px = 13; // smallest hit radius of a symbol
 constexpr double kReachMargin_px = 2;
-constexpr double kUnderName_px = 1e6; // any symbol under a name comes first
+constexpr double kUnderName_px = 1e6; // symbols have priority over names
 
-/** Labels that can be placed anew in every frame, a few milliseconds. */
+/** Number of labels that can be placed anew in every frame, in a few milliseconds. */
 constexpr std::size_t kLabelsPerFrame = 60;
 
-/** Labels times icebergs in sight that one frame has time for now and then. */
+/** Limit of labels times icebergs in sight for an occasional longer frame. */
 constexpr std::size_t kLabelPairs = 10000;
 
 bool isOnOutline(const QPolygonF& outline, const QPointF& at)
@@ -93,9 +93,9 @@ void MapScene::setView(const MapViewTransform& view)
 void MapScene::fit()
 {
     m_continuity = {};
-    m_labelsOwed = m_picture.icebergs.size();
+    m_pendingLabels = m_picture.icebergs.size();
     const MapLayout fitted = arrangeMap(m_picture, style(), m_rect, std::nullopt,
-                                        {.turn = LabelTurn{}}); // labels do not count
+                                        {.turn = LabelTurn{}}); // no labels are placed
     m_continuity.crowding = fitted.density.crowding();
     setView(fitted.view);
 }
@@ -112,16 +112,16 @@ void MapScene::setDriftTime(std::optional<double> driftTime_s)
     m_layout.reset();
 }
 
-void MapScene::beginTrial()
+void MapScene::beginPreview()
 {
-    if (!m_beforeTrial) // it goes on with another preview
-        m_beforeTrial = m_continuity;
+    if (!m_beforePreview) // else another preview follows the first one
+        m_beforePreview = m_continuity;
 }
 
-void MapScene::endTrial()
+void MapScene::endPreview()
 {
-    if (m_beforeTrial)
-        m_continuity = *std::exchange(m_beforeTrial, std::nullopt);
+    if (m_beforePreview)
+        m_continuity = *std::exchange(m_beforePreview, std::nullopt);
     m_layout.reset();
 }
 
@@ -140,18 +140,18 @@ const MapLayout& MapScene::layout()
     return *m_layout;
 }
 
-/** Labels that may look for a place in this frame; with many of them it is one part after another.
- */
+/** Labels that may move in this frame; if there are many, a part of them in turn. */
 std::optional<LabelTurn> MapScene::nextTurn(std::size_t inSight)
 {
     const std::size_t count = m_picture.icebergs.size();
-    const bool mayTakeTime = std::exchange(m_mayTakeTime, false);
-    if (inSight <= kLabelsPerFrame || m_continuity.crowding.isDense) { // few have names then
-        m_labelsOwed = 0;
+    const bool hasTime = std::exchange(m_hasTime, false);
+    if (inSight <= kLabelsPerFrame ||
+        m_continuity.crowding.isDense) { // a dense field has few labels
+        m_pendingLabels = 0;
         return std::nullopt;
     }
-    if (!mayTakeTime) {
-        m_labelsOwed = count;
+    if (!hasTime) {
+        m_pendingLabels = count;
         return LabelTurn{};
     }
     if (m_turnFrom >= count)
@@ -159,13 +159,13 @@ std::optional<LabelTurn> MapScene::nextTurn(std::size_t inSight)
     const std::size_t part = std::max<std::size_t>(1, kLabelPairs / inSight);
     const LabelTurn turn{.first = m_turnFrom, .count = std::min(part, count - m_turnFrom)};
     m_turnFrom += turn.count;
-    m_labelsOwed -= std::min(m_labelsOwed, turn.count);
+    m_pendingLabels -= std::min(m_pendingLabels, turn.count);
     return turn;
 }
 
 void MapScene::settle()
 {
-    m_mayTakeTime = true;
+    m_hasTime = true;
     m_layout.reset();
 }
 
@@ -248,7 +248,7 @@ std::vector<std::string> MapScene::objectsIn(const QRectF& rect)
     return keys;
 }
 
-/** UAV or asset. */
+/** Symbol of a UAV or the asset. */
 std::optional<LabelDisk> MapScene::singleSymbolOf(const std::string& key)
 {
     const MapLayout& map = layout();
@@ -268,7 +268,7 @@ std::optional<LabelDisk> MapScene::symbolOf(const std::string& key)
     return symbols.empty() ? std::nullopt : std::optional(symbols.front());
 }
 
-/** In no particular order. */
+/** Symbols of the objects, in no particular order. */
 std::vector<LabelDisk> MapScene::symbolsOf(const std::vector<std::string>& keys)
 {
     std::vector<LabelDisk> symbols;
@@ -285,7 +285,7 @@ std::vector<LabelDisk> MapScene::symbolsOf(const std::vector<std::string>& keys)
 
 void MapScene::paintSelection(QPainter& painter, const std::vector<std::string>& keys)
 {
-    constexpr double kSteps = 4; // for each pixel, of the size of kept marks
+    constexpr double kSteps = 4; // sizes of cached marks per pixel
     constexpr double kBeside_px = 10;
     for (const LabelDisk& symbol : symbolsOf(keys)) {
         const double radius_px = std::round(symbol.radius_px * kSteps) / kSteps;
@@ -325,7 +325,7 @@ std::optional<MapPanelPart> MapScene::panelPartAt(const QPointF& at)
 std::optional<MapPanel> MapScene::panelAt(const QPointF& at)
 {
     const MapLayout& map = layout();
-    for (std::size_t i = kMapPanels; i-- > 0;) // the last is on top
+    for (std::size_t i = kMapPanels; i-- > 0;) // the last panel is on top
         if (const auto which = static_cast<MapPanel>(i);
             map.icons[i].contains(at) || map.panel(which).contains(at))
             return which;
@@ -361,7 +361,7 @@ void MapScene::movePanel(MapPanel panel, const QPointF& offset_px)
     QPointF& moved_px = m_panels[static_cast<std::size_t>(panel)].moved_px;
     moved_px = offset_px;
     m_layout.reset();
-    moved_px = panelOffset_px(panel); // the layout is that of both
+    moved_px = panelOffset_px(panel); // the layout limits it to the map
 }
 
 bool MapScene::setPointer(const std::optional<QPointF>& at)
@@ -385,7 +385,7 @@ void MapScene::paintGround(QPainter& painter, const MapFrame& frame)
     if (m_ground.size() != size || m_ground.devicePixelRatioF() != ratio) {
         m_ground = QPixmap(size);
         m_ground.setDevicePixelRatio(ratio);
-        m_ground.fill(m_theme.sea); // opaque, so that copying is all there is to do
+        m_ground.fill(m_theme.sea); // an opaque pixmap is copied without blending
         m_isGroundOld = true;
     }
     if (std::exchange(m_isGroundOld, false)) {
@@ -401,9 +401,9 @@ void MapScene::paint(QPainter& painter, const std::function<void()>& marks)
     const MapLayout& map = layout();
     if (!m_graticule)
         m_graticule = graticuleOf(LocalFrame(m_picture.origin), m_view, m_rect);
-    const MapStyle look = style();
+    const MapStyle mapStyle = style();
     const MapFrame frame{.picture = m_picture,
-                         .style = look,
+                         .style = mapStyle,
                          .layout = map,
                          .graticule = *m_graticule,
                          .sprites = &m_sprites,

@@ -13,17 +13,17 @@
 
 namespace berg {
 
-/** A part of a panel that can be clicked. */
+/** A clickable part of a panel. */
 struct MapPanelPart
 {
     MapPanel panel = MapPanel::Title;
-    bool isGrip = false; ///< moves it; else it folds and unfolds
+    bool isGrip = false; ///< the handle that moves the panel; otherwise its fold button or icon
 };
 
 /**
- * What the interactive map shows: one picture in one view, where its parts are on the screen, what
- * is under the cursor. Keeps what is the same from frame to frame; nothing is computed before it
- * is asked for. GUI thread.
+ * Content of the interactive map: one picture in one view, the positions of its parts on the
+ * screen, and what is under the cursor. Caches what does not change between frames; nothing is
+ * computed before it is needed. GUI thread.
  */
 class MapScene
 {
@@ -34,7 +34,7 @@ public:
     void setPicture(MapPicture picture);
     [[nodiscard]] const Theme& theme() const { return m_theme; }
     void setTheme(const Theme& theme);
-    /** Also to be called when only the language has changed: words are part of kept drawings. */
+    /** Call it also if only the language has changed, because cached drawings contain text. */
     void setLocale(const QLocale& locale);
     [[nodiscard]] const QLocale& locale() const { return m_locale; }
 
@@ -42,47 +42,51 @@ public:
     void setRect(const QRectF& rect);
     [[nodiscard]] const MapViewTransform& view() const { return m_view; }
     void setView(const MapViewTransform& view);
-    /** Everything as large as it goes without a symbol below an overlay; labels start afresh. */
+    /** Shows all objects as large as possible clear of overlays; labels are placed anew. */
     void fit();
 
-    /** Keeps room for a widget of this size; empty: none. Its place is in the layout. */
+    /** Reserves room for a widget of this size, placed in the layout; empty reserves none. */
     void setInset(const QSizeF& inset_px);
+    /** Sets the height at the top covered by another widget, px. */
     void setCover(double cover_px);
 
-    /** Keeps the drift arrows at one scale while one of them is being drawn; none: as it suits. */
+    /** Fixes the horizon of drift arrows while one is drawn; nullopt chooses it automatically. */
     void setDriftTime(std::optional<double> driftTime_s);
 
-    /** Labels that make room for what is only previewed are where they were before at its end. */
-    void beginTrial();
-    void endTrial();
+    /** Starts a preview. Labels return to their places at its end. */
+    void beginPreview();
+    void endPreview();
 
+    /** Returns the layout of the present picture and view, which is computed on demand. */
     [[nodiscard]] const MapLayout& layout();
     /**
-     * True when labels have no place or a bad one, or water seen is still to be painted, because
-     * there is too much for one frame.
+     * Returns true if one frame was not enough: labels still need a better place, or water seen is
+     * still to be painted.
      */
-    [[nodiscard]] bool isUnsettled() const { return m_labelsOwed > 0 || !m_swept.isDone(); }
-    /** Lets the next layout look for better places, for as many labels as one frame has time for.
-     */
+    [[nodiscard]] bool isUnsettled() const { return m_pendingLabels > 0 || !m_swept.isDone(); }
+    /** Lets the next layout improve as many labels as one frame has time for. */
     void settle();
 
     /**
-     * Key of what is drawn or named here; the outline of the area comes after everything else.
-     * What lies below an overlay counts as well. Empty: nothing.
+     * Returns the key of the object or name at a point; empty if there is none. It also finds
+     * objects below panels, but not below their buttons or the inset. Outlines of areas have the
+     * lowest priority.
      */
     [[nodiscard]] std::string objectAt(const QPointF& at);
-    /** All of them, that one first. */
+    /** Returns the keys of all objects at a point; the first is that of `objectAt`. */
     [[nodiscard]] std::vector<std::string> objectsAt(const QPointF& at);
-    /** Keys of what has its centre in the rectangle: icebergs by index, UAV, asset. */
+    /** Returns the keys of objects centred in the rectangle: icebergs by index, UAVs, asset. */
     [[nodiscard]] std::vector<std::string> objectsIn(const QRectF& rect);
-    /** Symbol of an object; none when it is not in the picture, or the area. */
+    /** Returns the symbol of an object; nullopt for an area or if it is not in the picture. */
     [[nodiscard]] std::optional<LabelDisk> symbolOf(const std::string& key);
-    /** Marks the symbols of those of the objects that have one. */
+    /** Marks the symbols of these objects as selected. */
     void paintSelection(QPainter& painter, const std::vector<std::string>& keys);
-    /** What is there to fold, unfold or move a panel by. */
+    /** Returns the part of a panel at a point that folds, unfolds or moves it; nullopt if there is
+     * none. */
     [[nodiscard]] std::optional<MapPanelPart> panelPartAt(const QPointF& at);
-    /** The panel or icon that is there. */
+    /** Returns the panel at a point where it or its icon is; nullopt if there is none. */
     [[nodiscard]] std::optional<MapPanel> panelAt(const QPointF& at);
+    /** Returns true if only the panel's icon is shown. */
     [[nodiscard]] bool isFolded(MapPanel panel)
     {
         return !layout().icons[static_cast<std::size_t>(panel)].isNull();
@@ -91,25 +95,27 @@ public:
     void setPanels(const MapPanelStates& panels);
     [[nodiscard]] const MapLayers& layers() const { return m_layers; }
     void setLayers(const MapLayers& layers);
-    /** By how much it stands off from where it is by itself. */
+    /** Returns the offset of a panel from its default place. */
     [[nodiscard]] QPointF panelOffset_px(MapPanel panel);
-    /** As far as the map reaches. */
+    /** Moves a panel to this offset from its default place; it stays within the map. */
     void movePanel(MapPanel panel, const QPointF& offset_px);
-    /** Where the cursor is; none: elsewhere. True: the picture looks different. */
+    /**
+     * Sets the cursor position; nullopt if it is elsewhere. Returns true if a repaint is needed.
+     */
     bool setPointer(const std::optional<QPointF>& at);
-    /** True where a panel covers the map and nothing that could be picked. */
+    /** Returns true if a panel covers this point and no object is there. */
     [[nodiscard]] bool isOverlay(const QPointF& at);
-    /** Of the area or no-fly area of this key, pixels; empty: there is none. */
+    /** Returns the outline of the area with this key, pixels; empty if there is none. */
     [[nodiscard]] QPolygonF outlineOf(const std::string& key) const;
 
-    /** Has news when the ground can be painted better than it was. */
+    /** Returns the land layer, which reports when the ground can be painted better. */
     [[nodiscard]] LandLayer& land() { return *m_land; }
 
-    /** Paints the picture; `marks` is called above the symbols and below names and panels. */
+    /** Paints the picture; `marks` is called between symbols and names. */
     void paint(QPainter& painter, const std::function<void()>& marks);
 
 private:
-    /** Key of the area or no-fly area whose outline is there; empty: of none. */
+    /** Returns the key of the area whose outline is at a point; empty if there is none. */
     [[nodiscard]] std::string outlineAt(const QPointF& at) const;
     [[nodiscard]] std::optional<LabelDisk> singleSymbolOf(const std::string& key);
     [[nodiscard]] std::vector<LabelDisk> symbolsOf(const std::vector<std::string>& keys);
@@ -138,17 +144,17 @@ private:
     MapViewTransform m_view;
     std::optional<double> m_driftTime_s;
 
-    std::optional<MapLayout> m_layout; ///< none: to be arranged
-    MapContinuity m_continuity;        ///< of the layout before
-    std::optional<MapContinuity> m_beforeTrial;
-    std::size_t m_turnFrom = 0;   ///< iceberg whose label looks for a place next
-    std::size_t m_labelsOwed = 0; ///< so many still have to
-    bool m_mayTakeTime = true;
+    std::optional<MapLayout> m_layout; ///< nullopt if it must be computed
+    MapContinuity m_continuity;        ///< from the previous layout
+    std::optional<MapContinuity> m_beforePreview;
+    std::size_t m_turnFrom = 0;      ///< next iceberg whose label is placed anew
+    std::size_t m_pendingLabels = 0; ///< number of labels still to be placed anew
+    bool m_hasTime = true;
 
-    std::optional<Graticule> m_graticule; ///< of the present view
+    std::optional<Graticule> m_graticule; ///< for the present view
     std::unique_ptr<LandLayer> m_land;
     QPixmap m_ground;
-    bool m_isGroundOld = true; ///< to be painted again
+    bool m_isGroundOld = true; ///< must be painted again
     MapSprites m_sprites;
     SweptLayer m_swept;
 };

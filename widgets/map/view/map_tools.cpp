@@ -25,7 +25,7 @@ struct MapTools
     Q_DECLARE_TR_FUNCTIONS(MapTools)
 };
 
-/** Drags the map itself. */
+/** Moves the map itself. */
 class PanTool final : public MapTool
 {
 public:
@@ -48,7 +48,7 @@ public:
     }
     [[nodiscard]] QString status() const override
     {
-        return MapTools::tr("Drag moves the map, the wheel zooms. Esc leaves the tool.");
+        return MapTools::tr("Drag to move the map, turn the wheel to zoom. Esc leaves the tool.");
     }
 
 protected:
@@ -92,7 +92,7 @@ void MapTool::documentChanged()
 void MapTool::documentReplaced()
 {
     drop();
-    dropDrawing();
+    cancelDrawing();
 }
 
 std::unique_ptr<EditGesture> makeGesture(const MapToolContext& context, const QString& text)

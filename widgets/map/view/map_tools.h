@@ -18,34 +18,34 @@ class MapScene;
 class MapView;
 class Selection;
 
-/** What the left button does on the map. */
+/** Function of the left mouse button on the map. */
 enum class MapToolKind
 {
-    Select,  ///< select, move
+    Select,  ///< select and move objects
     Iceberg, ///< add an iceberg, set its drift
     Uav,     ///< place the UAV, set its heading
-    Asset,   ///< place what is to be protected
+    Asset,   ///< place the protected asset
     Area,    ///< draw the area, move its corners
-    NoFly,   ///< the same of no-fly areas
+    NoFly,   ///< draw no-fly areas, move their corners
     Measure, ///< distances, bearings and times of flight; changes nothing
     Pan
 };
 
-/** True for tools that change the scenario: they are left at take-off. */
+/** Returns true if the tool changes the scenario; such tools are left at take-off. */
 [[nodiscard]] bool isEditing(MapToolKind kind);
-/** True for those of them that are not taken up in flight. */
+/** Returns true if the tool is unavailable in flight. */
 [[nodiscard]] bool isLockedInFlight(MapToolKind kind);
 
-/** Where the pointer is. */
+/** State of the pointer. */
 struct MapPointer
 {
     QPointF at_px;
     Point at_m = Point::Zero();
     Qt::KeyboardModifiers modifiers;
-    bool isInside = true; ///< of the map's widget
+    bool isInside = true; ///< inside the map's widget
 };
 
-/** What a tool works on; all outlive it. */
+/** Objects that a tool works on; all outlive it. */
 struct MapToolContext
 {
     ScenarioDocument& document;
@@ -54,12 +54,13 @@ struct MapToolContext
     MapView& view;
 };
 
+/** Starts an edit gesture that previews on the map; `text` names its undo step. */
 [[nodiscard]] std::unique_ptr<EditGesture> makeGesture(const MapToolContext& context,
                                                        const QString& text);
 
 /**
- * Meaning of the left button from press to release. A tool holds what is under way and nothing
- * else; it edits through an `EditGesture`, which makes each drag one undo step.
+ * Function of the left button from press to release. A tool has no state but its gesture; it edits
+ * through an `EditGesture`, which makes each drag one undo step.
  */
 class MapTool
 {
@@ -69,76 +70,82 @@ public:
     MapTool(const MapTool&) = delete;
     MapTool& operator=(const MapTool&) = delete;
 
+    /** The left button was pressed on the map. */
     virtual void press(const MapPointer& pointer) = 0;
-    /** With the button down. */
+    /** The pointer moved with the button down. */
     virtual void move(const MapPointer& pointer) = 0;
-    /** Outside the widget: as `cancel` for everything that edits. */
+    /** The button was released; outside the widget this cancels edits. */
     virtual void release(const MapPointer& pointer) = 0;
-    /** Without a button down; true when there is something to be painted anew. */
+    /** The pointer moved without button; returns true if the tool needs a repaint. */
     virtual bool hover(const MapPointer& /*pointer*/) { return false; }
-    /** A key that the map has no meaning for itself; true when the tool has one. */
+    /** Handles a key that the map itself does not use; returns true if the tool used it. */
     virtual bool key(const QKeyEvent& /*event*/) { return false; }
 
-    /** Between press and release. */
+    /** Returns true between press and release. */
     [[nodiscard]] virtual bool isBusy() const = 0;
-    /** Takes back what is under way between press and release. */
+    /** Cancels the action between press and release. */
     virtual void cancel() = 0;
     /**
-     * The scenario has changed. What is pressed belongs to the one before: when the change is not
-     * the tool's own, it ends as far as it got.
+     * The scenario has changed. A pressed action belongs to the old scenario: unless the tool made
+     * the change, it ends with what it has done so far.
      */
     void documentChanged();
-    /** Another scenario altogether: nothing is kept. */
+    /** Another scenario was loaded: drops all state. */
     void documentReplaced();
 
-    // Tools that draw point by point have something half drawn between presses.
+    // Tools that draw point by point have an unfinished drawing between presses.
 
-    /** Half drawn: the calls below belong to the drawing and not to the scenario. */
+    /** Returns true if a drawing is unfinished; the functions below then act on it. */
     [[nodiscard]] virtual bool isDrawing() const { return false; }
-    /** Enter, double click or right button. */
+    /** Finishes the drawing (Enter, double click or right button), or leaves it open if it is not
+     * valid. */
     virtual void finishDrawing() {}
-    /** Backspace or undo: the last point. */
-    virtual void takeLastBack() {}
-    /** Esc: all that is drawn; false when there is nothing. */
-    virtual bool dropDrawing() { return false; }
-    /** Del: a part of an object that is current, e.g. a corner; false when there is none. */
+    /** Removes the last point (Backspace or undo). */
+    virtual void undoLastPoint() {}
+    /** Cancels the drawing (Esc); returns false if there is none. */
+    virtual bool cancelDrawing() { return false; }
+    /** Removes the current part of an object, for example a corner (Del). Returns false if there is
+     * none. */
     virtual bool removePart() { return false; }
 
-    /** Marks above the picture, device-independent pixels. */
+    /** Paints marks above the picture, device-independent pixels. */
     virtual void paint(QPainter& /*painter*/) const {}
-    /** Cursor above the object of this key; empty: above water. */
+    /** Returns the cursor above the object with this key; an empty key means water. */
     [[nodiscard]] virtual QCursor cursor(const std::string& over) const = 0;
-    /** What the tool expects, one sentence for the status bar. */
+    /** Returns a text for the status bar that explains the next step. */
     [[nodiscard]] virtual QString status() const = 0;
 
 protected:
     [[nodiscard]] const MapToolContext& context() const { return m_context; }
-    /** The change that is being told is an edit of this tool's gesture. */
+    /** Returns true if the present document change is made by this tool's gesture. */
     [[nodiscard]] virtual bool isApplying() const { return false; }
-    /** Ends what is pressed without an edit. */
+    /** Ends a pressed action without an edit. */
     virtual void drop() = 0;
-    /** The part that is current may be gone. */
+    /** Drops the current part if it no longer exists. */
     virtual void checkPart() {}
 
 private:
     MapToolContext m_context;
 };
 
+/** Creates the tool of this kind. */
 [[nodiscard]] std::unique_ptr<MapTool> makeMapTool(MapToolKind kind, const MapToolContext& context);
 
-/** Name of the undo step that moves these objects. */
+/** Returns the name of the undo step that moves these objects. */
 [[nodiscard]] QString moveText(const Scenario& scenario, std::span<const std::string> ids);
 
-/** True when the pointer has gone far enough from the press to mean a drag. */
+/** Returns true if the pointer has moved far enough from the press to start a drag. */
 [[nodiscard]] bool isDragDistance(const QPointF& from, const QPointF& to);
 
-// What is placed by hand is rounded far below what a screen shows, so that numbers stay short.
+// Positions set by hand are rounded, far below screen resolution, so that numbers stay short.
 inline constexpr double kPositionStep_m = 0.1;
 
-/** Where a thing put at the pointer is. */
+/** Returns the position of an object placed at the pointer: rounded and within the limits of a
+ * scenario. */
 [[nodiscard]] Point placeOf(const MapPointer& pointer);
-/** The pointer of somebody who places things by keyboard. */
+/** Returns a pointer in the middle of the map, for placing by keyboard. */
 [[nodiscard]] MapPointer middleOf(const MapScene& scene);
+/** Returns true if the key is Return or Enter. */
 [[nodiscard]] bool isEnter(const QKeyEvent& event);
 
 } // namespace berg

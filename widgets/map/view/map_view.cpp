@@ -15,18 +15,18 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kUavClearance_px = 20; // that a followed UAV has to a panel
+constexpr double kUavClearance_px = 20; // distance of a followed UAV from panels
 
-// The whole range of coordinates fits on the smallest scale, a tenth of a metre is a pixel on the
-// largest.
+// The smallest scale shows the whole range of coordinates; at the largest a pixel is a tenth of a
+// metre.
 constexpr double kSmallestScale_pxpm = 2e-4;
 constexpr double kLargestScale_pxpm = 10;
 
-/** Half the part of the view that a followed UAV may be in. */
+/** Half the share of the view within which a followed UAV moves. */
 constexpr double kFollowShare = 0.2;
 
 constexpr int kSettle_ms = 50;
-constexpr int kOutlinePieces = 8; // of each side
+constexpr int kOutlinePieces = 8; // per side
 
 } // namespace
 
@@ -81,7 +81,7 @@ void MapView::setLocked(bool locked)
     if (locked && isEditing(m_toolKind))
         setTool(MapToolKind::Select);
     refreshPicture();
-    toolActed();
+    updateToolState();
 }
 
 void MapView::setMayIntervene(bool may)
@@ -91,7 +91,7 @@ void MapView::setMayIntervene(bool may)
     if (m_isLocked)
         m_tool->cancel();
     m_mayIntervene = may;
-    toolActed();
+    updateToolState();
 }
 
 void MapView::setDraft(std::function<void(MapPicture&)> draft)
@@ -110,7 +110,7 @@ void MapView::setTool(MapToolKind kind)
     endNudges();
     m_tool = makeMapTool(kind, {m_document, m_selection, m_scene, *this});
     m_toolKind = kind;
-    toolActed();
+    updateToolState();
     emit toolChanged(kind);
 }
 
@@ -192,11 +192,11 @@ std::vector<LatLon> MapView::outline() const
 void MapView::measureFrom(const Point& from_m)
 {
     setTool(MapToolKind::Measure);
-    m_tool->dropDrawing();
+    m_tool->cancelDrawing();
     const MapPointer pointer{.at_px = toScreen(from_m), .at_m = from_m, .isInside = true};
     m_tool->press(pointer);
     m_tool->release(pointer);
-    toolActed();
+    updateToolState();
 }
 
 void MapView::centreOn(const LatLon& place)
@@ -217,7 +217,7 @@ void MapView::zoomBy(double factor, const QPointF& at)
         std::clamp(scale_pxpm * factor, kSmallestScale_pxpm, kLargestScale_pxpm);
     if (wanted_pxpm == scale_pxpm)
         return;
-    // A followed UAV stays where it is; else the place under the cursor does.
+    // The zoom centre is a followed UAV, otherwise the place under the cursor.
     const MapUav* uav = m_followsUav ? followedUav() : nullptr;
     const QPointF fixed = uav != nullptr ? toScreen(uav->position_m) : at;
     setView(view().zoomed(wanted_pxpm / scale_pxpm, fixed));
@@ -233,7 +233,7 @@ void MapView::showIceberg(const std::string& id)
 
 void MapView::showObjects(const std::vector<std::string>& ids)
 {
-    constexpr double kShare = 0.6; // of the map, so that what is round them is seen
+    constexpr double kShare = 0.6; // share of the map, which leaves the surroundings visible
     const MapPicture& picture = m_scene.picture();
     std::vector<Point> places_m;
     const auto add = [&](const std::string& id, const Point& place_m) {
@@ -277,7 +277,7 @@ void MapView::showAs(const MapView& other)
     setFollowUav(other.m_followsUav);
 }
 
-/** The one selected, else the first; null: there is none. */
+/** Selected UAV, otherwise the first; null if there is none. */
 const MapUav* MapView::followedUav() const
 {
     const std::vector<MapUav>& uavs = m_scene.picture().uavs;
@@ -290,7 +290,7 @@ const MapUav* MapView::followedUav() const
 
 void MapView::setView(const MapViewTransform& view)
 {
-    // The middle of the map stays where a scenario can have something.
+    // The middle of the map stays within the limits of a scenario.
     const QPointF middle = m_scene.rect().center();
     const Point middle_m = view.toWorld(middle);
     const QPointF offset_px = middle - view.toPixel(clampedPosition(middle_m));
@@ -334,9 +334,9 @@ void MapView::setPreview(const Scenario* scenario)
 {
     m_preview = scenario != nullptr ? std::optional(*scenario) : std::nullopt;
     if (m_preview)
-        m_scene.beginTrial();
+        m_scene.beginPreview();
     else
-        m_scene.endTrial();
+        m_scene.endPreview();
     refreshPicture();
 }
 
@@ -363,7 +363,7 @@ void MapView::refreshPicture()
 
 void MapView::scenarioReplaced()
 {
-    m_tool->documentReplaced(); // taking back would bring the old scenario into the new one
+    m_tool->documentReplaced(); // cancelling would restore the old scenario
     m_fitsNextPicture = true;
     MapPicture empty;
     empty.emptyTitle = m_picture.emptyTitle;
@@ -382,19 +382,19 @@ void MapView::scenarioChanged()
 
 void MapView::selectionChanged()
 {
-    endNudges(); // those of another selection are another step
+    endNudges(); // a new selection starts a new undo step
     keepUavInSight();
     update();
 }
 
 void MapView::endNudges()
 {
-    // The gesture of a tool ends with the tool's own press, not in the middle of it.
+    // A tool's gesture ends with its own release, not in the middle of it.
     if (!m_tool->isBusy())
         m_document.endGesture();
 }
 
-void MapView::toolActed()
+void MapView::updateToolState()
 {
     setCursor(m_tool->cursor(m_hovered));
     if (const QString status = m_tool->status(); status != m_status) {
@@ -428,8 +428,8 @@ void MapView::updateTexts()
     setAccessibleRole(*this, QAccessible::Canvas);
     setAccessibleName(tr("Map"));
     setAccessibleDescription(
-        tr("%n icebergs and the UAV on the sea. Arrow keys move the map or what is selected, plus "
-           "and minus zoom, F fits. The table of icebergs has them in rows.",
+        tr("%n icebergs and the UAVs on the sea. Arrow keys move the map or the selection, plus "
+           "and minus zoom, F fits. The iceberg table lists the icebergs.",
            nullptr, static_cast<int>(m_scene.picture().icebergs.size())));
 }
 
@@ -490,7 +490,7 @@ void MapView::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
         m_scene.setLocale(locale());
         updateTexts();
-        toolActed();
+        updateToolState();
     }
     QWidget::changeEvent(event);
 }

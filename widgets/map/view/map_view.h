@@ -16,131 +16,137 @@ class QNativeGestureEvent;
 namespace berg {
 
 /**
- * The map one works with: shows a picture in a view that mouse, wheel, pinch and keys move, and
- * edits the scenario with tools. While it is not locked it shows what can be edited as the document
- * has it, so that edits are seen in the next frame; everything else comes from the picture. GUI
- * thread.
+ * Interactive map: shows a picture in a view that mouse, wheel, pinch and keys move, and edits the
+ * scenario with tools. Unless locked, it takes what can be edited from the document, so that edits
+ * are visible in the next frame; everything else comes from the picture. GUI thread.
  */
 class MapView : public QWidget
 {
     Q_OBJECT
 
 public:
-    /** Both must outlive the view. */
+    /** Document and selection must outlive the view. */
     explicit MapView(ScenarioDocument& document, Selection& selection, QWidget* parent = nullptr);
 
-    /** The first one, and the first one after another scenario was opened, is fitted. */
+    /** Shows a picture; the first one of each scenario is fitted. */
     void setPicture(MapPicture picture);
     void setTheme(const Theme& theme);
-    /** In flight: the picture is shown as it is, tools that edit are left, a click still selects.
-     */
+    /** Locks the map in flight: no edits; the picture is shown as is; clicks still select. */
     void setLocked(bool locked);
     [[nodiscard]] bool isLocked() const { return m_isLocked; }
-    /** Whether the flight can be told now of what is dragged: wind and asset. */
+    /** Sets whether wind and asset can be dragged in flight. */
     void setMayIntervene(bool may);
     [[nodiscard]] bool mayIntervene() const { return m_mayIntervene; }
-    /** While locked: what is being done, as a change of the picture; null: nothing. */
+    /** Sets a change of the picture that shows a drag in flight; null removes it. */
     void setDraft(std::function<void(MapPicture&)> draft);
 
-    /** Leaves what was under way. A tool that edits is not taken up while the map is locked. */
+    /** Cancels the present action and changes the tool. Tools that are locked in flight
+     * (`isLockedInFlight`) are ignored while the map is locked. */
     void setTool(MapToolKind kind);
     [[nodiscard]] MapToolKind tool() const { return m_toolKind; }
 
+    /** Shows all objects as large as possible. */
     void fit();
-    /** At the top something lies over the map: panels on it are below that. */
+    /** Sets the height at the top covered by another widget; panels are placed below it. */
     void setCover(int cover_px);
-    /** Shows a widget of its size hint below the north arrow, where there is room; null: none. */
+    /** Shows a widget with its size hint below the north arrow if there is room; null for none. */
     void setInset(QWidget* inset);
     [[nodiscard]] bool hasInset() const { return m_inset != nullptr; }
     [[nodiscard]] const MapPanelStates& panels() const { return m_scene.panels(); }
-    /** As the user wants them; tells nobody. */
+    /** Sets the panels; emits nothing. */
     void setPanels(const MapPanelStates& panels);
-    /** How strongly its layers are painted. */
+    /** Sets the opacity of the layers, the backdrop and the drift horizon. */
     void setLayers(const MapLayers& layers);
     [[nodiscard]] const MapLayers& layers() const { return m_scene.layers(); }
-    /** To its icon or back, as by mouse. */
+    /** Folds a panel to its icon or opens it, as by mouse. */
     void foldPanel(MapPanel panel);
-    /** Only its icon is shown: the user has folded it, or there is no room. */
+    /** Returns true if only the icon is shown: folded by the user, or for lack of room. */
     [[nodiscard]] bool isFolded(MapPanel panel) { return m_scene.isFolded(panel); }
-    /** The panel or icon at this place of the screen. */
+    /** Returns the panel at a place of the screen, also if it is folded to its icon; nullopt if
+     * there is none. */
     [[nodiscard]] std::optional<MapPanel> panelAt(const QPoint& globalPos);
-    /** What is shown: corners, and points between them, all the way round. */
+    /** Returns the outline of the area shown, with points between the corners; it is not closed. */
     [[nodiscard]] std::vector<LatLon> outline() const;
-    /** With the tool for it, from this place. */
+    /** Selects the measuring tool and starts a measurement at this place, metres. */
     void measureFrom(const Point& from_m);
-    /** Shows this place in the middle, or the next one that a scenario can have something at. */
+    /** Centres the map on a place, or on the nearest one within the limits of a scenario, and stops
+     * following a UAV. */
     void centreOn(const LatLon& place);
-    /** Waits until all the land of the view last painted can be painted: for pictures. */
+    /** Waits for the land of the last painted view: for image export. */
     void finishLand();
+    /** Zooms about a pixel, or about a followed UAV, within the limits of scale. */
     void zoomBy(double factor, const QPointF& at);
-    /** Brings this iceberg to the middle; nothing when it is not in the picture. */
+    /** Centres the map on an iceberg and stops following a UAV; does nothing if the iceberg is not
+     * in the picture. */
     void showIceberg(const std::string& id);
-    /** Shows all of these icebergs and UAVs and the asset, near; nothing when none is there. */
+    /** Zooms to these icebergs, UAVs and the asset and stops following a UAV; does nothing if none
+     * is in the picture. */
     void showObjects(const std::vector<std::string>& ids);
-    /** Moves what is shown by `offset_px`. */
+    /** Moves the map by `offset_px` and stops following a UAV. */
     void panBy(const QPointF& offset_px);
-    /** Keeps the UAV in the middle part of the view until the map is moved by hand. */
+    /** Keeps the selected UAV, otherwise the first one, in the middle part of the view until the
+     * map is moved by hand. */
     void setFollowUav(bool follow);
     [[nodiscard]] bool followsUav() const { return m_followsUav; }
 
-    /** Place, scale and following of another map. */
+    /** Takes over from another map centre and scale, unless that one is fitted, and following. */
     void showAs(const MapView& other);
 
     [[nodiscard]] MapViewTransform view() const { return m_scene.view(); }
     [[nodiscard]] Point toWorld(const QPointF& p_px) const { return m_scene.view().toWorld(p_px); }
     [[nodiscard]] QPointF toScreen(const Point& p_m) const { return m_scene.view().toPixel(p_m); }
 
-    /** Marks an object that a list or chart points at; empty: none. */
+    /** Marks an object that a list or chart refers to; empty for none. */
     void setHighlight(const std::string& id);
 
-    /** Shows this scenario in place of that of the document; null: the document's again. */
+    /** Shows this scenario instead of the document's; null ends the preview. */
     void setPreview(const Scenario* scenario);
 
     [[nodiscard]] QSize sizeHint() const override { return {900, 600}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
 
-    /** What menus and keys ask for. */
+    /** Returns the edits for menus and keys. */
     [[nodiscard]] MapEdits& edits() { return m_edits; }
-    /** Of the cursor; none: not over the map. */
+    /** Returns the position of the cursor; nullopt if it is not over the map. */
     [[nodiscard]] std::optional<Point> cursor_m() const;
-    /** Removes the part that the tool has current, if it has one. */
+    /** Removes the tool's current part; returns false if there is none. */
     bool removePart();
 
-    /** A tool is drawing: undo is to take back its last point and nothing else. */
+    /** Returns true if a tool is drawing; undo then removes its last point only. */
     [[nodiscard]] bool isDrawing() const;
 
 public slots:
-    /** Takes back what is under way between press and release. */
+    /** Cancels the action between press and release. */
     void cancelGesture();
-    /** The last point of what is being drawn. */
-    void takeLastBack();
+    /** Removes the last point of the drawing. */
+    void undoLastPoint();
 
 signals:
     /** A panel was folded, unfolded or moved by mouse. */
     void panelsChanged();
     /** Another part of the Earth is shown. */
     void outlineChanged();
-    /** Why something that was asked for was not done. */
+    /** A request was rejected; `text` gives the reason. */
     void refused(const QString& text);
     void cursorMoved(const berg::Point& position_m);
     void cursorLeft();
     void toolChanged(berg::MapToolKind kind);
     void followUavChanged(bool follows);
-    /** What the tool expects now. */
+    /** The status bar text of the tool has changed. */
     void statusText(const QString& text);
-    /** The object under the cursor; empty: none. */
+    /** Another object is under the cursor; empty for none. */
     void hovered(const std::string& id);
     void editRequested(const std::string& id);
 
-    // What the user wants of a flight under way: from now on, here and now.
+    // Requests for a flight in progress, effective at once.
     void windEdited(const berg::Point& wind_mps);
     void assetMoved(const berg::Point& position_m);
-    /** Without an id. */
+    /** An iceberg without id was placed in flight. */
     void icebergPlaced(const berg::Iceberg& iceberg);
-    /** In flight: of icebergs among them. */
+    /** Removal of the icebergs among `ids` was requested in flight. */
     void removalRequested(const std::vector<std::string>& ids);
 
-    /** At objects, the first of which is selected then, or on water: none. */
+    /** A menu was requested at objects, the first of which is selected; empty on water. */
     void contextMenuRequested(const QPoint& globalPos, const berg::Point& position_m,
                               const std::vector<std::string>& ids);
 
@@ -168,13 +174,13 @@ private:
     void keepUavInSight();
     void setView(const MapViewTransform& view);
     void placeInset();
-    /** A press on what folds or moves a panel. */
+    /** Handles a press on a part of a panel; returns false if there is none. */
     bool pressPanel(const QPointF& at);
     void movePanel(const QPointF& at);
-    void letPanelGo();
+    void releasePanel();
     [[nodiscard]] const MapUav* followedUav() const;
     void endNudges();
-    void toolActed();
+    void updateToolState();
     void setHovered(const std::string& id);
     void updateHover();
     void requestContextMenu(const QPoint& globalPos, const QPointF& at);
@@ -191,28 +197,28 @@ private:
     Selection& m_selection;
     MapScene m_scene;
     MapEdits m_edits;
-    MapPicture m_picture; ///< as the owner gave it
+    MapPicture m_picture; ///< as set by the owner
     std::optional<Scenario> m_preview;
-    std::function<void(MapPicture&)> m_draft; ///< null: none
+    std::function<void(MapPicture&)> m_draft; ///< null without a draft
     MapToolKind m_toolKind = MapToolKind::Select;
     std::unique_ptr<MapTool> m_tool;
 
     bool m_isLocked = false;
     bool m_mayIntervene = false;   ///< while locked
-    bool m_isFitted = true;        ///< not moved since `fit`: a new size is fitted again
-    bool m_fitsNextPicture = true; ///< the first one of a scenario
+    bool m_isFitted = true;        ///< unmoved since `fit`: a resize fits again
+    bool m_fitsNextPicture = true; ///< next picture is the first of a scenario
     bool m_followsUav = false;
     bool m_hasKeyboardFocus = false;
-    std::optional<QPointF> m_cursor;  ///< none: not over the map
-    std::optional<QPointF> m_panFrom; ///< of the middle button
+    std::optional<QPointF> m_cursor;  ///< nullopt if not over the map
+    std::optional<QPointF> m_panFrom; ///< last position of a drag with the middle button
     std::optional<MapPanel> m_movedPanel;
-    QPointF m_panelFrom;         ///< cursor less what that panel is moved by
-    bool m_pressedPanel = false; ///< by the last press
+    QPointF m_panelFrom;         ///< cursor position minus the panel's offset
+    bool m_pressedPanel = false; ///< the last press was on a panel
     std::string m_hovered;
     std::string m_highlighted;
     QString m_status;
     QTimer m_settleTimer;
-    QWidget* m_inset = nullptr; ///< none: not shown
+    QWidget* m_inset = nullptr; ///< null if not shown
 };
 
 } // namespace berg

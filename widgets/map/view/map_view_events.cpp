@@ -1,4 +1,4 @@
-// Mouse, touch and keys of the map. All that keys mean is in `keyPressEvent`.
+// Mouse, touch and key events of the map. `keyPressEvent` handles all keys.
 
 #include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/paint/wind_panel.h"
@@ -27,13 +27,13 @@ namespace berg {
 namespace {
 
 constexpr double kKeyZoom = 1.25;
-constexpr double kWheelZoom = 1.2; // for one notch of 120 eighths of a degree
+constexpr double kWheelZoom = 1.2; // per notch of 120 eighths of a degree
 constexpr double kNotch = 120;
-constexpr double kPixelZoom = 1.003;    // for one pixel of a touch pad
-constexpr double kLargestWheelZoom = 4; // of one event, however fast the wheel spins
+constexpr double kPixelZoom = 1.003;    // per pixel of a touch pad
+constexpr double kLargestWheelZoom = 4; // limit per event for a fast wheel
 constexpr double kPan_px = 60;
 constexpr double kLargePan_px = 240;
-constexpr double kNudge_px = 2; // about; metres are round
+constexpr double kNudge_px = 2; // approximate; rounded in metres
 constexpr double kLargeNudge = 10;
 
 double wheelFactor(const QWheelEvent& event)
@@ -50,7 +50,7 @@ bool isModifier(const QKeyEvent& event)
            event.key() == Qt::Key_Alt || event.key() == Qt::Key_Meta;
 }
 
-/** Keys that mean a drawing while there is one. */
+/** Returns whether the key acts on an unfinished drawing. */
 bool isDrawingKey(const QKeyEvent& event)
 {
     return event.key() == Qt::Key_Backspace || event.matches(QKeySequence::Undo) || isEnter(event);
@@ -98,7 +98,7 @@ void MapView::movePanel(const QPointF& at)
     update();
 }
 
-void MapView::letPanelGo()
+void MapView::releasePanel()
 {
     if (std::exchange(m_movedPanel, std::nullopt))
         emit panelsChanged();
@@ -119,15 +119,15 @@ void MapView::mousePressEvent(QMouseEvent* event)
         setCursor(Qt::ClosedHandCursor);
     } else if (event->button() == Qt::RightButton && m_tool->isBusy()) {
         m_tool->cancel();
-        toolActed();
+        updateToolState();
     } else if (event->button() == Qt::RightButton && m_tool->isDrawing()) {
         m_tool->finishDrawing();
-        toolActed();
+        updateToolState();
     } else if (event->button() == Qt::RightButton) {
         requestContextMenu(event->globalPosition().toPoint(), event->position());
     } else if (event->button() == Qt::LeftButton && !m_panFrom) {
         m_tool->press(pointerOf(*event));
-        toolActed();
+        updateToolState();
     }
 }
 
@@ -136,23 +136,23 @@ void MapView::mouseMoveEvent(QMouseEvent* event)
     event->accept();
     m_cursor = event->position();
     if (!event->buttons().testFlag(Qt::LeftButton))
-        letPanelGo(); // the release went elsewhere
+        releasePanel(); // another widget got the release
     if (m_movedPanel) {
         movePanel(event->position());
     } else if (m_panFrom && event->buttons().testFlag(Qt::MiddleButton)) {
         panBy(event->position() - *m_panFrom);
         m_panFrom = event->position();
     } else if (m_tool->isBusy()) {
-        // The release may have gone elsewhere, e.g. to a dialog that came up.
+        // Another widget, such as a dialog that opened, may have got the release.
         if (event->buttons().testFlag(Qt::LeftButton))
             m_tool->move(pointerOf(*event));
         else
             m_tool->cancel();
-        toolActed();
+        updateToolState();
     } else {
         updateHover();
         if (m_tool->hover(pointerOf(*event)))
-            toolActed();
+            updateToolState();
     }
     emit cursorMoved(toWorld(event->position()));
 }
@@ -163,21 +163,21 @@ void MapView::mouseReleaseEvent(QMouseEvent* event)
     if (event->button() == Qt::MiddleButton)
         m_panFrom.reset();
     else if (event->button() == Qt::LeftButton && m_movedPanel)
-        letPanelGo();
+        releasePanel();
     else if (event->button() == Qt::LeftButton && m_tool->isBusy())
         m_tool->release(pointerOf(*event));
     updateHover();
-    toolActed();
+    updateToolState();
 }
 
 void MapView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     event->accept();
     if (event->button() == Qt::LeftButton && m_pressedPanel)
-        return; // the second click of one on a panel, which may be elsewhere now
+        return; // the first click was on a panel, which may have moved
     if (event->button() == Qt::LeftButton && m_tool->isDrawing()) {
         m_tool->finishDrawing();
-        toolActed();
+        updateToolState();
         return;
     }
     const std::string id = m_scene.objectAt(event->position());
@@ -191,7 +191,7 @@ void MapView::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept();
     if (event->reason() != QContextMenuEvent::Keyboard)
-        return; // the press of the button has asked already
+        return; // the button press already requested the menu
     QPointF at = m_scene.rect().center();
     const std::string id = m_selection.isEmpty() ? std::string() : m_selection.ids().front();
     std::vector<std::string> ids;
@@ -236,9 +236,9 @@ void MapView::keyPressEvent(QKeyEvent* event)
         if (isEnter(*event))
             m_tool->finishDrawing();
         else
-            m_tool->takeLastBack();
+            m_tool->undoLastPoint();
         event->accept();
-        toolActed();
+        updateToolState();
         return;
     }
     const bool isArrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right ||
@@ -267,13 +267,13 @@ void MapView::keyPressEvent(QKeyEvent* event)
         return;
     }
     event->accept();
-    toolActed();
+    updateToolState();
 }
 
-/** One thing at a time: what is drawn, then the tool, then the selection. */
+/** Handles Esc one step at a time: cancels the drawing, leaves the tool, clears the selection. */
 void MapView::leave()
 {
-    if (m_tool->dropDrawing())
+    if (m_tool->cancelDrawing())
         return;
     if (m_toolKind != MapToolKind::Select)
         setTool(MapToolKind::Select);
@@ -284,24 +284,24 @@ void MapView::leave()
 void MapView::pressArrow(const QKeyEvent& event)
 {
     const bool isLarge = event.modifiers().testFlag(Qt::ShiftModifier);
-    Point path = Point::Zero(); // east, north
+    Point direction = Point::Zero(); // east, north
     if (event.key() == Qt::Key_Left)
-        path.x() = -1;
+        direction.x() = -1;
     else if (event.key() == Qt::Key_Right)
-        path.x() = 1;
+        direction.x() = 1;
     else if (event.key() == Qt::Key_Up)
-        path.y() = 1;
+        direction.y() = 1;
     else
-        path.y() = -1;
+        direction.y() = -1;
     if (m_selection.isEmpty() || m_tool->isDrawing() || isLocked()) {
-        // The view goes where the arrow points, so the map goes the other way.
+        // The view moves in the direction of the arrow, so the map moves against it.
         const double pan_px = isLarge ? kLargePan_px : kPan_px;
-        panBy(QPointF(-path.x(), path.y()) * pan_px);
+        panBy(QPointF(-direction.x(), direction.y()) * pan_px);
         return;
     }
     const double step_m = roundDown125(kNudge_px / view().scale_pxpm());
-    path *= isLarge ? kLargeNudge * step_m : step_m;
-    m_edits.nudge(path.x(), path.y());
+    direction *= isLarge ? kLargeNudge * step_m : step_m;
+    m_edits.nudge(direction.x(), direction.y());
 }
 
 bool MapView::event(QEvent* event)
@@ -316,7 +316,7 @@ bool MapView::event(QEvent* event)
         const auto& key = *static_cast<QKeyEvent*>(event);
         if ((m_tool->isBusy() && key.key() == Qt::Key_Escape) ||
             (m_tool->isDrawing() && isDrawingKey(key))) {
-            event->accept(); // what is under way comes before any shortcut
+            event->accept(); // the tool's action has priority over shortcuts
             return true;
         }
     }
@@ -336,7 +336,7 @@ bool MapView::gesture(QGestureEvent& event)
     const auto* pinch = qobject_cast<QPinchGesture*>(event.gesture(Qt::PinchGesture));
     if (pinch == nullptr)
         return false;
-    m_tool->cancel(); // the first finger was no press
+    m_tool->cancel(); // the first finger looked like a press
     const QPointF centre = mapFromGlobal(pinch->centerPoint());
     if (pinch->changeFlags().testFlag(QPinchGesture::CenterPointChanged) &&
         pinch->state() != Qt::GestureStarted)
@@ -398,7 +398,7 @@ void MapView::focusOutEvent(QFocusEvent*)
 void MapView::cancelGesture()
 {
     m_tool->cancel();
-    toolActed();
+    updateToolState();
 }
 
 bool MapView::isDrawing() const
@@ -406,10 +406,10 @@ bool MapView::isDrawing() const
     return m_tool->isDrawing();
 }
 
-void MapView::takeLastBack()
+void MapView::undoLastPoint()
 {
-    m_tool->takeLastBack();
-    toolActed();
+    m_tool->undoLastPoint();
+    updateToolState();
 }
 
 std::optional<Point> MapView::cursor_m() const
@@ -421,7 +421,7 @@ bool MapView::removePart()
 {
     if (!m_tool->removePart())
         return false;
-    toolActed();
+    updateToolState();
     return true;
 }
 

@@ -22,18 +22,18 @@ struct MeasureToolText
     Q_DECLARE_TR_FUNCTIONS(MeasureTool)
 };
 
-constexpr double kSamePoint_px = 3;  // both clicks of a double click
+constexpr double kSamePoint_px = 3;  // covers both clicks of a double click
 constexpr double kPoint_px = 3.5;    // radius
 constexpr double kLabelRoom_px = 90; // legs shorter than this have no label
 
-/** A geodesic leaves the straight line on the map by less than a pixel in between. */
+/** Below this length a geodesic differs from a straight line on the map by less than a pixel. */
 constexpr double kStraight_m = 20000;
 constexpr int kMostPieces = 64;
 
-/** The way from one place to another: its length and true bearing at the start. */
+/** Vector from one place to another: geodesic length and true bearing at the start. */
 Point geodesicPath_m(LatLon from, LatLon to)
 {
-    return LocalFrame(from).toPlane(to); // about `from` this projection is exact
+    return LocalFrame(from).toPlane(to); // the projection is exact from its origin
 }
 
 QPolygonF geodesicLine(const LocalFrame& plane, const MapViewTransform& view, const Point& from_m,
@@ -50,7 +50,7 @@ QPolygonF geodesicLine(const LocalFrame& plane, const MapViewTransform& view, co
     return line;
 }
 
-/** To the decimetre at best, which a pixel is on the largest scale. */
+/** Length with decimetres at best, which are a pixel at the largest scale. */
 QString measuredText(double length_m, const QLocale& locale)
 {
     constexpr double kFine_m = 10;
@@ -125,14 +125,14 @@ void MeasureTool::finishDrawing()
         m_points_m.clear();
 }
 
-void MeasureTool::takeLastBack()
+void MeasureTool::undoLastPoint()
 {
     if (!m_points_m.empty())
         m_points_m.pop_back();
     m_isOpen = !m_points_m.empty();
 }
 
-bool MeasureTool::dropDrawing()
+bool MeasureTool::cancelDrawing()
 {
     const bool isThere = !m_points_m.empty();
     m_points_m.clear();
@@ -140,7 +140,7 @@ bool MeasureTool::dropDrawing()
     return isThere;
 }
 
-/** The points set, and while the line is open the one under the cursor. */
+/** Points set so far, and the one under the cursor while the line is open. */
 std::vector<Point> MeasureTool::line() const
 {
     std::vector<Point> points_m = m_points_m;
@@ -171,7 +171,7 @@ QString MeasureTool::totalText(const std::vector<MeasuredLeg>& legs) const
     return text + u'\n' + time;
 }
 
-/** The last leg has its words at its end. */
+/** Draws a leg with its label; that of the last leg is drawn at its end by `paint`. */
 void MeasureTool::paintLeg(QPainter& painter, const Point& from_m, const Point& to_m,
                            const MeasuredLeg& leg, bool isLast) const
 {
@@ -219,10 +219,10 @@ QCursor MeasureTool::cursor(const std::string&) const
 QString MeasureTool::status() const
 {
     if (m_isOpen)
-        return MeasureToolText::tr("Click sets the next point, Enter ends the line, Backspace "
-                                   "takes one back, Esc clears.");
+        return MeasureToolText::tr("Click to set the next point. Enter ends the line, Backspace "
+                                   "removes a point, Esc clears.");
     if (!m_points_m.empty())
-        return MeasureToolText::tr("Click begins another line. Esc clears this one.");
+        return MeasureToolText::tr("Click to start another line. Esc clears this one.");
     return MeasureToolText::tr("Click points to measure the path between them: geodesic length, "
                                "true bearing, time of flight.");
 }

@@ -5,21 +5,22 @@
 
 namespace berg {
 
-/** One leg of a measured way on WGS 84. */
+/** A measured leg on WGS 84. */
 struct MeasuredLeg
 {
-    double length_m = 0;    ///< of the geodesic
-    double bearing_deg = 0; ///< true, where the leg begins, in [0, 360)
-    double time_s = 0;      ///< of flight, straight
+    double length_m = 0;    ///< length of the geodesic
+    double bearing_deg = 0; ///< true bearing at the start of the leg, in [0, 360)
+    double time_s = 0;      ///< flight time along a straight path; zero if it cannot be flown
 };
 
-/** The leg between two places of a scenario's plane, flown by its first UAV in this wind. */
+/** Measures the leg between two points of the local plane; its time is that of the first UAV in
+ * this wind. */
 [[nodiscard]] MeasuredLeg measureLeg(const Scenario& scenario, const Point& wind_mps,
                                      const Point& from_m, const Point& to_m);
 
 /**
- * Each click adds a point to a line; legs show length and bearing, the end the sum and the time of
- * flight. Changes nothing, so it works in flight too.
+ * Measures a line: each click adds a point; legs show length and bearing, the end shows the sum and
+ * the flight time. It changes nothing, so it works in flight, too.
  */
 class MeasureTool final : public MapTool
 {
@@ -34,8 +35,8 @@ public:
     void cancel() override { drop(); }
     [[nodiscard]] bool isDrawing() const override { return m_isOpen; }
     void finishDrawing() override;
-    void takeLastBack() override;
-    bool dropDrawing() override;
+    void undoLastPoint() override;
+    bool cancelDrawing() override;
     void paint(QPainter& painter) const override;
     [[nodiscard]] QCursor cursor(const std::string& over) const override;
     [[nodiscard]] QString status() const override;
@@ -50,7 +51,7 @@ private:
                   bool isLast) const;
 
     std::vector<Point> m_points_m;
-    bool m_isOpen = false; ///< clicks add to the line; else the next one begins another
+    bool m_isOpen = false; ///< clicks extend the line; otherwise the next click starts another
     bool m_isPressed = false;
     bool m_isHovering = false;
     MapPointer m_now;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kShown_ms = 6000;
 constexpr double kRing_px = 15;
-constexpr double kTick_px = 7; ///< of the cross, outside the ring
+constexpr double kTick_px = 7; // length of the cross outside the ring
 constexpr double kGap_px = 4;
 constexpr double kPadding_px = 4;
 
@@ -67,8 +67,9 @@ void PlaceMark::paintEvent(QPaintEvent*)
     for (const QPen& pen : {QPen(m_theme.panel, 5), QPen(m_theme.plan, 2.5)}) {
         painter.setPen(pen);
         painter.drawEllipse(at, kRing_px, kRing_px);
-        for (const QPointF& path : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-            painter.drawLine(at + path * kRing_px, at + path * (kRing_px + kTick_px));
+        for (const QPointF& direction :
+             {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            painter.drawLine(at + direction * kRing_px, at + direction * (kRing_px + kTick_px));
     }
     if (m_name.isEmpty())
         return;

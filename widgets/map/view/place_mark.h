@@ -6,7 +6,7 @@
 
 namespace berg {
 
-/** Points at a place of a map for some seconds, wherever the map is moved. GUI thread. */
+/** Marks a place of a map for some seconds, also while the map moves. GUI thread. */
 class PlaceMark : public QWidget
 {
     Q_OBJECT
@@ -15,7 +15,7 @@ public:
     explicit PlaceMark(MapView& map);
 
     void setTheme(const Theme& theme);
-    /** East and north of the map's origin; `name` may be empty. */
+    /** Shows the mark at metres east and north of the map's origin; `name` may be empty. */
     void showAt(const Point& position_m, const QString& name);
 
 protected:

@@ -81,7 +81,8 @@ void IcebergTool::press(const MapPointer& pointer)
     apply();
 }
 
-/** What is there is selected; elsewhere an iceberg is drawn until it is told to the flight. */
+/** Selects an iceberg at the pointer; elsewhere draws a new one, which release adds to the flight.
+ */
 void IcebergTool::pressInFlight(const MapPointer& pointer, const std::string& object)
 {
     const std::vector<MapIceberg>& icebergs = context().scene.picture().icebergs;
@@ -180,14 +181,14 @@ QString IcebergTool::status() const
                                       .arg(sourceText(context().document.newIcebergSource(),
                                                       context().scene.locale()));
     if (context().view.isLocked())
-        return PlacingTools::tr("Click adds an iceberg that appears here and now, drag on to set "
-                                "its drift. In flight that cannot be undone.") +
+        return PlacingTools::tr("Click to add an iceberg that appears here now; drag to set its "
+                                "drift. In flight this cannot be undone.") +
                source;
     if (context().document.scenario().icebergs.size() >= kMostIcebergs)
         return PlacingTools::tr("A scenario holds at most %n icebergs.", nullptr,
                                 static_cast<int>(kMostIcebergs));
     return PlacingTools::tr(
-               "Click adds an iceberg, drag on to set its drift. Esc leaves the tool.") +
+               "Click to add an iceberg; drag to set its drift. Esc leaves the tool.") +
            source;
 }
 
@@ -200,7 +201,7 @@ void UavTool::press(const MapPointer& pointer)
     m_now = pointer;
     const Scenario& scenario = context().document.scenario();
     const Uav* grabbed = findById(scenario.uavs, scene.objectAt(pointer.at_px));
-    const Uav* meant = meantUav();
+    const Uav* meant = targetUav();
     const bool adds =
         meant == nullptr || (grabbed == nullptr && pointer.modifiers.testFlag(Qt::ControlModifier));
     if (adds && scenario.uavs.size() >= kMostUavs)
@@ -216,8 +217,8 @@ void UavTool::press(const MapPointer& pointer)
     apply();
 }
 
-/** Which one a click moves: the first selected, else the first there is; null: none. */
-const Uav* UavTool::meantUav() const
+/** UAV that a click moves: the first selected, otherwise the first of all; null without UAVs. */
+const Uav* UavTool::targetUav() const
 {
     const Scenario& scenario = context().document.scenario();
     for (const std::string& id : context().selection.ids())
@@ -279,13 +280,13 @@ void UavTool::paint(QPainter& painter) const
 QString UavTool::status() const
 {
     if (m_isTurning)
-        return PlacingTools::tr("Let go to keep this heading. Esc takes it back.");
-    const Uav* uav = meantUav();
+        return PlacingTools::tr("Release to keep this heading. Esc cancels.");
+    const Uav* uav = targetUav();
     if (uav == nullptr)
-        return PlacingTools::tr("Click places the UAV, drag on to turn it. With Ctrl it is another "
-                                "one. Esc leaves the tool.");
-    return PlacingTools::tr("Click places %1, drag on to turn it. With Ctrl it is another UAV. "
-                            "Esc leaves the tool.")
+        return PlacingTools::tr("Click to place the UAV; drag to set its heading. Ctrl+click adds "
+                                "another one. Esc leaves the tool.");
+    return PlacingTools::tr("Click to place %1; drag to set its heading. Ctrl+click adds another "
+                            "UAV. Esc leaves the tool.")
         .arg(QString::fromStdString(uav->name.empty() ? uav->id : uav->name));
 }
 
@@ -352,10 +353,10 @@ QCursor AssetTool::cursor(const std::string& over) const
 QString AssetTool::status() const
 {
     if (m_gesture)
-        return PlacingTools::tr("Let go to place it here. Esc takes it back.");
+        return PlacingTools::tr("Release to place it here. Esc cancels.");
     if (context().document.scenario().asset)
-        return PlacingTools::tr("Click moves the asset here. Esc leaves the tool.");
-    return PlacingTools::tr("Click places the protected asset. Esc leaves the tool.");
+        return PlacingTools::tr("Click to move the asset here. Esc leaves the tool.");
+    return PlacingTools::tr("Click to place the protected asset. Esc leaves the tool.");
 }
 
 } // namespace berg

@@ -4,7 +4,7 @@
 
 namespace berg {
 
-/** What places something where one clicks; Enter places it in the middle of the map. */
+/** Base of tools that place an object at a click; Enter places it in the middle of the map. */
 class PlacingTool : public MapTool
 {
 public:
@@ -18,7 +18,7 @@ public:
 protected:
     [[nodiscard]] bool isApplying() const override { return m_gesture && m_gesture->isApplying(); }
     void drop() override { m_gesture.reset(); }
-    /** Of what is pressed. */
+    /** Ends the pressed action; `takeBack` undoes its edit. */
     void end(bool takeBack);
 
     MapPointer m_press;
@@ -27,9 +27,9 @@ protected:
 };
 
 /**
- * A click adds an iceberg and selects it; dragging from it on sets its drift over ground by the
- * arrow of the map, whose tip follows the cursor. Dragging from an iceberg that is there sets the
- * drift of that one. In flight it adds icebergs only, which are told to the flight.
+ * A click adds an iceberg and selects it; dragging on sets its drift over ground by the map's drift
+ * arrow, whose tip follows the cursor. Dragging from an existing iceberg sets its drift. In flight
+ * it only adds icebergs, which the map emits.
  */
 class IcebergTool final : public PlacingTool
 {
@@ -47,19 +47,19 @@ protected:
     void drop() override;
 
 private:
-    /** Adds the iceberg unless it is there already, and sets its drift when one is drawn. */
+    /** Adds the iceberg unless it exists already, and sets its drift if one is drawn. */
     void apply();
     void beginDrift();
     void pressInFlight(const MapPointer& pointer, const std::string& object);
 
     bool m_isPressed = false;
-    Iceberg m_iceberg;                   ///< as it was pressed on, or as it is to be added
+    Iceberg m_iceberg;                   ///< existing iceberg, or the one to add
     std::unique_ptr<DriftArrow> m_arrow; ///< while a drift is drawn
 };
 
 /**
- * A click places the UAV selected, else the first one, with Ctrl another one; dragging on turns it
- * towards the cursor. Dragging from a UAV turns that one where it is.
+ * A click places the selected UAV, otherwise the first one; Ctrl adds another. Dragging on turns it
+ * towards the cursor. Dragging from a UAV only turns it.
  */
 class UavTool final : public PlacingTool
 {
@@ -76,16 +76,16 @@ protected:
     void drop() override;
 
 private:
-    [[nodiscard]] const Uav* meantUav() const;
+    [[nodiscard]] const Uav* targetUav() const;
     void apply();
 
-    Uav m_uav; ///< as it is to be
+    Uav m_uav; ///< edited UAV
     bool m_isTurning = false;
 };
 
 /**
- * A click places what is to be protected, or moves it here; it follows the cursor until the button
- * is let go.
+ * A click places the protected asset, or moves it to the click; it follows the cursor until
+ * release.
  */
 class AssetTool final : public PlacingTool
 {
@@ -100,9 +100,9 @@ public:
     [[nodiscard]] QString status() const override;
 
 private:
-    Point m_grip_m = Point::Zero(); ///< from its centre to where it was taken
-    Asset m_asset;                  ///< as it is to be
-    bool m_isMoving = false;        ///< not while a press on it may still be a click
+    Point m_grip_m = Point::Zero(); ///< from the asset's centre to the grabbed point
+    Asset m_asset;                  ///< edited asset
+    bool m_isMoving = false;        ///< false while a press on the asset may still be a click
 };
 
 } // namespace berg

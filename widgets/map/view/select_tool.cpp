@@ -101,7 +101,7 @@ void SelectTool::beginDrag()
     }
 }
 
-/** Of what is on the map only the asset can be moved then. */
+/** Starts a drag in flight, where only the asset can be moved. */
 void SelectTool::beginInFlight()
 {
     if (m_object != kAssetKey || !context().view.mayIntervene()) {
@@ -172,7 +172,7 @@ void SelectTool::clickObject(bool adds)
         selection.set({m_object});
 }
 
-/** Without a drag it is a click on a corner, or on what is under the handle. */
+/** A click without drag selects a corner, or the object under the handle. */
 void SelectTool::clickHandle(const MapPointer& pointer)
 {
     if (m_handle->kind == HandleKind::Corner) {
@@ -262,7 +262,7 @@ void SelectTool::paint(QPainter& painter) const
     if (m_phase == Phase::Banding)
         paintRubberBand(painter, QRectF(m_press.at_px, m_now.at_px).normalized(), theme);
     if (m_phase == Phase::Idle || m_phase == Phase::Handle || m_phase == Phase::Dragging)
-        // One that is dragged is hollow, so that the tip of its arrow is seen.
+        // A dragged handle is hollow, so that the tip of its arrow is visible.
         paintHandles(painter, handles(),
                      {.hovered = m_drag ? std::nullopt : m_handle, .corner = m_corner}, theme);
     if (m_phase == Phase::Dragging && !m_drag->text().isEmpty())
@@ -305,10 +305,10 @@ QCursor SelectTool::cursor(const std::string& over) const
 QString SelectTool::status() const
 {
     if (m_phase == Phase::Moving)
-        return SelectToolText::tr("Let go to place it here. Esc takes the move back.");
+        return SelectToolText::tr("Release to place it here. Esc cancels.");
     if (m_phase == Phase::Refused)
         return SelectToolText::tr(
-            "Locked while a flight is under way. Stop the flight to change the scenario.");
+            "The scenario is locked during a flight. Stop the flight to change it.");
     if (m_drag)
         return m_drag->status();
     if (m_handle)
@@ -317,12 +317,11 @@ QString SelectTool::status() const
         return SelectToolText::tr("Everything inside the frame is selected.");
     if (context().view.isLocked() && context().view.mayIntervene())
         return SelectToolText::tr(
-            "Click selects. In flight the tip of the wind's arrow and the asset can be dragged.");
+            "Click to select. In flight you can drag the tip of the wind arrow and the asset.");
     if (context().view.isLocked())
-        return SelectToolText::tr("Click selects. Stop and edit to change the scenario.");
+        return SelectToolText::tr("Click to select. Choose Stop and edit to change the scenario.");
     return SelectToolText::tr(
-        "Click selects, drag moves. Ctrl adds, a drag on water selects what is "
-        "inside the frame.");
+        "Click to select, drag to move. Ctrl+click adds; drag on open water to select a box.");
 }
 
 } // namespace berg

@@ -6,9 +6,9 @@
 namespace berg {
 
 /**
- * Click selects, Ctrl or Shift toggles; a drag of an object moves the selection, a drag on water
- * selects what is inside the frame, a drag of a handle changes drift, heading or outline of what is
- * selected. When the map is locked it selects but does not change anything.
+ * Click selects, Ctrl or Shift toggles. Dragging an object moves the selection, dragging on water
+ * selects a box, dragging a handle changes drift, heading or outline of the selection. While the
+ * map is locked, the tool selects but changes nothing except wind and asset if allowed.
  */
 class SelectTool final : public MapTool
 {
@@ -40,9 +40,9 @@ private:
         Water,
         Moving,
         Banding,
-        Handle,   ///< pressed on one, not yet moved
-        Dragging, ///< a handle
-        Refused   ///< would move something, but the map is locked
+        Handle,   ///< pressed on a handle, not yet moved
+        Dragging, ///< dragging a handle
+        Refused   ///< a drag that would move something while the map is locked
     };
 
     void pressObject(const MapPointer& pointer);
@@ -57,13 +57,13 @@ private:
     Phase m_phase = Phase::Idle;
     MapPointer m_press;
     MapPointer m_now;
-    std::string m_object;              ///< pressed on
+    std::string m_object;              ///< object under the press
     bool m_wasSelected = false;        ///< before the press
     std::vector<std::string> m_before; ///< selected before the press
-    std::vector<std::string> m_moved;  ///< by the drag under way
+    std::vector<std::string> m_moved;  ///< moved by the present drag
     std::unique_ptr<EditGesture> m_gesture;
-    std::optional<MapHandle> m_handle; ///< pressed on, or under the cursor
-    std::optional<MapHandle> m_corner; ///< of an area: what Del removes
+    std::optional<MapHandle> m_handle; ///< pressed, or under the cursor
+    std::optional<MapHandle> m_corner; ///< current corner of an area, which Del removes
     std::unique_ptr<HandleDrag> m_drag;
 };
 

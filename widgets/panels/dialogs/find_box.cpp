@@ -26,14 +26,23 @@ constexpr int kWidth_px = 460;
 constexpr double kRadius_px = 7;
 constexpr std::size_t kMostShown = 9;
 
-/** By kind. */
+/** Names by `FindKind`; places have names of their own below. */
 constexpr std::array kKindTexts{
     QT_TRANSLATE_NOOP("berg::FindBox", "Iceberg"), QT_TRANSLATE_NOOP("berg::FindBox", "UAV"),
-    QT_TRANSLATE_NOOP("berg::FindBox", "Place"), QT_TRANSLATE_NOOP("berg::FindBox", "Command")};
+    QT_TRANSLATE_NOOP("berg::FindBox", "Coordinate"), QT_TRANSLATE_NOOP("berg::FindBox", "Command"),
+    QT_TRANSLATE_NOOP("berg::FindBox", "Field")};
 
-QString kindText(FindKind kind)
+/** Names by `PlaceKind`. */
+constexpr std::array kPlaceTexts{QT_TRANSLATE_NOOP("berg::FindBox", "Sea or bay"),
+                                 QT_TRANSLATE_NOOP("berg::FindBox", "Island or coast"),
+                                 QT_TRANSLATE_NOOP("berg::FindBox", "Cape"),
+                                 QT_TRANSLATE_NOOP("berg::FindBox", "Town or station"),
+                                 QT_TRANSLATE_NOOP("berg::FindBox", "Oil or gas field")};
+
+QString kindText(const FindItem& item)
 {
-    return FindBox::tr(kKindTexts.at(static_cast<std::size_t>(kind)));
+    return FindBox::tr(item.placeKind ? kPlaceTexts.at(static_cast<std::size_t>(*item.placeKind))
+                                      : kKindTexts.at(static_cast<std::size_t>(item.kind)));
 }
 
 QString rowText(const FindItem& item)
@@ -42,7 +51,7 @@ QString rowText(const FindItem& item)
     const bool isObject = item.kind == FindKind::Iceberg || item.kind == FindKind::Uav;
     if (isObject && item.other != item.text && !item.other.isEmpty())
         text += u" (%1)"_s.arg(item.other);
-    text += u"   –   "_s + kindText(item.kind);
+    text += u"   –   "_s + kindText(item);
     return item.hint.isEmpty() ? text : text + u", "_s + item.hint;
 }
 
@@ -52,7 +61,7 @@ FindBox::FindBox(QWidget* parent) : QWidget(parent)
 {
     setObjectName(u"findBox"_s);
     setCursor(Qt::ArrowCursor);
-    setAttribute(Qt::WA_NoMousePropagation); // a press beside the field is none on the map
+    setAttribute(Qt::WA_NoMousePropagation); // a press beside the field must not reach the map
     addRows();
     connect(m_field, &QLineEdit::textEdited, this, &FindBox::showMatches);
     connect(m_field, &QLineEdit::returnPressed, this, &FindBox::choose);
@@ -91,7 +100,7 @@ void FindBox::addRows()
     m_list->setObjectName(u"findList"_s);
     m_list->setAccessibleName(tr("Found"));
     followSelection(*m_list);
-    m_list->setFocusPolicy(Qt::NoFocus); // the arrow keys of the line move in it
+    m_list->setFocusPolicy(Qt::NoFocus); // the arrow keys of the line move in the list
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_reason = new QLabel;
     m_reason->setObjectName(u"findReason"_s);
@@ -154,13 +163,14 @@ void FindBox::showMatches()
     if (rows > 0)
         m_list->setFixedHeight(rows * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth());
     showCurrent();
-    const QString text = m_field->text().trimmed(); // a coordinate may still become one
+    // An incomplete coordinate is not reported as missing.
+    const QString text = m_field->text().trimmed();
     if (rows == 0 && !text.isEmpty() &&
         std::ranges::none_of(text, [](QChar c) { return c.isDigit(); }))
         explain(tr("Nothing found"));
 }
 
-/** A coordinate that is typed may be one. */
+/** A typed coordinate may be a favourite too. */
 bool FindBox::isFavourite(const QString& key) const
 {
     return std::ranges::any_of(m_request.items, [&](const FindItem& item) {
@@ -168,7 +178,7 @@ bool FindBox::isFavourite(const QString& key) const
     });
 }
 
-/** What can be done with what is chosen in the list. */
+/** Updates the actions for the current item of the list. */
 void FindBox::showCurrent()
 {
     const FindItem* item = current();
@@ -198,11 +208,11 @@ void FindBox::choose()
             explain(m_field->text().trimmed().isEmpty() ? QString() : *reason);
         return;
     }
-    const FindItem item = *current(); // a copy: whoever is told may open the box anew
+    const FindItem item = *current(); // a copy, because a receiver may open the box again
     if (m_request.asksWhere) {
         dismiss();
         emit whereChosen(item.at);
-    } else if (item.kind == FindKind::Place && !reachedPoint(item.at, m_request.origin)) {
+    } else if (item.kind == FindKind::Place && !pointInReach(item.at, m_request.origin)) {
         chooseFarPlace(item);
     } else {
         dismiss();
@@ -210,6 +220,8 @@ void FindBox::choose()
             emit placeChosen(item.at, item.key.isEmpty() ? QString() : item.text);
         else if (item.kind == FindKind::Command)
             emit commandChosen(item.key);
+        else if (item.kind == FindKind::Field)
+            emit fieldChosen(item.key);
         else
             emit objectChosen(item.key.toStdString());
     }
@@ -235,7 +247,7 @@ void FindBox::toggleFavourite()
             one.isFavourite = isFavourite;
             isKnown = true;
         }
-    if (!isKnown) { // a coordinate that was typed
+    if (!isKnown) { // a typed coordinate
         m_request.items.push_back(*item);
         m_request.items.back().isFavourite = isFavourite;
     }
@@ -255,7 +267,7 @@ void FindBox::dismiss()
 {
     if (isHidden())
         return;
-    emit closed(); // first: who takes the focus then is not given it as by the tabulator
+    emit closed(); // emitted first, so that the focus is not passed on as by the Tab key
     hide();
 }
 
@@ -283,7 +295,7 @@ void FindBox::keyPressEvent(QKeyEvent* event)
         dismiss();
     else
         QWidget::keyPressEvent(event);
-    event->accept(); // never to the map below
+    event->accept(); // keys never reach the map below
 }
 
 bool FindBox::eventFilter(QObject* watched, QEvent* event)

@@ -14,42 +14,44 @@ class QToolButton;
 namespace berg {
 
 /**
- * One line over the map that finds icebergs, UAVs, places, coordinates and commands, with a list
- * of what it finds. A place beyond what the scenario reaches is not gone to; the box then offers to
- * move the scenario there. Keeps to the middle of the upper edge of its parent. GUI thread.
+ * Search box over the map for icebergs, UAVs, places, coordinates, commands and fields of the
+ * Inspector, with a list of matches. For a place beyond the reach of the scenario it offers to move
+ * the scenario there. Stays at the middle of the upper edge of its parent. GUI thread.
  */
 class FindBox : public QWidget
 {
     Q_OBJECT
 
 public:
-    /** What the box is opened for. */
+    /** Contents and options of the opened box. */
     struct Request
     {
         std::vector<FindItem> items;
-        LatLon origin;          ///< of the scenario
-        bool mayMove = true;    ///< the scenario; not in flight
-        bool asksWhere = false; ///< of a new scenario: whatever is chosen is where it is
+        LatLon origin;          ///< origin of the scenario
+        bool mayMove = true;    ///< whether the scenario can be moved; false in flight
+        bool asksWhere = false; ///< asks for the place of a new scenario: any choice is that place
     };
 
     explicit FindBox(QWidget* parent);
 
     void setTheme(const Theme& theme);
     void open(Request request);
-    /** Nothing is chosen. */
+    /** Closes the box without a choice. */
     void dismiss();
 
 signals:
-    /** `name` is empty for a coordinate. */
+    /** Emitted with an empty `name` for a coordinate. */
     void placeChosen(const berg::LatLon& place, const QString& name);
-    /** An iceberg or UAV. */
+    /** Emitted with the id of an iceberg or UAV. */
     void objectChosen(const std::string& id);
     void commandChosen(const QString& name);
-    /** The scenario is wanted there. */
+    /** Emitted with the key of an input of the Inspector. */
+    void fieldChosen(const QString& key);
+    /** Requests to move the scenario there. */
     void moveRequested(const berg::LatLon& place);
-    /** A new scenario is wanted there. */
+    /** Requests a new scenario there. */
     void newRequested(const berg::LatLon& place);
-    /** Where the new scenario is. */
+    /** Emitted with the place of the new scenario. */
     void whereChosen(const berg::LatLon& place);
     void favouriteChanged(const QString& key, bool isFavourite);
     void closed();
@@ -79,7 +81,7 @@ private:
     QPushButton* m_new = nullptr;
     Theme m_theme = Theme::light();
     Request m_request;
-    std::vector<FindItem> m_found; ///< as listed
+    std::vector<FindItem> m_found; ///< in the order of the list
 };
 
 } // namespace berg

@@ -31,7 +31,7 @@ constexpr double kLargestSpacing_m = 100'000;
 constexpr double kWidth_m = 5000; ///< Table 3 of the paper
 constexpr double kHeight_m = 4000;
 
-/** A row of the form: what it is about, then fields and the words between them side by side. */
+/** Adds a form row: a label, then fields and the words between them side by side. */
 void addRow(QFormLayout& form, const QString& text, std::initializer_list<QWidget*> widgets)
 {
     auto* row = new QHBoxLayout;
@@ -50,13 +50,13 @@ std::vector<Point> cornersOf(const Point& low_m, const Point& high_m)
     return {low_m, {high_m.x(), low_m.y()}, high_m, {low_m.x(), high_m.y()}};
 }
 
-/** Why nothing is drawn; the fields alone rule out the other faults. */
+/** Returns why nothing is generated. The fields prevent all other faults. */
 QString faultText(const Error& error)
 {
     for (const Issue& issue : error.issues()) {
         if (issue.field == "spacing_m")
-            return GenerateDialog::tr("There is no room for so many so far from each other. Take "
-                                      "fewer, a smaller distance or a larger area.");
+            return GenerateDialog::tr("There is no room for this many icebergs at this spacing. "
+                                      "Choose fewer icebergs, a smaller spacing or a larger area.");
         if (issue.field == "area_m")
             return GenerateDialog::tr("The area is too thin to place icebergs in.");
         if (issue.field == "icebergs")
@@ -84,7 +84,7 @@ GenerateDialog::GenerateDialog(const Scenario& scenario, const WorldBounds& view
     m_number->setObjectName(u"generateNumber"_s);
     m_number->setRange(1, static_cast<int>(kMostIcebergs));
     m_number->setValue(FieldRequest{}.icebergs);
-    m_number->selectAll(); // another number is typed at once
+    m_number->selectAll(); // another number can be typed at once
     addRow(*form, tr("&Number"), {m_number});
     connect(m_number, &QSpinBox::valueChanged, this, &GenerateDialog::draw);
     addPlace(*form);
@@ -115,7 +115,7 @@ void GenerateDialog::addPlace(QFormLayout& form)
     m_place->setObjectName(u"generatePlace"_s);
     if (!m_scenario.area_m.empty())
         m_place->addItem(tr("The scenario's area"), static_cast<int>(Place::Area));
-    m_place->addItem(tr("What the map shows"), static_cast<int>(Place::View));
+    m_place->addItem(tr("Visible part of the map"), static_cast<int>(Place::View));
     m_place->addItem(tr("Rectangle in the middle of the map"), static_cast<int>(Place::Rectangle));
     addRow(form, tr("&Where"), {m_place});
     const auto side = [this, unit = longDistanceUnit()](const char* name, const QString& label,
@@ -153,22 +153,22 @@ void GenerateDialog::addMotion(QFormLayout& form)
     m_direction = new QComboBox;
     m_direction->setObjectName(u"generateDirection"_s);
     m_direction->addItem(tr("In any direction"));
-    m_direction->addItem(tr("About one direction"));
-    m_direction->addItem(tr("Not known, changing within 10 h"));
+    m_direction->addItem(tr("Around one direction"));
+    m_direction->addItem(tr("Unknown, changing within 10 h"));
     m_direction->setItemData(2,
                              tr("As fitted to a beacon: 0.15 m/s along each axis, in any "
-                                "direction. The icebergs are then measured in flight."),
+                                "direction. Icebergs are then measured in flight."),
                              Qt::ToolTipRole);
     addRow(form, tr("D&rift"), {m_direction});
     m_towards_deg = makeNumber({"generateTowards",
-                                tr("Direction they drift to, from north"),
+                                tr("Drift direction, clockwise from north"),
                                 u"°"_s,
                                 {0, 1},
                                 360,
                                 5,
                                 180});
     m_spread_deg =
-        makeNumber({"generateSpread", tr("To either side of it"), u"°"_s, {0, 1}, 180, 5, 30});
+        makeNumber({"generateSpread", tr("Spread to either side"), u"°"_s, {0, 1}, 180, 5, 30});
     m_towards_deg->setWrapping(true);
     addRow(form, tr("D&irection"), {m_towards_deg, new QLabel(u"±"_s), m_spread_deg});
     connect(m_direction, &QComboBox::currentIndexChanged, this, &GenerateDialog::draw);
@@ -194,14 +194,14 @@ void GenerateDialog::addUncertainty(QFormLayout& form)
     const bool isNautical = shownUnits().distance == DistanceUnit::Nautical;
     const ShownUnit spacing = distanceUnit();
     m_spacing = makeNumber({"generateSpacing",
-                            tr("Least distance between two icebergs"),
+                            tr("Minimum distance between two icebergs"),
                             u' ' + spacing.name,
                             {0, isNautical ? 3 : 1},
                             std::floor(spacing.fromSi(kLargestSpacing_m)),
                             isNautical ? 0.05 : 50,
                             spacing.fromSi(standard.spacing_m)});
     m_spacing->setLowestText(tr("none"));
-    addRow(form, tr("Least &distance"), {m_spacing});
+    addRow(form, tr("&Minimum spacing"), {m_spacing});
 }
 
 void GenerateDialog::addSeed(QFormLayout& form)
@@ -210,7 +210,7 @@ void GenerateDialog::addSeed(QFormLayout& form)
     m_seed->setObjectName(u"generateSeed"_s);
     m_seed->setRange(0, kLastSeed);
     m_seed->setValue(static_cast<int>(FieldRequest{}.seed));
-    m_seed->setToolTip(tr("The same number draws the same field again."));
+    m_seed->setToolTip(tr("The same seed generates the same field again."));
     auto* dice = new QPushButton(tr("&Another"));
     dice->setObjectName(u"generateDice"_s);
     dice->setToolTip(tr("Generates another random field."));
@@ -223,7 +223,7 @@ void GenerateDialog::addSeed(QFormLayout& form)
 
 void GenerateDialog::addEnd(QFormLayout& form)
 {
-    m_replace = new QCheckBox(tr("R&eplace the present icebergs"));
+    m_replace = new QCheckBox(tr("R&eplace existing icebergs"));
     m_replace->setObjectName(u"generateReplace"_s);
     m_replace->setEnabled(!m_scenario.icebergs.empty());
     form.addRow(QString(), m_replace);
@@ -232,7 +232,7 @@ void GenerateDialog::addEnd(QFormLayout& form)
     m_state = new QLabel;
     m_state->setObjectName(u"generateState"_s);
     m_state->setWordWrap(true);
-    m_state->setMinimumHeight(2 * fontMetrics().lineSpacing()); // the dialog stands still
+    m_state->setMinimumHeight(2 * fontMetrics().lineSpacing()); // the dialog keeps its size
     m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     layout()->addWidget(m_state);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -241,7 +241,7 @@ void GenerateDialog::addEnd(QFormLayout& form)
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout()->addWidget(buttons);
-    m_ok->setDefault(true); // known to the dialog by now
+    m_ok->setDefault(true); // the dialog knows the button only now
 }
 
 GenerateDialog::Place GenerateDialog::place() const
@@ -301,7 +301,7 @@ void GenerateDialog::draw()
             present.icebergs.clear();
         const std::vector<Iceberg> icebergs = generateIcebergs(present, request());
         present.icebergs.insert(present.icebergs.end(), icebergs.begin(), icebergs.end());
-        if (request().fittedDrift) // with the simple observer velocities are known
+        if (request().fittedDrift) // the simple observer takes velocities as known
             present.observer.model = ObserverModel::Kalman;
         m_result = std::move(present);
         m_count = static_cast<int>(icebergs.size());
@@ -316,7 +316,7 @@ void GenerateDialog::showState(const QString& fault)
 {
     m_ok->setEnabled(fault.isEmpty());
     const auto all = static_cast<int>(m_result.icebergs.size());
-    const QString held = tr("The scenario then holds %n icebergs.", nullptr, all);
+    const QString held = tr("The scenario will have %n icebergs.", nullptr, all);
     m_state->setText(fault.isEmpty() ? held : fault);
 }
 

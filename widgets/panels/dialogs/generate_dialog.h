@@ -16,28 +16,28 @@ class QSpinBox;
 namespace berg {
 
 /**
- * Asks what field of icebergs to draw, and draws it anew at every change: whoever shows the dialog
- * shows the result on the map. It changes nothing itself.
+ * Asks for the parameters of a random field of icebergs and generates it at every change. The owner
+ * shows the result on the map; the dialog itself changes nothing.
  */
 class GenerateDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /** `view_m` is what the map shows. */
+    /** `view_m` is the part of the plane that the map shows. */
     GenerateDialog(const Scenario& scenario, const WorldBounds& view_m, QWidget* parent = nullptr);
 
-    /** The scenario with the field in it; the one there was while no field can be drawn. */
+    /** The scenario with the generated field, or the original one if no field can be generated. */
     [[nodiscard]] const Scenario& result() const { return m_result; }
-    /** Icebergs drawn; 0: none can be. */
+    /** Number of icebergs generated; 0 if none can be. */
     [[nodiscard]] int count() const { return m_count; }
 
 signals:
-    /** `result` is new. */
+    /** Emitted when `result` has changed. */
     void drawn();
 
 private:
-    /** Where the icebergs are to lie. */
+    /** Region in which the icebergs lie. */
     enum class Place
     {
         Area,
@@ -45,7 +45,7 @@ private:
         Rectangle
     };
 
-    /** A number from 0 on. */
+    /** Specification of a number field with the lower limit 0. */
     struct NumberSpec
     {
         const char* name;

@@ -11,11 +11,11 @@
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHeaderView>
-#include <QSortFilterProxyModel>
 #include <QTableView>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace Qt::StringLiterals;
 
@@ -28,7 +28,7 @@ struct ImportCells
 };
 
 constexpr int kRow_px = 22;
-constexpr int kRowsMeasured = 50; ///< for the width of a column
+constexpr int kRowsMeasured = 50; ///< rows measured for the width of a column
 
 enum IcebergCell
 {
@@ -39,6 +39,7 @@ enum IcebergCell
     Age,
     Speed,
     Direction,
+    VelocityFrom,
     Sigma,
     Growth,
     Notes
@@ -48,7 +49,8 @@ QString notesText(const ImportedIceberg& report)
 {
     QStringList notes;
     for (const ImportNote note : report.notes)
-        notes << importNoteSentence(note);
+        if (note != ImportNote::VelocityGiven && note != ImportNote::VelocityUnknown)
+            notes << importNoteSentence(note); // a separate column states the source of velocities
     return notes.join(u", "_s);
 }
 
@@ -60,7 +62,7 @@ std::optional<UtcTime> lastSeen(const ImportPreview& preview, const ImportRow& r
            std::chrono::milliseconds(static_cast<std::int64_t>(row.report.age_s * 1000));
 }
 
-/** The number that a cell is about; none: it is about words, or there is none. */
+/** Returns the number of a cell, or nullopt if the cell has text or is empty. */
 std::optional<double> numberOfCell(const ImportRow& row, int cell)
 {
     const bool drifts = row.taken && row.velocity_mps.norm() > 0;
@@ -95,6 +97,8 @@ QString icebergText(const ImportPreview& preview, const ImportRow& row, int cell
         return importOutcomeWord(row.report.outcome);
     if (cell == Notes)
         return notesText(row.report);
+    if (cell == VelocityFrom)
+        return row.taken ? velocitySourceText(row.report, locale) : QString();
     if (cell == LastSeen) {
         const std::optional<UtcTime> time = lastSeen(preview, row);
         return time ? utcTimeText(*time) : QString();
@@ -117,7 +121,7 @@ QString icebergText(const ImportPreview& preview, const ImportRow& row, int cell
     }
 }
 
-/** Name of the field that a column serves as; empty: it is not used. */
+/** Returns the name of the field that a column is used for; empty if it is unused. */
 QString fieldOf(const ImportPreview& preview, const QString& column)
 {
     if (preview.file)
@@ -127,7 +131,9 @@ QString fieldOf(const ImportPreview& preview, const QString& column)
     return {};
 }
 
-/** The selected rows, all when none is, with the titles; cells apart by tabs. */
+/**
+ * Returns the selected rows, or all without a selection, with titles; cells are separated by tabs.
+ */
 QString copiedRows(const QTableView& table)
 {
     const QAbstractItemModel& model = *table.model();
@@ -157,47 +163,50 @@ CellSheet icebergSheet(const PreviewPointer& preview, const QLocale& locale)
     return {.titles = {ImportCells::tr("Id"), ImportCells::tr("Result"),
                        ImportCells::tr("Sightings"), ImportCells::tr("Last seen, UTC"),
                        ImportCells::tr("Age"), ImportCells::tr("Speed, m/s"),
-                       ImportCells::tr("Direction, °"), ImportCells::tr("σ, m²"),
-                       ImportCells::tr("q, m²/s"), ImportCells::tr("Notes")},
+                       ImportCells::tr("Direction, °"), ImportCells::tr("Velocity from"),
+                       ImportCells::tr("σ, m²"), ImportCells::tr("q, m²/s"),
+                       ImportCells::tr("Notes")},
             .rows = static_cast<int>(preview->rows.size()),
             .text =
                 [preview, locale](int row, int column) {
                     return icebergText(*preview, preview->rows[static_cast<std::size_t>(row)],
                                        column, locale);
                 },
-            .sortKey = [preview, locale](int row, int column) -> QVariant {
+            .key = [preview, locale](int row, int column) -> CellKey {
                 const ImportRow& iceberg = preview->rows[static_cast<std::size_t>(row)];
-                if (column == Id || column == Outcome || column == Notes)
-                    return icebergText(*preview, iceberg, column, locale);
-                const std::optional<double> number = numberOfCell(iceberg, column);
-                return number ? QVariant(*number) : QVariant();
+                if (column == Id || column == Outcome || column == VelocityFrom || column == Notes)
+                    return {.text = icebergText(*preview, iceberg, column, locale)};
+                constexpr double kLast = std::numeric_limits<double>::infinity();
+                return {.number = numberOfCell(iceberg, column).value_or(kLast)};
             }};
 }
 
-CellSheet rejectedSheet(const PreviewPointer& preview, const QLocale& locale)
+CellSheet rowSheet(const PreviewPointer& preview, Rejections ImportResult::*list,
+                   const QLocale& locale)
 {
-    const auto rowOf = [preview](int row) -> const RejectedRow& {
-        return preview->result.rejected.first[static_cast<std::size_t>(row)];
+    const auto rowOf = [preview, list](int row) -> const RejectedRow& {
+        return (preview->result.*list).first[static_cast<std::size_t>(row)];
     };
-    const std::string_view counted = preview->result.rejected.place;
+    const Rejections& rows = preview->result.*list;
+    const std::string_view counted = rows.place;
     const QString place = counted == "feature"  ? ImportCells::tr("Feature")
                           : counted == "packet" ? ImportCells::tr("Packet")
                                                 : ImportCells::tr("Line");
     return {.titles = {place, ImportCells::tr("Reason"), ImportCells::tr("Text")},
-            .rows = static_cast<int>(preview->result.rejected.first.size()),
+            .rows = static_cast<int>(rows.first.size()),
             .text = [rowOf, locale](int row, int column) -> QString {
-                const RejectedRow& rejected = rowOf(row);
+                const RejectedRow& listed = rowOf(row);
                 if (column == 0)
-                    return fixedText(static_cast<double>(rejected.line), 0, locale);
-                return column == 1 ? issueWords(rejected.fault)
-                                   : QString::fromStdString(rejected.detail);
+                    return fixedText(static_cast<double>(listed.line), 0, locale);
+                return column == 1 ? issueWords(listed.fault)
+                                   : QString::fromStdString(listed.detail);
             },
-            .sortKey = [rowOf](int row, int column) -> QVariant {
-                const RejectedRow& rejected = rowOf(row);
+            .key = [rowOf](int row, int column) -> CellKey {
+                const RejectedRow& listed = rowOf(row);
                 if (column == 0)
-                    return static_cast<qulonglong>(rejected.line);
-                return column == 1 ? issueWords(rejected.fault)
-                                   : QString::fromStdString(rejected.detail);
+                    return {.number = static_cast<double>(listed.line)};
+                return {.text = column == 1 ? issueWords(listed.fault)
+                                            : QString::fromStdString(listed.detail)};
             }};
 }
 
@@ -215,17 +224,13 @@ CellSheet headSheet(const PreviewPointer& preview)
                 [preview](int row, int column) {
                     return preview->head.rows[static_cast<std::size_t>(row)].value(column);
                 },
-            .sortKey = [](int row, int) { return row; }};
+            .key = [](int row, int) { return CellKey{.number = static_cast<double>(row)}; }};
 }
 
 QTableView* newCellTable(CellModel& model, const QString& name, const QString& accessibleName)
 {
     auto* table = new QTableView;
-    auto* sorted = new QSortFilterProxyModel(table);
-    sorted->setSortRole(CellModel::SortRole);
-    sorted->setSourceModel(&model);
-    sorted->sort(-1);
-    table->setModel(sorted);
+    table->setModel(&model);
     table->setObjectName(name);
     table->setAccessibleName(accessibleName);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -11,14 +11,15 @@ namespace berg {
 
 using PreviewPointer = std::shared_ptr<const ImportPreview>;
 
-/** What becomes of each iceberg of the file. */
+/** Returns a table of the icebergs of the file and their outcome. */
 [[nodiscard]] CellSheet icebergSheet(const PreviewPointer& preview, const QLocale& locale);
-/** Line, reason and text of what was rejected. */
-[[nodiscard]] CellSheet rejectedSheet(const PreviewPointer& preview, const QLocale& locale);
-/** The first rows of the file; what a column serves as is below its name. */
+/** Returns line, reason and text of the rows in one list of the result. */
+[[nodiscard]] CellSheet rowSheet(const PreviewPointer& preview, Rejections ImportResult::*list,
+                                 const QLocale& locale);
+/** Returns the first rows of the file; below each column name is the field it is used for. */
 [[nodiscard]] CellSheet headSheet(const PreviewPointer& preview);
 
-/** A table for such sheets: sorted by a click, selected rows copied by the usual keys. */
+/** Returns a table view of such a sheet: a click sorts, the copy keys copy the selected rows. */
 [[nodiscard]] QTableView* newCellTable(CellModel& model, const QString& name,
                                        const QString& accessibleName);
 

@@ -3,6 +3,7 @@
 #include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/fields/wheel_guard.h"
+#include "widgets/words/source_text.h"
 #include "widgets/words/time_entry.h"
 
 #include <QCheckBox>
@@ -26,7 +27,7 @@ constexpr int kGap_px = 5;
 constexpr double kHighestError_m = 1e6;
 constexpr double kHighestGrowth_m2ps = 1e6;
 
-/** In a form that `readTime` reads. */
+/** Returns the time in a form that `readTime` reads. */
 QString lineText(UtcTime time)
 {
     return QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), QTimeZone::utc())
@@ -47,7 +48,7 @@ GeoBox boxRound(std::span<const LatLon> outline)
     if (outline.empty())
         return {};
     GeoBox box{.south_deg = 90, .west_deg = 0, .north_deg = -90, .east_deg = 0};
-    double turned_deg = 0; // from the first place, not cut at the antimeridian
+    double turned_deg = 0; // angle turned from the first place, not cut at the antimeridian
     double west_deg = 0;
     double east_deg = 0;
     double before_deg = outline.front().longitude_deg;
@@ -62,7 +63,7 @@ GeoBox boxRound(std::span<const LatLon> outline)
         box.north_deg = std::max(box.north_deg, place.latitude_deg);
         latitudes_deg += place.latitude_deg;
     }
-    if (std::abs(turned_deg) > 180 || east_deg - west_deg >= 360) { // round a pole
+    if (std::abs(turned_deg) > 180 || east_deg - west_deg >= 360) { // the outline encloses a pole
         (latitudes_deg < 0 ? box.south_deg : box.north_deg) = latitudes_deg < 0 ? -90 : 90;
         box.west_deg = -180;
         box.east_deg = 180;
@@ -86,28 +87,32 @@ ImportOptionsView::ImportOptionsView(const QString& presentName, bool intoNew, Q
     addTarget(presentName, intoNew);
     addDates();
     m_at = addTime(u"importAt"_s, tr("S&tart at"),
-                   tr("UTC time that becomes the start of the scenario. Otherwise the last "
-                      "sighting is."));
+                   tr("UTC time that becomes the start of the scenario. Otherwise its start stays, "
+                      "or moves to the last sighting if that is later."));
     m_since = addTime(u"importSince"_s, tr("Not &before"), tr("Earlier sightings are left out."));
     m_until = addTime(u"importUntil"_s, tr("Not &after"), tr("Later sightings are left out."));
     addArea();
+    addSource();
     m_error = addNumber(u"importPositionError"_s, tr("Position &error"),
-                        tr("Standard deviation of a position where the file tells none: 20 m by "
-                           "satellite navigation, 300 m by Argos, 1,852 m from an aircraft."),
-                        kGps_m, kHighestError_m, 1, u" m"_s);
-    connect(m_error, &NumberField::edited, this, [this] { m_errorChosen = true; });
+                        tr("Standard deviation of a position along each axis if the file states "
+                           "none and no column names the source."),
+                        kMarkedPlace_m, kHighestError_m, 1, u" m"_s);
+    connect(m_error, &NumberField::edited, this, [this] {
+        m_errorChosen = true;
+        m_source->setCurrentIndex(m_source->count() - 1);
+    });
     m_spread = addNumber(u"importSpread"_s, tr("Drift &variation"),
-                         tr("Standard deviation of the drift where it is not known, along each "
-                            "axis. With 0 the drift is taken as known and constant."),
+                         tr("Standard deviation of an unknown drift along each axis. With 0 the "
+                            "drift counts as known and constant."),
                          standard.track.drift.velocitySpread_mps, 5, 3, u" m/s"_s);
     m_velocityTime =
         addNumber(u"importVelocityTime"_s, tr("Drift &changes in"),
-                  tr("Time in which a drift that was known is known no more. 0: never."),
+                  tr("Time after which a known drift is no longer valid. 0 means never."),
                   standard.track.drift.velocityTime_s / 3600, 1e5, 2, u" h"_s);
-    m_growth = addNumber(u"importGrowth"_s, tr("&Growth q"),
-                         tr("Growth of the uncertainty where the sightings are too few to "
-                            "estimate it."),
-                         standard.q_m2ps, kHighestGrowth_m2ps, 6, u" m²/s"_s);
+    m_growth =
+        addNumber(u"importGrowth"_s, tr("&Growth q"),
+                  tr("Growth of the uncertainty if there are too few sightings to estimate it."),
+                  standard.q_m2ps, kHighestGrowth_m2ps, 6, u" m²/s"_s);
     addTracks();
     enableInputs();
 }
@@ -119,15 +124,38 @@ void ImportOptionsView::addTarget(const QString& presentName, bool intoNew)
     m_target->addItem(tr("This scenario"));
     m_target->addItem(tr("A new scenario"));
     m_target->setItemData(0, presentName, Qt::ToolTipRole);
-    m_target->setToolTip(tr("Icebergs that this scenario has already are updated by their "
-                            "ids."));
+    m_target->setToolTip(tr("Icebergs already in this scenario are updated by their ids."));
     m_target->setCurrentIndex(intoNew ? 1 : 0);
     guardWheel(*m_target);
     connect(m_target, &QComboBox::currentIndexChanged, this, &ImportOptionsView::edited);
     m_form->addRow(tr("&Into"), m_target);
 }
 
-/** Seen when the file leaves it open. */
+/** The choice sets the position error, which can also be typed. */
+void ImportOptionsView::addSource()
+{
+    m_source = new QComboBox;
+    m_source->setObjectName(u"importSource"_s);
+    m_source->addItem(tr("As stated in the file"));
+    for (const SightingSource source : kSightingSources)
+        m_source->addItem(sourceName(source), static_cast<int>(source));
+    m_source->addItem(tr("As typed"));
+    m_source->setToolTip(tr("Sensor that found the positions. Rows whose column “source”, “method” "
+                            "or “sensor” names another source use its error."));
+    guardWheel(*m_source);
+    connect(m_source, &QComboBox::activated, this, [this] {
+        const QVariant source = m_source->currentData();
+        m_errorChosen = m_source->currentIndex() > 0;
+        if (source.isValid() || !m_errorChosen)
+            m_error->showValue(source.isValid()
+                                   ? errorOf(static_cast<SightingSource>(source.toInt())).sd_m
+                                   : m_fileError_m);
+        emit edited();
+    });
+    m_form->addRow(tr("Seen b&y"), m_source);
+}
+
+/** Shown only if the file leaves the order of dates open. */
 void ImportOptionsView::addDates()
 {
     m_dates = new QComboBox;
@@ -135,7 +163,7 @@ void ImportOptionsView::addDates()
     m_dates->addItem(tr("Automatic"));
     m_dates->addItem(tr("Month first: 12/31/2021"), static_cast<int>(DateOrder::MonthFirst));
     m_dates->addItem(tr("Day first: 31/12/2021"), static_cast<int>(DateOrder::DayFirst));
-    m_dates->setToolTip(tr("How dates such as 05/02/2021 are meant."));
+    m_dates->setToolTip(tr("How to read dates such as 05/02/2021."));
     guardWheel(*m_dates);
     connect(m_dates, &QComboBox::currentIndexChanged, this, &ImportOptionsView::edited);
     m_form->addRow(tr("Dat&es"), m_dates);
@@ -148,7 +176,7 @@ ImportOptionsView::TimeRow ImportOptionsView::addTime(const QString& name, const
     auto* box = new QCheckBox(text);
     box->setObjectName(name + u"Box"_s);
     box->setToolTip(toolTip);
-    const auto whyNot = [](const QString& typed) {
+    const auto faultOf = [](const QString& typed) {
         const auto read = readTime(typed, std::nullopt);
         const auto* fault = std::get_if<QString>(&read);
         return fault != nullptr ? *fault : QString();
@@ -156,8 +184,8 @@ ImportOptionsView::TimeRow ImportOptionsView::addTime(const QString& name, const
     const TimeRow row{.box = box,
                       .edit = new EntryField(
                           {.key = name, .label = QString(text).remove(u'&'), .toolTip = toolTip},
-                          EntryField::Says::WhenFinished, whyNot)};
-    row.edit->showText(lineText(UtcTime(std::chrono::seconds(946'684'800)))); // 2000
+                          EntryField::ValidationTime::WhenFinished, faultOf)};
+    row.edit->showText(lineText(UtcTime(std::chrono::seconds(946'684'800)))); // the year 2000
     connect(row.box, &QCheckBox::toggled, this, [this] {
         enableInputs();
         emit edited();
@@ -172,7 +200,7 @@ void ImportOptionsView::addArea()
     m_areaBox = new QCheckBox(tr("Insi&de"));
     m_areaBox->setObjectName(u"importAreaBox"_s);
     m_areaBox->setToolTip(tr("Sightings outside these latitudes and longitudes are left out."));
-    m_presentView = new QPushButton(tr("What the &map shows"));
+    m_presentView = new QPushButton(tr("Visible part of the &map"));
     m_presentView->setObjectName(u"importPresentView"_s);
     m_presentView->setAutoDefault(false);
     connect(m_presentView, &QPushButton::clicked, this, &ImportOptionsView::presentViewRequested);
@@ -223,20 +251,10 @@ void ImportOptionsView::addTracks()
 {
     m_tracks = new QCheckBox(tr("With &recorded tracks"));
     m_tracks->setObjectName(u"importTracks"_s);
-    m_tracks->setToolTip(tr("Sightings after the start become the true motion of an iceberg. Name "
-                            "the start for that."));
+    m_tracks->setToolTip(tr(
+        "Sightings after the start become the true motion of an iceberg. Requires a start time."));
     connect(m_tracks, &QCheckBox::toggled, this, &ImportOptionsView::edited);
     m_form->addRow(m_tracks);
-    m_one = new QCheckBox(tr("All rows are &one iceberg"));
-    m_one->setObjectName(u"importOne"_s);
-    m_one->setToolTip(tr("The file names no icebergs: its rows are the track of one beacon, or an "
-                         "iceberg each."));
-    m_one->setVisible(false);
-    connect(m_one, &QCheckBox::clicked, this, [this](bool on) {
-        m_oneChosen = on;
-        emit edited();
-    });
-    m_form->addRow(m_one);
 }
 
 void ImportOptionsView::enableInputs()
@@ -250,8 +268,7 @@ void ImportOptionsView::enableInputs()
 
 void ImportOptionsView::showFile(const SightingSummary& file)
 {
-    m_one->setVisible(!file.namesIcebergs && file.sightings > 1);
-    m_one->setChecked(file.oneIceberg);
+    m_fileError_m = file.positionSd_m;
     if (!file.guessedDate.empty())
         m_form->setRowVisible(m_dates, true);
     if (!m_errorChosen)

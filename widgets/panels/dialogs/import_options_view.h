@@ -17,30 +17,34 @@ namespace berg {
 class EntryField;
 class NumberField;
 
-/** The smallest box round a closed outline that goes round what is wanted, a pole included. */
+/**
+ * Returns the smallest box around a closed outline; it includes a pole that the outline encloses.
+ */
 [[nodiscard]] GeoBox boxRound(std::span<const LatLon> outline);
 
-/** How sightings become icebergs, for editing. */
+/** Editor of the options by which sightings become icebergs. */
 class ImportOptionsView : public QWidget
 {
     Q_OBJECT
 
 public:
-    /** `presentName`: scenario on screen; `intoNew`: what is chosen at first. */
+    /**
+     * `presentName` is the name of the present scenario; `intoNew` the initial choice of target.
+     */
     ImportOptionsView(const QString& presentName, bool intoNew, QWidget* parent = nullptr);
 
     [[nodiscard]] ImportOptions options() const;
     [[nodiscard]] bool intoNew() const;
-    /** Nothing but sightings can be taken then, and t = 0 stays. */
+    /** In flight only sightings are imported, and t = 0 stays. */
     void setInFlight(bool inFlight);
-    /** As by hand. */
+    /** Chooses a new scenario as the target, as the user could. */
     void chooseNew();
-    /** None: as the file suggests. */
-    [[nodiscard]] std::optional<bool> oneIceberg() const { return m_oneChosen; }
-    /** How 05/02/2021 is meant; none: as the file suggests. */
+    /**
+     * Returns the order of day and month in dates such as 05/02/2021, or nullopt if it is detected.
+     */
     [[nodiscard]] std::optional<DateOrder> dates() const;
 
-    /** Times to start from, and whether there is a choice about unnamed icebergs and dates. */
+    /** Shows times of the file to choose from, and whether dates are ambiguous. */
     void showFile(const SightingSummary& file);
     void setArea(const GeoBox& box);
 
@@ -49,7 +53,7 @@ signals:
     void presentViewRequested();
 
 private:
-    /** A time that counts only when it is asked for. */
+    /** An optional time: used only if its box is checked. */
     struct TimeRow
     {
         QCheckBox* box = nullptr;
@@ -61,6 +65,7 @@ private:
     void addArea();
     NumberField* addNumber(const QString& name, const QString& label, const QString& toolTip,
                            double value, double highest, int decimals, const QString& unit);
+    void addSource();
     void addTracks();
     void enableInputs();
 
@@ -71,16 +76,17 @@ private:
     TimeRow m_since;
     TimeRow m_until;
     QCheckBox* m_areaBox = nullptr;
-    std::array<NumberField*, 4> m_edges{}; ///< south, west, north, east
+    std::array<NumberField*, 4> m_edges{}; ///< south, west, north, east edges
     QPushButton* m_presentView = nullptr;
+    QComboBox* m_source = nullptr;
     NumberField* m_error = nullptr;
-    bool m_errorChosen = false; ///< otherwise it is that of the file's format
+    double m_fileError_m = kMarkedPlace_m; ///< default of the file's format
+    /** Whether the user typed an error; otherwise the format's default is used. */
+    bool m_errorChosen = false;
     NumberField* m_spread = nullptr;
     NumberField* m_velocityTime = nullptr;
     NumberField* m_growth = nullptr;
     QCheckBox* m_tracks = nullptr;
-    QCheckBox* m_one = nullptr;
-    std::optional<bool> m_oneChosen;
 };
 
 } // namespace berg

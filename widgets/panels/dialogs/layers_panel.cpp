@@ -19,8 +19,8 @@ namespace berg {
 namespace {
 
 constexpr int kMargin_px = 10;
-constexpr int kFewestLetters = 14; ///< of the name of the background that are seen
-constexpr int kFull = 100;         ///< percent
+constexpr int kFewestLetters = 14; ///< visible letters of the background's name
+constexpr int kFull = 100;         ///< full opacity, per cent
 constexpr int kStep = 10;
 constexpr std::array<double, 8> kHorizons_s{600, 1800, 3600, 10800, 21600, 43200, 86400, 172800};
 
@@ -38,7 +38,7 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
         {{MapLayer::Labels, "labels", tr("Names")},
          {MapLayer::Places, "places", tr("Place names")},
          {MapLayer::Drift, "drift", tr("Drift arrows")},
-         {MapLayer::Rings, "rings", tr("Rings of uncertainty")},
+         {MapLayer::Rings, "rings", tr("Uncertainty rings")},
          {MapLayer::Graticule, "graticule", tr("Graticule")},
          {MapLayer::FormerPlan, "formerPlan", tr("Former plan")},
          {MapLayer::Compared, "compared", tr("Compared run")},
@@ -51,7 +51,7 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
         auto* slider = new QSlider(Qt::Horizontal);
         slider->setObjectName(QLatin1String(key) + u"Layer"_s);
         slider->setAccessibleName(tr("%1: opacity in per cent").arg(name));
-        slider->setToolTip(tr("Opacity; at the left end it is hidden"));
+        slider->setToolTip(tr("Opacity; at the left end the layer is hidden"));
         slider->setRange(0, kFull);
         slider->setSingleStep(kStep);
         slider->setPageStep(kStep);
@@ -68,8 +68,8 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
     addBackdropRow(*form);
     m_horizon = new QComboBox;
     m_horizon->setObjectName(u"driftHorizon"_s);
-    m_horizon->setToolTip(tr("How far ahead drift arrows look; those too long for the map are cut "
-                             "short and dashed"));
+    m_horizon->setToolTip(
+        tr("Time covered by drift arrows; arrows too long for the map are shortened and dashed"));
     m_horizon->addItem(tr("Automatic"), 0.0);
     for (const double horizon_s : kHorizons_s)
         m_horizon->addItem(durationText(horizon_s, locale()), horizon_s);
@@ -82,19 +82,19 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
     });
 }
 
-/** Below the slider of the background: its file, and what chooses and removes it. */
+/** Adds the file of the background and its buttons below the background's slider. */
 void LayersPanel::addBackdropRow(QFormLayout& form)
 {
     auto* row = new QHBoxLayout;
     m_open = new QPushButton;
     m_open->setObjectName(u"backdropButton"_s);
-    m_open->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // as wide as there is room
+    m_open->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // uses the room that is left
     m_open->setMinimumWidth(kFewestLetters * m_open->fontMetrics().averageCharWidth());
     m_open->setAutoDefault(false);
     m_remove = new QPushButton(tr("Remove"));
     m_remove->setObjectName(u"backdropRemoveButton"_s);
     m_remove->setAutoDefault(false);
-    m_remove->setToolTip(tr("Shows no background any more"));
+    m_remove->setToolTip(tr("Removes the background"));
     connect(m_open, &QPushButton::clicked, this, &LayersPanel::backdropRequested);
     connect(m_remove, &QPushButton::clicked, this, &LayersPanel::backdropRemoved);
     row->addWidget(m_open, 1);
@@ -106,10 +106,11 @@ void LayersPanel::addBackdropRow(QFormLayout& form)
 void LayersPanel::showBackdrop(const QString& path)
 {
     const QString name = path.isEmpty() ? tr("Choose a file…") : QFileInfo(path).fileName();
-    m_open->setText(QString(name).replace(u'&', u"&&"_s)); // else the next letter is a mnemonic
+    // A single & would make the next letter a mnemonic.
+    m_open->setText(QString(name).replace(u'&', u"&&"_s));
     m_open->setToolTip(
         path.isEmpty()
-            ? tr("A map of your own below everything: GeoJSON, KML or KMZ, such as an ice chart")
+            ? tr("Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ")
             : QDir::toNativeSeparators(path));
     m_open->setAccessibleName(tr("Background file: %1").arg(name));
     m_remove->setVisible(!path.isEmpty());
@@ -124,7 +125,7 @@ void LayersPanel::showLayers(const MapLayers& layers)
     m_horizon->setCurrentIndex(std::max(0, m_horizon->findData(layers.horizon_s)));
 }
 
-/** What is shown already is no news. */
+/** Emits only real changes. */
 void LayersPanel::edit(const MapLayers& layers)
 {
     if (layers == m_layers)

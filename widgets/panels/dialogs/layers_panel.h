@@ -11,7 +11,7 @@ class QSlider;
 
 namespace berg {
 
-/** How strongly each layer of the map is painted, and the horizon of drift. GUI thread. */
+/** Sliders for the opacity of each map layer, and the horizon of drift arrows. GUI thread. */
 class LayersPanel : public QWidget
 {
     Q_OBJECT
@@ -21,7 +21,7 @@ public:
 
     void showLayers(const MapLayers& layers);
     [[nodiscard]] const MapLayers& layers() const { return m_layers; }
-    /** The file of the background; empty: none. */
+    /** Shows the file of the background; an empty path means no background. */
     void showBackdrop(const QString& path);
 
 signals:

@@ -11,17 +11,19 @@ class QWidget;
 
 namespace berg {
 
-/** Keys that are this widget's while it has the focus, whatever they are to the window. */
+/** Gives a widget with the focus the keys that `isMine` accepts, before shortcuts of the window. */
 void keepKeys(QWidget& widget, std::function<bool(const QKeyEvent&)> isMine);
 
-/** The look and feel of a table in a dock: rows of one height, chosen one at a time and not edited,
- * without frame and grid; the tab key leaves it, the usual keys go to its first and last row. */
+/**
+ * Sets up a table in a dock: rows of equal height, single selection, no editing, frame or grid; Tab
+ * leaves the table, Home and End go to its first and last row.
+ */
 void setUpDockTable(QTableView& table, int row_px);
 
-/** A text in the middle of the table, for while there are no rows. */
+/** Returns a label in the middle of the table, for a table without rows. */
 [[nodiscard]] QLabel* newTableNote(QTableView& table, const QString& name, int margin_px);
 
-/** Of the table, its header and its note. */
+/** Sets the theme of the table, its header and its note. */
 void setDockTableTheme(QTableView& table, const Theme& theme);
 
 } // namespace berg

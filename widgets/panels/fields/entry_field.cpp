@@ -14,7 +14,7 @@ void settleTyping(QLineEdit& line)
     if (!line.isModified())
         return;
     const int cursor = line.cursorPosition();
-    line.setText(line.text()); // which forgets what was before
+    line.setText(line.text()); // clears the undo history
     line.setCursorPosition(cursor);
 }
 
@@ -26,10 +26,10 @@ void setLockedLook(QWidget& input, bool locked)
     input.setPalette(colours);
 }
 
-EntryField::EntryField(const EntryWords& words, Says says,
-                       std::function<QString(const QString&)> whyNot, QWidget* parent)
+EntryField::EntryField(const EntryWords& words, ValidationTime when,
+                       std::function<QString(const QString&)> faultOf, QWidget* parent)
     : QWidget(parent)
-    , m_whyNot(std::move(whyNot))
+    , m_faultOf(std::move(faultOf))
     , m_line(new QLineEdit(this))
     , m_fault(new QLabel(this))
 {
@@ -45,9 +45,9 @@ EntryField::EntryField(const EntryWords& words, Says says,
     column->setSpacing(2);
     column->addWidget(m_line);
     column->addWidget(m_fault);
-    connect(m_line, &QLineEdit::textEdited, this, [this, says](const QString& text) {
-        const bool isJudged = says == Says::AtOnce && text != m_shown;
-        say(isJudged ? m_whyNot(text) : QString());
+    connect(m_line, &QLineEdit::textEdited, this, [this, when](const QString& text) {
+        const bool isJudged = when == ValidationTime::AtOnce && text != m_shown;
+        say(isJudged ? m_faultOf(text) : QString());
     });
     connect(m_line, &QLineEdit::editingFinished, this, &EntryField::finishTyping);
 }
@@ -75,7 +75,7 @@ void EntryField::finishTyping()
     const QString text = m_line->text();
     if (text == m_shown)
         return;
-    const QString fault = m_whyNot(text);
+    const QString fault = m_faultOf(text);
     if (fault.isEmpty()) {
         m_shown = text;
         say({});
@@ -83,7 +83,7 @@ void EntryField::finishTyping()
         return;
     }
     m_line->setText(m_shown);
-    say(fault); // until the next typing
+    say(fault); // stays until the next typing
 }
 
 void EntryField::say(const QString& fault)

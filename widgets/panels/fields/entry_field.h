@@ -10,14 +10,16 @@ class QLineEdit;
 
 namespace berg {
 
-/** What was typed is taken: undoing is no longer up to the line, which keeps text and cursor. */
+/** Marks typed text as accepted: clears the line's undo history, keeps text and cursor. */
 void settleTyping(QLineEdit& line);
 
-/** A locked input stays as readable as it was, but no longer looks like one to write in. */
+/** Shows an input as locked or editable; its text stays readable. */
 void setLockedLook(QWidget& input, bool locked);
 
-/** Of a line: name of its input, that of the fault is this and "Fault"; name and tool tip for the
- * user. */
+/**
+ * Texts of a line: object name `key` (the fault label is `key` + "Fault"), and label and tool tip
+ * for the user.
+ */
 struct EntryWords
 {
     QString key;
@@ -26,30 +28,33 @@ struct EntryWords
 };
 
 /**
- * A line that takes only some texts, when typing ends; with another it goes back to what there is
- * and says why below. GUI thread.
+ * A line that checks its text when typing ends. If the text is rejected, the line restores the
+ * previous text and shows the reason below. GUI thread.
  */
 class EntryField : public QWidget
 {
     Q_OBJECT
 
 public:
-    enum class Says
+    enum class ValidationTime
     {
-        AtOnce,      ///< while it is typed
-        WhenFinished ///< what is half typed is no fault yet
+        AtOnce,      ///< while typing
+        WhenFinished ///< when typing ends, because incomplete text is no fault yet
     };
 
-    /** `whyNot(text)` is a sentence for a text that cannot be taken, empty for one that can. */
-    EntryField(const EntryWords& words, Says says, std::function<QString(const QString&)> whyNot,
-               QWidget* parent = nullptr);
+    /**
+     * `faultOf(text)` returns a sentence on why a text is rejected, or an empty text if it is
+     * accepted.
+     */
+    EntryField(const EntryWords& words, ValidationTime when,
+               std::function<QString(const QString&)> faultOf, QWidget* parent = nullptr);
 
-    /** `placeholder` is what an empty line says. */
+    /** Shows a text; an empty line shows `placeholder`. */
     void showText(const QString& text, const QString& placeholder = {});
-    /** What was taken last. */
+    /** The text accepted last. */
     [[nodiscard]] QString text() const { return m_shown; }
     void setLocked(bool locked);
-    /** Takes what is typed as if Return had been pressed. */
+    /** Accepts the typed text as if Return had been pressed. */
     void finishTyping();
 
 signals:
@@ -58,7 +63,7 @@ signals:
 private:
     void say(const QString& fault);
 
-    std::function<QString(const QString&)> m_whyNot;
+    std::function<QString(const QString&)> m_faultOf;
     QLineEdit* m_line;
     QLabel* m_fault;
     QString m_shown;

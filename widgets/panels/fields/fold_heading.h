@@ -4,7 +4,7 @@
 
 namespace berg {
 
-/** Title of rows that it shows and hides: checked while they are shown. */
+/** Heading of a group of rows; checked while the rows are shown. */
 class FoldHeading : public QToolButton
 {
     Q_OBJECT

@@ -66,7 +66,7 @@ void NumberField::showMixed(double base)
 
 void NumberField::showNumber(double value, bool mixed)
 {
-    // Setting the text anew would take away what the user is typing.
+    // Setting the text again would discard what the user is typing.
     if (mixed == m_mixed && value == m_shown && isShown(this->value()))
         return;
     m_shown = value;
@@ -82,19 +82,21 @@ void NumberField::setMixed(bool mixed)
         return;
     m_mixed = mixed;
     lineEdit()->setPlaceholderText(m_mixed ? tr("mixed") : QString());
-    // Nothing may stand in the field, or the placeholder does not show.
+    // The placeholder shows only in an empty field.
     setSuffix(m_mixed || isDuration() ? QString() : m_unit);
     setSpecialValueText(m_mixed ? QString() : m_lowestText);
 }
 
-/** Whether this is `m_shown` as far as range and decimals let the field hold it. */
+/** Returns whether the field holds `m_shown`, within its range and decimals. */
 bool NumberField::isShown(double value) const
 {
     const double held = std::clamp(m_shown, minimum(), maximum());
     return std::abs(value - held) <= 0.5000001 * std::pow(10.0, -decimals());
 }
 
-/** A mixed field holds a number that the user cannot see: typing that one is an edit as well. */
+/**
+ * A mixed field holds a number that the user cannot see, so typing that number is an edit as well.
+ */
 void NumberField::noteTyping(const QString& text)
 {
     QString copy = text;
@@ -102,7 +104,7 @@ void NumberField::noteTyping(const QString& text)
     m_typed.reset();
     if (m_mixed && validate(copy, position) == QValidator::Acceptable)
         m_typed = valueFromText(copy);
-    m_typedNumber = numberIn(text); // before an edit shows another unit
+    m_typedNumber = numberIn(text); // read before an edit changes the unit shown
     m_typing = text;
     if (!suffix().isEmpty() && m_typing.endsWith(suffix()))
         m_typing.chop(suffix().size());
@@ -130,7 +132,7 @@ void NumberField::finish()
     emit editFinished();
 }
 
-/** Says what became of what was typed where that is something else. */
+/** Reports a typed text that was not set as typed. */
 void NumberField::remark()
 {
     const QString typing = std::exchange(m_typing, QString());
@@ -148,7 +150,7 @@ void NumberField::remark()
             tr("\"%1\" is below the lowest value. %2 was set.").arg(typing, shownText(minimum())));
 }
 
-/** What is half typed may become a number: only what cannot is refused, key by key. */
+/** Accepts text that may still become a number; rejects other keys at once. */
 QValidator::State NumberField::validate(QString& text, int& position) const
 {
     constexpr int kLongest = 40;
@@ -162,7 +164,7 @@ QValidator::State NumberField::validate(QString& text, int& position) const
             body.chop(suffix().size());
         const auto isWritten = [](QChar c) { return c.isLetter() || c == u'%' || c == u'°'; };
         if (std::any_of(body.cbegin(), body.cend(), isWritten)) {
-            text = body; // a unit of its own takes the place of the one that was there
+            text = body; // a typed unit replaces the one shown
             position = std::min(position, static_cast<int>(text.size()));
         }
         if (text.size() > kLongest)
@@ -185,7 +187,7 @@ double NumberField::valueFromText(const QString& text) const
     return numberIn(text).value_or(value());
 }
 
-/** A number that is out of range becomes the nearest one that can be set. */
+/** Replaces a number out of range by the nearest valid one. */
 void NumberField::fixup(QString& text) const
 {
     if (const std::optional<double> number = numberIn(text))
@@ -218,11 +220,17 @@ QString NumberField::shownText(double value) const
 
 void NumberField::finishTyping()
 {
-    // A unit that comes back makes the line forget that it was modified.
+    // Restoring the suffix clears the line's modified flag.
     if (!lineEdit()->isModified() && m_typing.isEmpty())
         return;
     interpretText();
     finish();
+}
+
+bool NumberField::focusNextPrevChild(bool next)
+{
+    finishTyping();
+    return QDoubleSpinBox::focusNextPrevChild(next);
 }
 
 QString NumberField::textFromValue(double value) const
@@ -241,13 +249,13 @@ QString NumberField::textFromValue(double value) const
     while (keep - point - 1 > m_leastDecimals && text[keep - 1] == plain.zeroDigit())
         --keep;
     if (keep == point + 1)
-        --keep; // no decimal left
+        --keep; // removes the decimal point
     return text.left(keep);
 }
 
 QSize NumberField::sizeHint() const
 {
-    // The range says nothing about the numbers in use: it may reach to 10^12.
+    // The range does not limit the numbers in use: it may reach to 10^12.
     const QFontMetrics metrics = fontMetrics();
     const int text_px = std::max(metrics.horizontalAdvance(u"-100000.0"_s + m_unit),
                                  metrics.horizontalAdvance(m_lowestText));
@@ -289,8 +297,9 @@ void addNumberRow(QFormLayout& form, const QString& text, NumberField* field)
 {
     auto* label = new QLabel(text);
     form.addRow(label, withRemark(field));
-    label->setBuddy(field); // the form gave it what surrounds the field
-    field->setAccessibleName(QString(text).remove(u'&')); // the label is no sibling of it
+    label->setBuddy(field); // the form set it to the surrounding widget
+    // Screen readers do not find the label, which is not a sibling.
+    field->setAccessibleName(QString(text).remove(u'&'));
 }
 
 } // namespace berg

@@ -8,7 +8,7 @@ class QFormLayout;
 
 namespace berg {
 
-/** Decimals of a number: trailing zeros beyond `least` are not written. */
+/** Numbers of decimals: trailing zeros beyond `least` are omitted. */
 struct Decimals
 {
     int least = 0;
@@ -16,12 +16,12 @@ struct Decimals
 };
 
 /**
- * A number to be edited. Shows what it is given without telling anybody; tells what the user made
- * of it. Typing counts when it is finished (Return, focus leaves). It can stand for several things
- * with different numbers: then it is empty and says "mixed". Other units and clock times are
- * converted ("15 kn", "45 min", "0:45" for hours and minutes); a number alone is in the unit that
- * was shown. Seconds are shown as durations: "45 s", "45 min" or "0:16:40". A number beyond the
- * limits becomes the nearest that can be set, and `remarked` says so. The wheel needs the focus.
+ * A number field. Setting a value emits nothing; `edited` reports changes by the user. Typing is
+ * accepted when it ends (Return, loss of focus). The field can stand for several objects with
+ * different numbers: then it is empty and shows "mixed". Other units and clock times are converted
+ * ("15 kn", "45 min", "0:45" for hours and minutes); a bare number has the unit shown. Seconds are
+ * shown as durations: "45 s", "45 min" or "0:16:40". A number beyond the limits becomes the nearest
+ * valid one, which `remarked` reports. The wheel needs the focus.
  */
 class NumberField : public QDoubleSpinBox
 {
@@ -31,31 +31,35 @@ public:
     explicit NumberField(QWidget* parent = nullptr);
 
     void setNumberFormat(Decimals decimals, const QString& unit);
-    /** In place of the lowest value. */
+    /** Sets a text that is shown in place of the lowest value. */
     void setLowestText(const QString& text);
-    /** As `setRange`, which would take away what the user is typing even if nothing changes. */
+    /** Sets the range; unlike `setRange` it keeps text that is being typed. */
     void limit(double low, double high);
 
     void showValue(double value);
-    /** Several numbers; stepping starts from `base`. */
+    /** Shows "mixed" for several numbers; stepping starts from `base`. */
     void showMixed(double base);
     [[nodiscard]] bool isMixed() const { return m_mixed; }
 
-    /** Takes what is typed as if Return had been pressed. */
+    /** Accepts typed text as if Return had been pressed. */
     void finishTyping();
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
-    /** By the user, to a number other than the one shown. */
+    /** Emitted when the user sets a number other than the one shown. */
     void edited(double value);
-    /** The last `edited` of a row: Return was pressed or the focus left. */
+    /** Emitted after the last `edited` of a series: Return was pressed or the focus left. */
     void editFinished();
-    /** A sentence about what was typed and could not be set as it was; empty: no longer. */
+    /** Reports a typed value that was not set as typed; an empty sentence clears the report. */
     void remarked(const QString& sentence);
 
 protected:
+    /**
+     * Accepts the typed number before the focus moves, because the edit may insert the next field.
+     */
+    bool focusNextPrevChild(bool next) override;
     [[nodiscard]] double valueFromText(const QString& text) const override;
     [[nodiscard]] QString textFromValue(double value) const override;
     QValidator::State validate(QString& text, int& position) const override;
@@ -66,9 +70,9 @@ private:
     void setMixed(bool mixed);
     [[nodiscard]] bool isShown(double value) const;
     [[nodiscard]] bool isDuration() const;
-    /** The text of a value with its unit. */
+    /** Returns the text of a value with its unit. */
     [[nodiscard]] QString shownText(double value) const;
-    /** Nullopt if what is typed cannot be read. */
+    /** Returns the number of a text, or nullopt if it cannot be read. */
     [[nodiscard]] std::optional<double> numberIn(QString text) const;
     void remark();
     void noteTyping(const QString& text);
@@ -81,15 +85,17 @@ private:
     double m_shown = 0;
     bool m_mixed = false;
     bool m_editing = false;
-    std::optional<double> m_typed;       ///< while mixed
-    QString m_typing;                    ///< since typing ended last
-    std::optional<double> m_typedNumber; ///< what `m_typing` says; nullopt if it cannot be read
+    std::optional<double> m_typed;       ///< number typed while mixed
+    QString m_typing;                    ///< text typed since typing last ended
+    std::optional<double> m_typedNumber; ///< number of `m_typing`; nullopt if it cannot be read
 };
 
-/** The field and below it, while there is one, its remark: named after the field and "Fault". */
+/**
+ * Returns the field with a label for its remark below; the label's name is the field's and "Fault".
+ */
 [[nodiscard]] QWidget* withRemark(NumberField* field);
 
-/** Adds a row of a form: a label with this text is the field's, and the field has its remark. */
+/** Adds a row with a label and a field with its remark to a form. */
 void addNumberRow(QFormLayout& form, const QString& text, NumberField* field);
 
 } // namespace berg

@@ -97,7 +97,7 @@ void showValue(QLabel& label, const QString& text)
     label.setAccessibleName(u"%1: %2"_s.arg(label.accessibleDescription(), text));
 }
 
-QString noFigure()
+QString missingValueText()
 {
     return u"–"_s;
 }

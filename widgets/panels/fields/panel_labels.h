@@ -6,7 +6,7 @@
 
 namespace berg {
 
-/** Small, muted text: names an input or a figure, or explains one. */
+/** Small, muted text that labels or explains an input or a figure. */
 class CaptionLabel : public QLabel
 {
     Q_OBJECT
@@ -15,14 +15,14 @@ public:
     explicit CaptionLabel(const QString& text = {}, QWidget* parent = nullptr);
     void setTheme(const Theme& theme);
 
-    /** Of the text on one line: a wrapping QLabel asks for the height of two. */
+    /** Returns the size of the text on one line; a wrapping QLabel would ask for two. */
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 };
 
 /**
- * A number with its unit on one line. All digits are equally wide, so that a running number stands
- * still; where there is too little room the text gets smaller, never cut.
+ * A number with its unit on one line. Digits have equal width, so that a running number does not
+ * jump; with too little room the text shrinks and is never cut.
  */
 class FigureLabel : public QLabel
 {
@@ -38,17 +38,22 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 };
 
-/** Height of two lines of a label that wraps; twice `QFontMetrics::height` is rounded down twice.
+/**
+ * Returns the height of two lines of a wrapping label; twice `QFontMetrics::height` is rounded
+ * twice.
  */
 [[nodiscard]] int heightOfTwoLines_px(const QFont& font);
 
-/** Gives the theme to every caption below `panel`. */
+/** Sets the theme of every caption below `panel`. */
 void setCaptionTheme(QWidget& panel, const Theme& theme);
 
-/** Shows a value, which screen readers hear after what it is: the accessible description. */
+/**
+ * Shows a value, and sets it as the accessible description, which screen readers read after the
+ * name.
+ */
 void showValue(QLabel& label, const QString& text);
 
-/** What stands for a number that there is none of. */
-[[nodiscard]] QString noFigure();
+/** Returns the text for a missing value. */
+[[nodiscard]] QString missingValueText();
 
 } // namespace berg

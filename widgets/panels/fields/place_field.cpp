@@ -10,11 +10,11 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr int kShownCharacters = 34; ///< a coordinate with seconds
+constexpr int kShownCharacters = 34; ///< length of a coordinate with seconds
 constexpr int kNamesShown = 9;
 constexpr int kSearchRole = Qt::UserRole;
 
-/** Names of places, whatever diacritics are typed, in either language. */
+/** Completes place names in either language, with or without diacritics. */
 class PlaceCompleter final : public QCompleter
 {
 public:
@@ -52,7 +52,7 @@ PlaceField::PlaceField(QWidget* parent) : QLineEdit(parent)
     auto* completer = new PlaceCompleter(this);
     setCompleter(completer);
     connect(completer, qOverload<const QString&>(&QCompleter::activated), this,
-            &PlaceField::namePicked, Qt::QueuedConnection); // after the name is in the line
+            &PlaceField::namePicked, Qt::QueuedConnection); // queued until the name is in the line
 }
 
 void PlaceField::showPlace(const LatLon& place)

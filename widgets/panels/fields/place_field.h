@@ -6,7 +6,7 @@
 
 namespace berg {
 
-/** A line for a coordinate in any form or the name of a place, which it completes. GUI thread. */
+/** A line for a coordinate in any form, or a place name, which it completes. GUI thread. */
 class PlaceField : public QLineEdit
 {
     Q_OBJECT
@@ -14,15 +14,15 @@ class PlaceField : public QLineEdit
 public:
     explicit PlaceField(QWidget* parent = nullptr);
 
-    /** What is typed; else why that is no place. */
+    /** Returns the typed place, or a sentence on why it is none. */
     [[nodiscard]] std::variant<FoundPlace, QString> found() const { return findPlace(text()); }
-    /** Writes a coordinate in the form chosen. */
+    /** Shows a coordinate in the chosen form. */
     void showPlace(const LatLon& place);
 
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:
-    /** A name was picked from the list. */
+    /** Emitted when a name was picked from the list. */
     void namePicked();
 };
 

@@ -27,7 +27,7 @@ public:
 
 void guardWheel(QWidget& input)
 {
-    input.setFocusPolicy(Qt::StrongFocus); // Qt's own default is to take the focus by wheel
+    input.setFocusPolicy(Qt::StrongFocus); // Qt's default also takes the focus by wheel
     input.installEventFilter(new WheelGuard(&input));
 }
 

@@ -17,11 +17,11 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr std::size_t kMostLines = 3; // the map is below
+constexpr std::size_t kMostLines = 3; // more would hide the map
 constexpr int kIcon_px = 16;
 constexpr int kEdge_px = 5;
 constexpr int kMargin_px = 8;
-constexpr double kTint = 0.14; // of the rank's colour in the ground of a line
+constexpr double kTint = 0.14; // share of the rank's colour in the ground of a line
 
 QColor colourOf(NoticeRank rank, const Theme& theme)
 {
@@ -63,7 +63,7 @@ QPushButton* addButton(QBoxLayout& row, const QString& name, const QString& text
     auto* button = new QPushButton(text);
     button->setObjectName(name);
     button->setToolTip(toolTip);
-    button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the map
+    button->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard with the map
     row.addWidget(button);
     return button;
 }
@@ -76,12 +76,12 @@ QStringList textsOf(const std::vector<FlightNotice>& notices)
     return texts;
 }
 
-/** What an acknowledgement is kept by. */
+/** Returns the keys of an acknowledgement. */
 std::set<std::string> subjectsOf(const FlightNotice& notice)
 {
     std::set<std::string> ids(notice.about.begin(), notice.about.end());
     if (ids.empty())
-        ids.insert({}); // of the flight as a whole
+        ids.insert({}); // a notice about the whole flight
     return ids;
 }
 
@@ -95,7 +95,7 @@ AlarmStrip::AlarmStrip(QWidget* parent) : QWidget(parent), m_column(new QVBoxLay
     while (m_lines.size() < kMostLines)
         addNoticeLine();
     addStateLine();
-    addGivenUpLine();
+    addDiscardedLine();
     m_pause.setSingleShot(true);
     connect(&m_pause, &QTimer::timeout, this, &AlarmStrip::fillNotices);
     setTheme(m_theme);
@@ -123,7 +123,7 @@ void AlarmStrip::addNoticeLine()
     row->addWidget(added.more);
     added.acknowledge =
         addButton(*row, u"acknowledge%1"_s.arg(place + 1), tr("Acknowledge"),
-                  tr("Takes it off this list. It comes back when it was over and happens again."));
+                  tr("Removes this notice. It returns if the condition ends and occurs again."));
     connect(added.text, &QToolButton::clicked, this,
             [this, place] { emit noticeChosen(m_open[place].about); });
     connect(added.acknowledge, &QPushButton::clicked, this, [this, place] { acknowledge(place); });
@@ -142,34 +142,34 @@ void AlarmStrip::addStateLine()
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addWidget(m_icon);
     row->addWidget(m_text, 1);
-    m_flyOn = addButton(*row, u"flyOnButton"_s, tr("Continue from here"),
-                        tr("Gives up what was flown after this instant. From here the trade-off "
-                           "and the policy can be changed and another path flown."));
+    m_continue = addButton(*row, u"flyOnButton"_s, tr("Continue from here"),
+                           tr("Discards the flight after this instant. From here you can change "
+                              "the trade-off and the policy and fly another path."));
     m_newest = addButton(*row, u"newestButton"_s, tr("Back to latest"),
-                         tr("Back to the end of what is flown."));
+                         tr("Goes to the latest instant of the flight."));
     m_checks = addButton(*row, u"showChecksButton"_s, tr("Checks"),
-                         tr("Lists everything that is found about the scenario."));
-    connect(m_flyOn, &QPushButton::clicked, this, &AlarmStrip::flyOnRequested);
+                         tr("Lists all findings in the scenario."));
+    connect(m_continue, &QPushButton::clicked, this, &AlarmStrip::continueRequested);
     connect(m_newest, &QPushButton::clicked, this, &AlarmStrip::newestRequested);
     connect(m_checks, &QPushButton::clicked, this, &AlarmStrip::checksRequested);
     m_column->addWidget(m_state);
 }
 
-/** Its button is on the left, where none was that a double click may have been meant for. */
-void AlarmStrip::addGivenUpLine()
+/** The button is on the left, away from the place where a double click may still land. */
+void AlarmStrip::addDiscardedLine()
 {
-    m_givenUp = new QWidget;
-    QHBoxLayout* row = addRow(*m_givenUp);
+    m_discarded = new QWidget;
+    QHBoxLayout* row = addRow(*m_discarded);
     row->addSpacing(kEdge_px);
-    m_givenUpText = new QLabel;
-    m_givenUpText->setObjectName(u"givenUpText"_s);
-    row->addWidget(m_givenUpText);
-    const QPushButton* back = addButton(*row, u"bringBackButton"_s, tr("Bring it back"),
-                                        tr("Takes up the flight where it was left."));
-    connect(back, &QPushButton::clicked, this, &AlarmStrip::bringBackRequested);
+    m_discardedText = new QLabel;
+    m_discardedText->setObjectName(u"givenUpText"_s);
+    row->addWidget(m_discardedText);
+    const QPushButton* back = addButton(*row, u"bringBackButton"_s, tr("Restore"),
+                                        tr("Continues the flight where it was left."));
+    connect(back, &QPushButton::clicked, this, &AlarmStrip::restoreRequested);
     row->addStretch(1);
-    m_givenUp->hide();
-    m_column->addWidget(m_givenUp);
+    m_discarded->hide();
+    m_column->addWidget(m_discarded);
 }
 
 void AlarmStrip::setTheme(const Theme& theme)
@@ -177,10 +177,10 @@ void AlarmStrip::setTheme(const Theme& theme)
     m_theme = theme;
     setGround(*this, theme.panel);
     m_text->setFont(theme.body());
-    m_givenUpText->setFont(theme.body());
-    // All alike, so that what comes and goes does not move the map.
-    const int height_px = m_flyOn->sizeHint().height() + 2;
-    for (QWidget* line : {m_state, m_givenUp})
+    m_discardedText->setFont(theme.body());
+    // Equal heights, so that lines that come and go do not move the map.
+    const int height_px = m_continue->sizeHint().height() + 2;
+    for (QWidget* line : {m_state, m_discarded})
         line->setFixedHeight(height_px);
     for (const NoticeLine& line : m_lines)
         line.line->setFixedHeight(height_px);
@@ -230,7 +230,7 @@ void AlarmStrip::fillState()
     if (text != m_text->text())
         m_text->setText(text);
     m_text->setToolTip(looksBack ? m_clock.details(*m_lookBack_s) : m_fault);
-    m_flyOn->setVisible(looksBack);
+    m_continue->setVisible(looksBack);
     m_newest->setVisible(looksBack);
     m_checks->setVisible(!m_fault.isEmpty());
 }
@@ -244,14 +244,14 @@ void AlarmStrip::resizeEvent(QResizeEvent* event)
 
 void AlarmStrip::showOrHide()
 {
-    const bool isQuiet = m_open.empty() && m_givenUp->isHidden();
+    const bool isQuiet = m_open.empty() && m_discarded->isHidden();
     m_state->setVisible(!m_fault.isEmpty() || m_lookBack_s || isQuiet);
 }
 
-void AlarmStrip::showGivenUp(const QString& text)
+void AlarmStrip::showDiscardedFlight(const QString& text)
 {
-    m_givenUpText->setText(text);
-    m_givenUp->setVisible(!text.isEmpty());
+    m_discardedText->setText(text);
+    m_discarded->setVisible(!text.isEmpty());
     showOrHide();
 }
 
@@ -260,18 +260,18 @@ void AlarmStrip::showNotices(const std::vector<FlightNotice>& notices)
     const bool isNew = notices != m_notices;
     m_notices = notices;
     if (!m_lookBack_s)
-        forgetWhatIsOver();
+        dropEndedAcknowledgements();
     if (isNew) {
         fillNotices();
         fillState();
         showOrHide();
     }
     if (!m_lookBack_s)
-        tellNews();
+        reportNewNotices();
 }
 
-/** So that it is told when it happens again. */
-void AlarmStrip::forgetWhatIsOver()
+/** Forgets acknowledgements of notices that have ended, so that new ones are shown. */
+void AlarmStrip::dropEndedAcknowledgements()
 {
     for (auto& [kind, ids] : m_acknowledged) {
         std::set<std::string> still;
@@ -282,10 +282,10 @@ void AlarmStrip::forgetWhatIsOver()
     }
 }
 
-void AlarmStrip::tellNews()
+void AlarmStrip::reportNewNotices()
 {
-    const std::vector<FlightNotice> before = std::exchange(m_told, m_notices);
-    for (const FlightNotice& notice : m_told)
+    const std::vector<FlightNotice> before = std::exchange(m_reported, m_notices);
+    for (const FlightNotice& notice : m_reported)
         if (rankOf(notice.kind) != NoticeRank::Note &&
             std::ranges::none_of(before, [&](const FlightNotice& known) {
                 return known.kind == notice.kind && known.about == notice.about;
@@ -295,7 +295,7 @@ void AlarmStrip::tellNews()
 
 void AlarmStrip::takeOver(const AlarmStrip& other)
 {
-    m_told = other.m_told;
+    m_reported = other.m_reported;
     m_acknowledged = other.m_acknowledged;
     fillNotices();
     fillState();
@@ -353,7 +353,8 @@ void AlarmStrip::fill(const NoticeLine& line, const FlightNotice& notice)
     line.more->setFont(m_theme.body());
     line.text->setText(QString(notice.text).replace(u'&', u"&&"_s));
     const QString all = notice.toolTip.isEmpty() ? notice.text : notice.toolTip;
-    line.text->setToolTip(notice.about.empty() ? all : all + u'\n' + tr("Click shows it."));
+    line.text->setToolTip(notice.about.empty() ? all
+                                               : all + u'\n' + tr("Click to show it on the map."));
     line.acknowledge->setVisible(rank != NoticeRank::Note);
     line.acknowledge->setEnabled(!m_pause.isActive());
 }

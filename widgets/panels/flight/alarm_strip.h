@@ -21,10 +21,10 @@ class QToolButton;
 namespace berg {
 
 /**
- * Above the map: what the user must know now, the worst first, each in a line of its rank's colour
- * that brings what it is about onto the map; below that what is shown of the flight, or why nothing
- * can be planned. An alarm that was acknowledged comes back when it was over and happens again.
- * There is always a line, so that neither take-off nor the first alarm moves the map.
+ * Notices above the map, worst first, each with the colour of its rank; a click shows its subject
+ * on the map. Below them is the state of the flight, or why nothing can be planned. An acknowledged
+ * alarm returns if it ends and happens again. One line is always shown, so that neither take-off
+ * nor the first alarm moves the map.
  */
 class AlarmStrip : public QWidget
 {
@@ -34,31 +34,34 @@ public:
     explicit AlarmStrip(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** Writes the instants of the run from now on. */
+    /** Sets the clock that formats instants of the run. */
     void setClock(const MissionClock& clock);
-    /** Of the first line, which is always there. */
+    /** Returns the height of the line that is always shown. */
     [[nodiscard]] int lineHeight() const;
     /**
-     * `lookBack_s`: the instant looked back at; none: the newest is shown. `fault`: why nothing
-     * can be planned; empty: nothing stands in the way.
+     * `lookBack_s` is the instant looked back at, or nullopt for the newest. `fault` is why nothing
+     * can be planned; empty if planning is possible.
      */
     void showState(bool inFlight, std::optional<double> lookBack_s, const QString& fault = {});
     void showNotices(const std::vector<FlightNotice>& notices);
-    /** What was told and acknowledged there is here as well. */
+    /** Copies reported and acknowledged notices from another strip. */
     void takeOver(const AlarmStrip& other);
-    /** Says so, with a button that brings the flight back; empty: nothing was given up. */
-    void showGivenUp(const QString& text);
+    /**
+     * Shows that a flight was discarded, with a button that restores it; an empty text hides the
+     * line.
+     */
+    void showDiscardedFlight(const QString& text);
 
 signals:
-    /** Ids of what a notice is about. */
+    /** Emitted with the ids of a notice's subjects. */
     void noticeChosen(const std::vector<std::string>& about);
-    /** An alarm or warning of the present that was not there before. */
+    /** Emitted for a new alarm or warning at the newest instant. */
     void raised(const QString& text);
-    /** Whether an alarm of the present is not acknowledged. */
+    /** Emitted with whether a present alarm is not acknowledged. */
     void alarmPending(bool isPending);
-    void bringBackRequested();
-    /** Give up what came after the instant shown and fly on from it. */
-    void flyOnRequested();
+    void restoreRequested();
+    /** Requests to discard the flight after the instant shown and to continue from there. */
+    void continueRequested();
     void newestRequested();
     void checksRequested();
 
@@ -66,20 +69,20 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /** One of the lines for notices; each is there from the beginning. */
+    /** A line for a notice. All lines exist from the beginning. */
     struct NoticeLine
     {
         QWidget* line;
-        QWidget* edge; ///< in the full colour of the rank
+        QWidget* edge; ///< bar in the full colour of the rank
         QToolButton* text;
-        QLabel* more; ///< so many are not shown, below the last
+        QLabel* more; ///< number of hidden notices, below the last line
         QPushButton* acknowledge;
     };
     void addNoticeLine();
     void addStateLine();
-    void addGivenUpLine();
-    void forgetWhatIsOver();
-    void tellNews();
+    void addDiscardedLine();
+    void dropEndedAcknowledgements();
+    void reportNewNotices();
     void fillNotices();
     void fill(const NoticeLine& line, const FlightNotice& notice);
     void fillState();
@@ -87,11 +90,15 @@ private:
     void showOrHide();
 
     Theme m_theme = Theme::light();
-    std::vector<FlightNotice> m_notices; ///< all
-    std::vector<FlightNotice> m_told;    ///< those of the newest instant shown
-    std::vector<FlightNotice> m_open;    ///< of those what is not acknowledged, the worst first
-    std::map<NoticeKind, std::set<std::string>> m_acknowledged; ///< ids of what those are about
-    QTimer m_pause; ///< after an acknowledgement: a double click is not meant for the next alarm
+    std::vector<FlightNotice> m_notices;  ///< all notices
+    std::vector<FlightNotice> m_reported; ///< notices of the newest instant shown
+    std::vector<FlightNotice> m_open;     ///< unacknowledged ones of these, worst first
+    /** Ids of the subjects of acknowledged notices. */
+    std::map<NoticeKind, std::set<std::string>> m_acknowledged;
+    /**
+     * Runs after an acknowledgement, because a double click must not acknowledge the next alarm.
+     */
+    QTimer m_pause;
     bool m_isInFlight = false;
     MissionClock m_clock;
     std::optional<double> m_lookBack_s;
@@ -101,11 +108,11 @@ private:
     QWidget* m_state = nullptr;
     QLabel* m_icon = nullptr;
     QLabel* m_text = nullptr;
-    QPushButton* m_flyOn = nullptr;
+    QPushButton* m_continue = nullptr;
     QPushButton* m_newest = nullptr;
     QPushButton* m_checks = nullptr;
-    QWidget* m_givenUp = nullptr;
-    QLabel* m_givenUpText = nullptr;
+    QWidget* m_discarded = nullptr;
+    QLabel* m_discardedText = nullptr;
 };
 
 } // namespace berg

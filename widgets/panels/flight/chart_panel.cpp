@@ -41,7 +41,7 @@ ChartPanel::ChartPanel(ChartKind kind, const Theme& theme, QWidget* parent)
     addRow();
     m_chart = new TimeChart(theme);
     m_chart->setObjectName(u"timeChart"_s);
-    m_chart->setTitleShown(false); // the row above says it
+    m_chart->setTitleShown(false); // the row above names the chart
     m_chart->setColumnWanted(true);
     m_values = addValueAction(*m_chart);
     connect(m_values, &QAction::triggered, this, &ChartPanel::showValues);
@@ -70,7 +70,7 @@ void ChartPanel::addRow()
     m_kind = new QComboBox;
     m_kind->setObjectName(u"chartKind"_s);
     m_kind->setAccessibleName(tr("Chart"));
-    m_kind->setToolTip(tr("What is shown over time"));
+    m_kind->setToolTip(tr("Quantity shown over time"));
     m_kind->setMinimumContentsLength(8);
     m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     for (const ChartKind kind : kChartKinds)
@@ -79,7 +79,7 @@ void ChartPanel::addRow()
     connect(m_kind, &QComboBox::currentIndexChanged, this,
             [this](int index) { setKind(kChartKinds.at(static_cast<std::size_t>(index))); });
 
-    m_lines = addButton(u"chartLines"_s, tr("Lines"), tr("Which lines are shown"));
+    m_lines = addButton(u"chartLines"_s, tr("Lines"), tr("Choose the lines to show"));
     m_menu = new QMenu(m_lines);
     m_menu->setObjectName(u"chartLinesMenu"_s);
     m_lines->setMenu(m_menu);
@@ -137,13 +137,13 @@ void ChartPanel::showMenu(const QPoint& globalPos)
     menu->popup(globalPos);
 }
 
-/** As it is on the screen. */
+/** Copies the chart as it is on screen. */
 void ChartPanel::copyPicture() const
 {
     QApplication::clipboard()->setPixmap(m_chart->grab());
 }
 
-/** Of the whole flight, for a spreadsheet. */
+/** Copies the values of the whole flight as text for a spreadsheet. */
 void ChartPanel::copyNumbers() const
 {
     QApplication::clipboard()->setText(QString::fromStdString(m_series.csv(m_empty)));
@@ -263,7 +263,8 @@ void ChartPanel::applyLines(TimeChartContent& content) const
                     [this](const TimeLine& line) { return line.key == m_highlight; });
     for (TimeLine& line : content.lines) {
         const bool isHighlight = found && line.key == m_highlight;
-        line.hidden = !isHighlight && m_hidden.contains(line.key); // what is selected is seen
+        // A highlighted line is always shown.
+        line.hidden = !isHighlight && m_hidden.contains(line.key);
         if (found)
             line.emphasis = isHighlight ? LineEmphasis::Strong : LineEmphasis::Faint;
     }
@@ -294,7 +295,7 @@ void ChartPanel::exportChart(const QString& path) const
     const ChartPage page{.window =
                              m_chart->isZoomed() ? std::optional(m_chart->window()) : std::nullopt};
     TimeChartContent content = m_empty;
-    content.cursor_s.reset(); // of the screen, not of the mission
+    content.cursor_s.reset(); // the cursor belongs to the screen only
     applyLines(content);
     m_series.fill(content, viewOf(m_chart->window(), page.size_px.width()));
     writeChartPicture(content, m_theme, page, path);

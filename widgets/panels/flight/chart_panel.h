@@ -18,9 +18,9 @@ namespace berg {
 class TimeChart;
 
 /**
- * A chart of the mission over time and above it what is shown: the kind of chart, its lines, the
- * live end or everything, and export. The record is read when it is shown, not kept; of a long one
- * only what is new.
+ * A chart of the mission over time, with controls above it for the kind of chart, its lines,
+ * following or the whole run, and export. The record is read when it is shown and not stored; of a
+ * long one only the new part is read.
  */
 class ChartPanel : public QWidget
 {
@@ -30,37 +30,42 @@ public:
     explicit ChartPanel(ChartKind kind, const Theme& theme, QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** While flying, a change of less than half a pixel is left for later. */
+    /** Shows a record. While flying, changes of less than half a pixel are postponed. */
     void showRecord(const FlightRecord& record);
-    /** From now on both show the same stretch of time, whichever is zoomed or moved. */
+    /**
+     * Links the time windows of two charts, so that zooming or moving one also affects the other.
+     */
     static void linkTimes(ChartPanel& a, ChartPanel& b);
-    /** The iceberg whose line stands out among the sigmas; empty or unknown: none. */
+    /**
+     * Highlights the line of this iceberg among the sigmas; an empty or unknown id highlights none.
+     */
     void setHighlight(const std::string& id);
 
     [[nodiscard]] ChartKind kind() const { return m_series.kind(); }
-    /** Another chart, empty until the next `showRecord`. */
+    /** Switches to another chart, which is empty until the next `showRecord`. */
     void setKind(ChartKind kind);
 
     /**
-     * Writes what the end of `path` names: a picture (.png, .svg, .pdf) of the lines and the
-     * stretch of time in view, or a table (.csv) of every sample of every line. Throws `Error`:
-     * Unsupported for another end, FileUnwritable.
+     * Writes a file by the extension of `path`: an image (.png, .svg, .pdf) of the shown lines and
+     * time window, or a table (.csv) of every sample of every line. Throws `Error`: Unsupported for
+     * another extension, FileUnwritable.
      */
     void exportChart(const QString& path) const;
-    /** For a file dialog: the formats, and a name to start with. */
+    /** Returns the filters of a file dialog. */
     [[nodiscard]] static QString exportFilters();
-    /** Those of pictures alone. */
+    /** Returns the filters of images alone. */
     [[nodiscard]] static QStringList pictureFilters();
+    /** Returns a proposed file name. */
     [[nodiscard]] QString exportName() const;
 
 signals:
-    /** The user wants to see this instant. */
+    /** Emitted when the user chooses an instant. */
     void timePicked(double time_s);
-    /** The user pressed the label of an iceberg. */
+    /** Emitted when the user presses the label of an iceberg. */
     void icebergPicked(const std::string& id);
-    /** Another chart is shown: it needs the record. */
+    /** Emitted when another chart is shown, which needs the record. */
     void kindChanged(ChartKind kind);
-    /** `exportChart` is wanted, under a name of the user's choice. */
+    /** Requests `exportChart` under a name of the user's choice. */
     void exportRequested();
 
 private:
@@ -80,13 +85,13 @@ private:
     void updateButtons();
 
     MissionSeries m_series;
-    TimeChartContent m_empty; ///< the chart without its points
+    TimeChartContent m_empty; ///< the chart without points
     Theme m_theme;
-    std::set<QString> m_hidden; ///< keys of lines
+    std::set<QString> m_hidden; ///< keys of hidden lines
     QString m_highlight;
-    RunPhase m_phase = RunPhase::Planning;    ///< of the record shown last
-    std::size_t m_icebergs = 0;               ///< in it
-    std::shared_ptr<const ZetaBound> m_bound; ///< of it
+    RunPhase m_phase = RunPhase::Planning;    ///< phase of the last record
+    std::size_t m_icebergs = 0;               ///< number of icebergs in the last record
+    std::shared_ptr<const ZetaBound> m_bound; ///< bound of the last record
     QStringList m_listed;                     ///< names of the lines in the menu
     QComboBox* m_kind = nullptr;
     QToolButton* m_lines = nullptr;
@@ -95,7 +100,7 @@ private:
     QToolButton* m_all = nullptr;
     QToolButton* m_export = nullptr;
     TimeChart* m_chart = nullptr;
-    QAction* m_values = nullptr; ///< shows them as a table
+    QAction* m_values = nullptr; ///< shows the values as a table
 };
 
 } // namespace berg

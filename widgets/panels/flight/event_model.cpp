@@ -37,11 +37,11 @@ void EventModel::setHistory(const MissionHistory& history, const std::vector<Ice
         const PlanEvent* plan = nullptr;
         if (event.kind == EventKind::Planned) {
             while (m_plans < history.plans.size() && history.plans[m_plans].interim)
-                ++m_plans; // nothing is told of those
+                ++m_plans; // interim plans are not listed
             if (m_plans < history.plans.size())
                 plan = &history.plans[m_plans++];
         }
-        if (!isNews(event, plan))
+        if (!addsInformation(event, plan))
             continue;
         news.push_back(rowOf(event, plan, icebergs, uavs));
         news.back().number = m_events;
@@ -54,13 +54,18 @@ void EventModel::setHistory(const MissionHistory& history, const std::vector<Ice
     endInsertRows();
 }
 
-bool EventModel::isNews(const MissionEvent& event, const PlanEvent* plan)
+bool EventModel::addsInformation(const MissionEvent& event, const PlanEvent* plan)
 {
     if (event.kind != EventKind::Planned)
         return true;
     const auto [next, isFirst] = m_next.try_emplace(event.uav, event.iceberg);
     const bool isSame = !isFirst && std::exchange(next->second, event.iceberg) == event.iceberg;
-    return !isSame || plan == nullptr || plan->reason != PlanReason::HoldFlown;
+    if (!isSame || plan == nullptr)
+        return true;
+    // While circling or searching with nothing to visit, the UAV replans without result at every
+    // step.
+    const bool isInVain = event.iceberg < 0 && plan->reason == PlanReason::OutOfView;
+    return plan->reason != PlanReason::HoldFlown && !isInVain;
 }
 
 EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* plan,
@@ -71,7 +76,7 @@ EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* pl
     if (plan != nullptr) {
         const PlanState state = planState({.plan = *plan}, m_locale);
         row.details = planReasonText(plan->reason);
-        if (!state.text.isEmpty() && !plan->sameSolve) // else it is in the row above
+        if (!state.text.isEmpty() && !plan->sameSolve) // otherwise the row above states it
             row.details += u" · "_s + state.text;
         if (plan->warmStarted && !plan->sameSolve)
             row.details += u" · "_s + tr("warm start");

@@ -13,7 +13,7 @@ namespace berg {
 
 struct MissionHistory;
 
-/** The event log as a table that grows at its end: time, what happened, how the plan was made. */
+/** The event log as a table that grows at its end: time, event, and how a plan was made. */
 class EventModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -34,19 +34,19 @@ public:
     explicit EventModel(const QLocale& locale, QObject* parent = nullptr);
 
     /**
-     * The log now; what was told of it before is not told again, nor are plans at the end of a hold
-     * that lead to the same iceberg as the one before.
+     * Shows the log. Repeated events are omitted, as are plans at the end of a hold that lead to
+     * the same iceberg as the plan before.
      */
     void setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs,
                     const std::vector<Uav>& uavs);
-    /** Writes the times from now on. */
+    /** Sets the clock that formats the times. */
     void setClock(const MissionClock& clock);
-    /** So many events had come at the instant shown. */
+    /** Sets the number of events up to the instant shown. */
     void setShown(std::size_t shown);
 
-    /** The last row that had come at the instant shown; -1: none had. */
+    /** Returns the last row up to the instant shown, or −1 if there is none. */
     [[nodiscard]] int lastShown() const;
-    /** Time of a row, s. */
+    /** Returns the time of a row, s. */
     [[nodiscard]] double time_s(int row) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -58,15 +58,15 @@ public:
 private:
     struct Row
     {
-        std::size_t number = 0; ///< of the event in the log
+        std::size_t number = 0; ///< number of the event in the log
         MissionEvent event;
         QString what;
         QString details{};
         QString toolTip{};
     };
     void clear();
-    /** Whether it tells anything. */
-    [[nodiscard]] bool isNews(const MissionEvent& event, const PlanEvent* plan);
+    /** Returns whether the event adds information to the log. */
+    [[nodiscard]] bool addsInformation(const MissionEvent& event, const PlanEvent* plan);
     [[nodiscard]] Row rowOf(const MissionEvent& event, const PlanEvent* plan,
                             const std::vector<Iceberg>& icebergs,
                             const std::vector<Uav>& uavs) const;
@@ -75,9 +75,9 @@ private:
     MissionClock m_clock;
     std::vector<Row> m_rows;
     std::uint64_t m_rewrites = 0;
-    std::size_t m_events = 0;  ///< that the rows have come to
-    std::size_t m_plans = 0;   ///< likewise
-    std::map<int, int> m_next; ///< by UAV, the iceberg that its last plan leads to
+    std::size_t m_events = 0;  ///< number of events processed
+    std::size_t m_plans = 0;   ///< number of plans processed
+    std::map<int, int> m_next; ///< by UAV, the first iceberg of its last plan
     std::size_t m_shown = 0;
 };
 

@@ -18,7 +18,7 @@ constexpr int kRow_px = 22;
 constexpr int kWhatColumn_px = 220;
 constexpr int kCellMargins_px = 10;
 
-/** What has not come yet at the instant shown is muted. */
+/** Mutes the events after the instant shown. */
 class EventDelegate final : public QStyledItemDelegate
 {
 public:

@@ -11,7 +11,7 @@ namespace berg {
 
 class EventModel;
 
-/** The log of a mission; a row chosen takes one to its instant. */
+/** The event log of a mission; choosing a row goes to its instant. */
 class EventPanel : public QWidget
 {
     Q_OBJECT
@@ -20,14 +20,14 @@ public:
     explicit EventPanel(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** Follows the end of the log unless the user has scrolled away from it. */
+    /** Shows the log and follows its end unless the user has scrolled away from it. */
     void showRecord(const FlightRecord& record);
 
 signals:
     void timeChosen(double time_s);
 
 private:
-    bool m_follows = true; ///< the end of the log; not while the user reads elsewhere
+    bool m_follows = true; ///< whether the view follows the end of the log
     EventModel* m_model;
     QTableView* m_table;
 };

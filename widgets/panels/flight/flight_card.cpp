@@ -20,11 +20,11 @@ namespace berg {
 namespace {
 
 constexpr int kEdge_px = 12;
-constexpr int kAboveScale_px = 74; ///< scale bar and margins below it
+constexpr int kAboveScale_px = 74; ///< height of the scale bar and the margins below it
 constexpr int kPadding_px = 12;
 constexpr double kRadius_px = 7;
 
-/** In flight; then what was predicted before take-off was for another one. */
+/** Returns whether the run was changed in flight, so that the prediction does not apply. */
 bool isChanged(const ComparedRun& run)
 {
     return run.wasChanged || !run.worldChanges.empty();
@@ -78,10 +78,10 @@ FlightCard::FlightCard(QWidget* map)
     column->addWidget(m_title, 0, 0);
     column->addWidget(m_close, 0, 1, Qt::AlignRight);
     column->addWidget(m_zeta, 1, 0, 1, 2);
-    m_predicted = addRow(*column, u"flightCardPredicted"_s, tr("Against prediction"),
-                         tr("ζ against what was predicted before take-off for the policy."));
+    m_predicted = addRow(*column, u"flightCardPredicted"_s, tr("vs prediction"),
+                         tr("ζ compared with the prediction for the policy before take-off."));
     m_range = addRow(*column, u"flightCardRange"_s, tr("Predicted range"),
-                     tr("ζ of nine flights in ten was predicted to lie in this range."));
+                     tr("Predicted range of ζ for 90 % of flights."));
     m_bound = addRow(*column, u"flightCardBound"_s, tr("Lower bound"),
                      tr("Lower bound on ζ for these conditions, whatever the policy."));
     m_visits = addRow(*column, u"flightCardVisits"_s, tr("Visits"), tr("Targets reached."));
@@ -94,13 +94,13 @@ FlightCard::FlightCard(QWidget* map)
         auto* button = new QPushButton(text);
         button->setObjectName(name);
         button->setToolTip(toolTip);
-        button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the map
+        button->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard with the map
         connect(button, &QPushButton::clicked, this, intent);
         row->addWidget(button);
     };
-    addButton(u"flightCardCompare"_s, tr("Compare"), tr("Sets the run beside others."),
+    addButton(u"flightCardCompare"_s, tr("Compare"), tr("Compares the run with others."),
               &FlightCard::compareRequested);
-    addButton(u"flightCardSave"_s, tr("Save run"), tr("Keeps the run in a file."),
+    addButton(u"flightCardSave"_s, tr("Save run"), tr("Saves the run to a file."),
               &FlightCard::saveRequested);
     addButton(u"flightCardReport"_s, tr("Report"),
               tr("Exports the log of the run: planned and flown, sightings, deviations."),
@@ -151,9 +151,9 @@ void FlightCard::showSummary(const FlightSummary& summary)
                         changeText(summary.zeta_m2s / summary.predicted->mean_m2s - 1, locale()),
                         zeta(summary.predicted->mean_m2s))
               : summary.wasChanged ? tr("changed in flight")
-                                   : noFigure());
+                                   : missingValueText());
     showValue(*m_range, rangeText(summary));
-    const QString bound = summary.bound_m2s ? zeta(*summary.bound_m2s) : noFigure();
+    const QString bound = summary.bound_m2s ? zeta(*summary.bound_m2s) : missingValueText();
     const bool isComputing = summary.bound_m2s && summary.boundShare < 1;
     const bool isUseless =
         summary.bound_m2s && !isUsefulBound(*summary.bound_m2s, summary.zeta_m2s);
@@ -165,29 +165,29 @@ void FlightCard::showSummary(const FlightSummary& summary)
     showValue(*m_visits, fixedText(summary.visits, 0, locale()));
     showValue(*m_unseen,
               summary.longestUnseen.isEmpty()
-                  ? noFigure()
+                  ? missingValueText()
                   : u"%1, %2"_s.arg(summary.longestUnseen, clockText(summary.longestUnseen_s)));
     place();
     show();
     raise();
 }
 
-/** Where ζ is in what was predicted. */
+/** Returns the position of ζ in the predicted range. */
 QString FlightCard::rangeText(const FlightSummary& summary) const
 {
     if (!summary.predicted)
-        return noFigure();
+        return missingValueText();
     const double least_m2s = summary.predicted->least_m2s;
     const double most_m2s = summary.predicted->most_m2s;
     const QString text = summary.zeta_m2s < least_m2s  ? tr("below %1 to %2")
                          : summary.zeta_m2s > most_m2s ? tr("above %1 to %2")
                                                        : tr("inside %1 to %2");
-    const ShownUnit unit = zetaUnit(summary.zeta_m2s); // in which the figure above is
+    const ShownUnit unit = zetaUnit(summary.zeta_m2s); // the unit of the figure above
     return text.arg(significantText(unit.fromSi(least_m2s), 4, locale()),
                     significantText(unit.fromSi(most_m2s), 4, locale()));
 }
 
-/** In its corner, or where the user has put it, on the map. */
+/** Places the card in its corner or at the user's position, within the map. */
 void FlightCard::place()
 {
     adjustSize();

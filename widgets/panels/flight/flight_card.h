@@ -14,26 +14,32 @@ namespace berg {
 struct FlightRecord;
 class FigureLabel;
 
-/** What a run has come to. */
+/** Results of a run. */
 struct FlightSummary
 {
     double zeta_m2s = 0;
-    std::optional<ZetaPrediction> predicted; ///< before take-off; nullopt: unknown, or of another
-    std::optional<double> bound_m2s;         ///< zeta of no flight is below
-    double boundShare = 1;                   ///< of the work for it that is done; then it may rise
+    /** Predicted before take-off; nullopt if unknown or for another flight. */
+    std::optional<ZetaPrediction> predicted;
+    std::optional<double> bound_m2s; ///< lower bound on zeta of any flight
+    /** Share of the work for the bound that is done; below 1 it may still rise. */
+    double boundShare = 1;
     int visits = 0;
-    bool wasChanged = false; ///< in flight: what was predicted was for another one
-    QString longestUnseen;   ///< the iceberg that was out of view longest; empty: none was
+    /** Whether the flight was changed, so that the prediction does not apply. */
+    bool wasChanged = false;
+    QString longestUnseen; ///< iceberg that was out of view longest; may be empty
     double longestUnseen_s = 0;
 };
 
-/** At the end of a run. `predicted`: before take-off. Cost: linear in the record. */
+/**
+ * Returns the results at the end of a run. `predicted` is the prediction before take-off. Cost:
+ * linear in the record.
+ */
 [[nodiscard]] FlightSummary flightSummary(const FlightRecord& record,
                                           const std::optional<ZetaPrediction>& predicted);
 
 /**
- * A card on the map, at its lower right, that tells what a run has come to and offers what one does
- * next. It can be dragged out of the way. Hidden until it is shown a summary.
+ * A card at the lower right of the map with the results of a run and the next actions. It can be
+ * dragged and is hidden until it shows a summary.
  */
 class FlightCard : public QFrame
 {
@@ -72,8 +78,8 @@ private:
     QLabel* m_bound;
     QLabel* m_visits;
     QLabel* m_unseen;
-    QPoint m_grabbed;                   ///< where it is held while it is dragged
-    std::optional<QPoint> m_movedTo_px; ///< by the user; none: in its corner
+    QPoint m_grabbed;                   ///< position of the pointer on the card while it is dragged
+    std::optional<QPoint> m_movedTo_px; ///< position chosen by the user; nullopt for the corner
 };
 
 } // namespace berg

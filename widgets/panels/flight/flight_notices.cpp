@@ -1,7 +1,7 @@
 #include "widgets/panels/flight/flight_notices.h"
 
-#include "core/scenario/advice.h"
 #include "core/scenario/limits.h"
+#include "core/scenario/scenario_warnings.h"
 #include "widgets/model/asset_approach.h"
 #include "widgets/model/selection.h"
 #include "widgets/theme/quantity_text.h"
@@ -24,13 +24,15 @@ struct FlightNotices
     Q_DECLARE_TR_FUNCTIONS(FlightNotices)
 };
 
-/** The event log until the instant shown. */
+/** Returns the events up to the instant shown. */
 std::span<const MissionEvent> eventsOf(const FlightRecord& record)
 {
     return std::span(record.history.events).first(record.eventsShown());
 }
 
-/** The first plan after a failure is what was made in place of the one that failed. */
+/**
+ * The first plan after a failure is the substitute for the failed one, so a second plan ends it.
+ */
 bool isPlannerFailing(const FlightRecord& record)
 {
     const std::span<const MissionEvent> events = eventsOf(record);
@@ -43,7 +45,7 @@ bool isPlannerFailing(const FlightRecord& record)
     return false;
 }
 
-/** What one UAV does; of several it is named. */
+/** Returns the text with the name of the UAV in front if there are several. */
 QString ofUav(const FlightRecord& record, int uav, const QString& text)
 {
     const QString name = nameInFleet(record.scenario.uavs, uav);
@@ -73,12 +75,12 @@ void addLate(std::vector<FlightNotice>& notices, const FlightRecord& record)
             notices.push_back(
                 {.kind = NoticeKind::LateHome,
                  .about = {idOf(record, uav)},
-                 .text = ofUav(record, uav,
-                               FlightNotices::tr("Home cannot be reached in time any more")),
+                 .text =
+                     ofUav(record, uav, FlightNotices::tr("Home can no longer be reached in time")),
                  .toolTip = FlightNotices::tr("The wind changed in flight.")});
 }
 
-/** UAVs aloft in one altitude layer that are nearer to each other than they are to come. */
+/** Adds UAVs aloft in one altitude layer that are nearer to each other than the set separation. */
 void addClose(std::vector<FlightNotice>& notices, const FlightRecord& record, const QLocale& locale)
 {
     const std::vector<Uav>& uavs = record.scenario.uavs;
@@ -99,13 +101,14 @@ void addClose(std::vector<FlightNotice>& notices, const FlightRecord& record, co
                  .text = FlightNotices::tr("%1 and %2 are %3 apart")
                              .arg(shownName(uavs[a]), shownName(uavs[b]),
                                   distanceText(distance_m, locale)),
-                 .toolTip = FlightNotices::tr("They fly at about the same altitude. The separation "
-                                              "set is %1.")
-                                .arg(distanceText(record.scenario.separation_m, locale))});
+                 .toolTip =
+                     FlightNotices::tr(
+                         "They fly at about the same altitude. The required separation is %1.")
+                         .arg(distanceText(record.scenario.separation_m, locale))});
         }
 }
 
-/** UAVs aloft in more wind than they are to be flown in, or than lets them make way. */
+/** Adds UAVs aloft in wind above their limit, or in wind that leaves them little headway. */
 void addWind(std::vector<FlightNotice>& notices, const FlightRecord& record, const QLocale& locale)
 {
     const std::vector<Uav>& uavs = record.scenario.uavs;
@@ -120,7 +123,7 @@ void addWind(std::vector<FlightNotice>& notices, const FlightRecord& record, con
             continue;
         const QString text = isAboveLimit
                                  ? FlightNotices::tr("Wind above its limit: %1, limit %2")
-                                 : FlightNotices::tr("Makes little way: wind %1, airspeed %2");
+                                 : FlightNotices::tr("Makes little headway: wind %1, airspeed %2");
         notices.push_back(
             {.kind = NoticeKind::WindLimit,
              .about = {uavs[k].id},
@@ -135,10 +138,10 @@ void addWind(std::vector<FlightNotice>& notices, const FlightRecord& record, con
 struct Entry
 {
     std::size_t iceberg = 0;
-    double entry_s = 0; ///< from now
+    double entry_s = 0; ///< time from now, s
 };
 
-/** The soonest first. */
+/** Returns the icebergs entering the ring, soonest first. */
 std::vector<Entry> entriesOf(const MissionSnapshot& shown)
 {
     std::vector<Entry> entries;
@@ -152,7 +155,7 @@ std::vector<Entry> entriesOf(const MissionSnapshot& shown)
     return entries;
 }
 
-/** The one found last to be on its way. */
+/** Returns the entry that was detected last. */
 const Entry& newestOf(const std::vector<Entry>& entries, std::span<const MissionEvent> events)
 {
     for (auto event = events.rbegin(); event != events.rend(); ++event) {
@@ -194,7 +197,7 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
     return notice;
 }
 
-/** Each by itself: one may be acknowledged while another is searched for. */
+/** Adds a notice for each lost iceberg, because each is acknowledged separately. */
 void addLost(std::vector<FlightNotice>& notices, const MissionSnapshot& shown)
 {
     for (std::size_t i = 0; i < shown.world.tracks.size(); ++i) {
@@ -203,7 +206,7 @@ void addLost(std::vector<FlightNotice>& notices, const MissionSnapshot& shown)
             continue;
         const QString text = status == TrackStatus::Lost
                                  ? FlightNotices::tr("%1 is lost")
-                                 : FlightNotices::tr("%1 is lost, the search was given up");
+                                 : FlightNotices::tr("%1 is lost; the search was abandoned");
         notices.push_back(
             {.kind = NoticeKind::LostIceberg,
              .about = {shown.icebergs[i].id},
@@ -227,7 +230,7 @@ QString modeText(const FlightRecord& record, const UavState& uav, const QLocale&
         return FlightNotices::tr("Holding as ordered");
     case FlightMode::Ground:
         if (uav.order != FlightOrder::None)
-            return FlightNotices::tr("On the ground until it is told to resume");
+            return FlightNotices::tr("On the ground. Choose Resume to continue");
         return FlightNotices::tr("On the ground, takes off in %1")
             .arg(roughDurationText(uav.ground_s, locale) +
                  timesOf(record).minuteInBrackets(uav.ground_s));
@@ -266,7 +269,7 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
         notices.push_back(
             {.kind = NoticeKind::PlannerFailed,
              .text = FlightNotices::tr("The planner failed: continuing with the previous plan"),
-             .toolTip = FlightNotices::tr("It is asked again when the next plan is needed.")});
+             .toolTip = FlightNotices::tr("It runs again when the next plan is needed.")});
     if (!record.inFlight())
         return notices;
     addClose(notices, record, locale);

@@ -9,10 +9,10 @@
 
 namespace berg {
 
-/** How much a notice matters, the worst first. */
+/** Importance of a notice, worst first. */
 enum class NoticeRank
 {
-    Alarm, ///< something may be hit or lost: act now
+    Alarm, ///< risk of collision or loss: act now
     Warning,
     Note
 };
@@ -30,21 +30,21 @@ enum class NoticeKind
 
 [[nodiscard]] NoticeRank rankOf(NoticeKind kind);
 
-/** What the user is told above the map for as long as it holds. */
+/** A notice above the map, shown as long as its condition holds. */
 struct FlightNotice
 {
     NoticeKind kind = NoticeKind::Mode;
-    std::vector<std::string> about{}; ///< icebergs, UAVs, the asset: where it is on the map
+    std::vector<std::string> about{}; ///< icebergs, UAVs or the asset, as shown on the map
     QString text;
-    QString toolTip{}; ///< the same in full; empty: the text says it all
+    QString toolTip{}; ///< full text; empty if `text` is complete
     bool operator==(const FlightNotice&) const = default;
 };
 
 /**
- * Of the instant shown, warnings first: that the planner has failed and no later plan has come,
- * UAVs of one altitude layer that are close to each other, that home cannot be reached in time,
- * icebergs on their way into the inner ring of the asset, lost icebergs, and what else the UAVs do
- * than visit icebergs. Cost: linear in icebergs and the last events.
+ * Returns the notices of the instant shown, alarms first: UAVs of one altitude layer that are too
+ * close, home out of reach, icebergs on their way into the inner ring of the asset, a failed
+ * planner without a later plan, wind above a limit, lost icebergs, and UAVs that do not visit
+ * icebergs. Cost: linear in icebergs and the last events.
  */
 [[nodiscard]] std::vector<FlightNotice> flightNotices(const FlightRecord& record,
                                                       const QLocale& locale);

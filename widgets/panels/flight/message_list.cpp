@@ -45,7 +45,7 @@ void MessageList::add(const QString& text)
 
 void MessageList::takeOver(const MessageList& other)
 {
-    clear(); // told again, in another language
+    clear(); // the present messages are repeated in another language
     for (int row = 0; row < other.count(); ++row)
         addItem(other.item(row)->text());
 }

@@ -6,7 +6,7 @@
 
 namespace berg {
 
-/** What the window has said and shows no longer, the newest below, each with its time of day. */
+/** Past messages of the window, newest last, each with its time of day. */
 class MessageList : public QListWidget
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ public:
 
     void setTheme(const Theme& theme);
     void add(const QString& text);
-    /** What another one has comes before. */
+    /** Inserts the messages of another list before its own. */
     void takeOver(const MessageList& other);
 
 protected:

@@ -78,7 +78,7 @@ PlaybackBar::PlaybackBar(QWidget* parent) : QWidget(parent)
     connect(m_rate, &QComboBox::activated, this, [this] { emit rateEdited(rate()); });
     connect(m_timeLine, &RunTimeLine::scrubbed, this, &PlaybackBar::timeEdited);
     connect(m_time, &QLineEdit::editingFinished, this, &PlaybackBar::finishTime);
-    // Then keys are those of the flight again.
+    // Then keys control the flight again.
     connect(m_time, &QLineEdit::returnPressed, m_timeLine, qOverload<>(&QWidget::setFocus));
     setTheme(m_theme);
     showState(RunPhase::Planning, 0, 0);
@@ -96,7 +96,7 @@ QToolButton* PlaybackBar::addButton(const QString& name, const QString& text)
     return button;
 }
 
-/** Keeps its place while it is away: the time line does not move at take-off. */
+/** Its place is reserved while it is hidden, so that the time line does not move at take-off. */
 void PlaybackBar::addLock()
 {
     m_lock = addButton(u"lockButton"_s, tr("Scenario locked"));
@@ -120,7 +120,7 @@ void PlaybackBar::addRates()
     m_rate->setMinimumContentsLength(4);
     m_rate->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     guardWheel(*m_rate);
-    m_rate->setFocusPolicy(Qt::TabFocus); // a choice by mouse leaves the keys where they were
+    m_rate->setFocusPolicy(Qt::TabFocus); // a choice by mouse leaves the keyboard where it was
     for (const double rate : kRates)
         m_rate->addItem(rate > 0 ? tr("%1×").arg(fixedText(rate, rate < 1 ? 1 : 0, locale()))
                                  : tr("Fastest"),
@@ -183,17 +183,17 @@ void PlaybackBar::finishTime()
         QCoreApplication::sendEvent(window(), &said);
     }
     m_time->setModified(false);
-    showTexts(); // until the picture of that time is there
+    showTexts(); // until the snapshot of that time arrives
     if (isNew)
         emit timeEdited(*time_s);
 }
 
-/** What the line of the time has no use for arrives here. */
+/** Receives the keys that the time field does not use. */
 void PlaybackBar::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() != Qt::Key_Escape || focusWidget() != m_time)
         return QWidget::keyPressEvent(event);
-    m_time->setModified(false); // nothing was typed
+    m_time->setModified(false); // discards the typed text
     showTexts();
     m_timeLine->setFocus();
 }
@@ -220,7 +220,7 @@ void PlaybackBar::setClock(const MissionClock& clock)
     showTexts();
 }
 
-/** The time shown, unless one is being typed, and the end of the run. */
+/** Shows the time, unless one is being typed, and the length of the run. */
 void PlaybackBar::showTexts()
 {
     const QString time = m_clock.text(m_time_s);
@@ -231,15 +231,15 @@ void PlaybackBar::showTexts()
         showValue(*m_length, length);
     const QFontMetrics metrics(m_theme.body());
     const bool isUtc = m_clock.isUtc();
-    const QString widest = m_clock.text(m_duration_s); // on the latest day
+    const QString widest = m_clock.text(m_duration_s); // the latest day has the widest text
     m_time->setMinimumWidth(metrics.horizontalAdvance(isUtc ? widest : u"00:00"_s) + 4);
     m_time->setMaximumWidth(isUtc ? m_time->minimumWidth() + metrics.averageCharWidth()
                                   : metrics.horizontalAdvance(u"00:00:00 "_s));
     m_time->setToolTip(
         m_clock.start
-            ? tr("Time shown. Type one to look back at it, e.g. 1215Z or, since the start, 3:20.") +
+            ? tr("Time shown. Type a time to look back, e.g. 1215Z, or 3:20 since the start.") +
                   u'\n' + m_clock.details(m_time_s)
-            : tr("Time shown. Type one to look back at it, e.g. 3:20."));
+            : tr("Time shown. Type a time to look back, e.g. 3:20."));
     m_length->setToolTip(isUtc ? tr("End of the run") + u'\n' + m_clock.details(m_duration_s)
                                : tr("Length of the run"));
     m_length->setAccessibleDescription(isUtc ? tr("End of the run") : tr("Length of the run"));
@@ -255,20 +255,20 @@ void PlaybackBar::updateButtons()
     m_step->setEnabled(canStep);
     m_reset->setEnabled(flying || m_phase == RunPhase::Paused || finished);
 
-    QString whyNot;
+    QString reason;
     if (m_phase == RunPhase::Planning)
-        whyNot = tr("The plan is still being made.");
+        reason = tr("The plan is still being made.");
     else if (m_phase == RunPhase::Failed)
-        whyNot = tr("This scenario cannot be flown. Correct what is reported first.");
+        reason = tr("This scenario cannot be flown. Fix the reported errors first.");
     else if (finished)
-        whyNot = tr("The run has ended.");
-    QString playTip = whyNot;
+        reason = tr("The run has ended.");
+    QString playTip = reason;
     if (finished)
         playTip = tr("Fly again from the start (Space)");
     else if (canStep)
         playTip = flying ? tr("Pause the flight (Space)") : tr("Fly the plan (Space)");
     setAction(*m_play, flying ? tr("Pause") : tr("Fly"), playTip);
-    setAction(*m_step, tr("Step"), canStep ? tr("Fly one second and pause") : whyNot);
+    setAction(*m_step, tr("Step"), canStep ? tr("Fly one second and pause") : reason);
     setAction(*m_reset, tr("Stop and edit"),
               tr("Ends the flight and goes back to the start, where everything can be edited."));
     m_lock->setIcon(icon(IconName::Locked, m_theme));

@@ -15,7 +15,7 @@ namespace berg {
 class FigureLabel;
 class RunTimeLine;
 
-/** Take-off, pause, step, back to the start, rate, and the time line of the run. */
+/** Controls of the flight: take-off, pause, step, stop, rate, and the time line of the run. */
 class PlaybackBar : public QWidget
 {
     Q_OBJECT
@@ -24,20 +24,20 @@ public:
     explicit PlaybackBar(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** Writes and reads the instants of the run from now on. */
+    /** Sets the clock that formats and reads instants of the run. */
     void setClock(const MissionClock& clock);
-    /** `time_s` is shown; `newest_s` was flown, none: the same. */
+    /** Shows the instant `time_s` of a flight flown up to `newest_s`, by default the same. */
     void showState(RunPhase phase, double time_s, double duration_s,
                    std::optional<double> newest_s = {});
     [[nodiscard]] RunTimeLine& timeLine() const { return *m_timeLine; }
 
-    /** Simulated seconds a second; 0: as fast as possible. */
+    /** Returns the rate in simulated seconds a second; 0 means as fast as possible. */
     [[nodiscard]] double rate() const;
-    /** The rate on offer nearest to this one. Emits nothing. */
+    /** Selects the offered rate nearest to this one. Emits nothing. */
     void setRate(double rate);
-    /** The next rate on offer, `steps` of them on. Emits `rateEdited`. */
+    /** Moves by `steps` in the list of rates. Emits `rateEdited`. */
     void stepRate(int steps);
-    /** Puts the cursor into the time, to be typed. */
+    /** Puts the cursor into the time field. */
     void editTime();
 
 signals:
@@ -46,7 +46,7 @@ signals:
     void stepRequested();
     void resetRequested();
     void rateEdited(double rate);
-    /** The user wants to see this instant of what was flown. */
+    /** Emitted when the user chooses an instant of the flight. */
     void timeEdited(double time_s);
 
 protected:
@@ -62,16 +62,16 @@ private:
 
     Theme m_theme = Theme::light();
     RunPhase m_phase = RunPhase::Planning;
-    QToolButton* m_play = nullptr; ///< or pause
+    QToolButton* m_play = nullptr; ///< take-off or pause
     QToolButton* m_step = nullptr;
     QToolButton* m_reset = nullptr;
-    QToolButton* m_lock = nullptr; ///< there while the scenario is locked
+    QToolButton* m_lock = nullptr; ///< shown while the scenario is locked
     QComboBox* m_rate = nullptr;
     RunTimeLine* m_timeLine = nullptr;
-    QLineEdit* m_time = nullptr;     ///< shown, can be typed
-    FigureLabel* m_length = nullptr; ///< of the run
+    QLineEdit* m_time = nullptr;     ///< time shown; can be typed
+    FigureLabel* m_length = nullptr; ///< length of the run
     MissionClock m_clock;
-    double m_time_s = 0; ///< shown
+    double m_time_s = 0; ///< time shown, s
     double m_duration_s = 0;
 };
 

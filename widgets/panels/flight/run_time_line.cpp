@@ -17,14 +17,14 @@ constexpr double kMilli = 1000;
 constexpr int kStep_ms = 1000;
 constexpr int kPage_ms = 30'000;
 constexpr double kBar_px = 4;
-constexpr double kHandle_px = 6; ///< radius
+constexpr double kHandle_px = 6; ///< radius of the handle
 constexpr int kHeight_px = 26;
 constexpr int kNarrowest_px = 24;
 constexpr int kWidth_px = 160;
 constexpr double kMark_px = 6;
 constexpr double kNear_px = 5;
 
-/** Plans and sightings are too many; the way home is seen by its landing. */
+/** Plans and sightings are too frequent to mark; a return is marked by its landing. */
 bool isMarked(EventKind kind)
 {
     return kind != EventKind::Planned && kind != EventKind::Sighted && kind != EventKind::HomeBound;
@@ -136,11 +136,10 @@ bool RunTimeLine::event(QEvent* event)
         return QAbstractSlider::event(event);
     const auto& help = *static_cast<QHelpEvent*>(event);
     if (m_noReturn_s && std::abs(toPixel(*m_noReturn_s) - help.pos().x()) <= kNear_px) {
-        QToolTip::showText(
-            help.globalPos(),
-            tr("%1: point of no return of the plan; later the reserve is needed to come home")
-                .arg(m_clock.text(*m_noReturn_s)),
-            this);
+        QToolTip::showText(help.globalPos(),
+                           tr("%1: point of no return; a later return uses the reserve")
+                               .arg(m_clock.text(*m_noReturn_s)),
+                           this);
         return true;
     }
     const TimeMark* mark = markAt(help.pos().x());
@@ -159,7 +158,7 @@ void RunTimeLine::paintMarks(QPainter& painter) const
         const double x_px = toPixel(mark.time_s);
         if (mark.kind == EventKind::Reached) {
             if (std::floor(x_px) == last_px)
-                continue; // a pixel can tell of one
+                continue; // one mark a pixel is enough
             last_px = std::floor(x_px);
             painter.setPen(QPen(m_theme.uav, 1.4));
             painter.drawLine(QPointF(x_px, bar_px - kBar_px - kMark_px),
@@ -174,7 +173,7 @@ void RunTimeLine::paintMarks(QPainter& painter) const
     }
 }
 
-/** A post across the bar. */
+/** Paints a vertical mark across the bar. */
 void RunTimeLine::paintNoReturn(QPainter& painter) const
 {
     if (!m_noReturn_s || *m_noReturn_s > m_duration_s)
@@ -195,7 +194,7 @@ void RunTimeLine::paintEvent(QPaintEvent* /*event*/)
             QRectF(toPixel(0), (height() - kBar_px) / 2, toPixel(until_s) - toPixel(0), kBar_px),
             kBar_px / 2, kBar_px / 2);
     };
-    constexpr double kInk = 0.55; // seen at 3 : 1 on the window
+    constexpr double kInk = 0.55; // contrast of 3 : 1 to the window
     const QColor ahead = mixed(m_theme.chart, m_theme.text, kInk);
     bar(m_duration_s, ahead);
     if (maximum() > 0)

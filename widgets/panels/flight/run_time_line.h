@@ -11,18 +11,18 @@
 
 namespace berg {
 
-/** An event as the time line marks it. */
+/** A mark of an event on the time line. */
 struct TimeMark
 {
     double time_s = 0;
     EventKind kind = EventKind::Reached;
-    QString text; ///< for the tool tip
+    QString text; ///< tool tip
 };
 
 /**
- * The run from its start to its end: what is flown, where one looks, and ticks for the events.
- * Dragged or by keys one goes to any instant that was flown. The value is the time in
- * milliseconds, the maximum what has been flown.
+ * Time line of the run: the flown part, the instant shown, and marks for events. The user moves to
+ * any flown instant by dragging or by keys. The value is the time in milliseconds, the maximum the
+ * flown time.
  */
 class RunTimeLine : public QAbstractSlider
 {
@@ -33,11 +33,13 @@ public:
 
     void setTheme(const Theme& theme);
     void setClock(const MissionClock& clock) { m_clock = clock; }
-    /** Emits nothing. `time_s` is shown, `newest_s` flown, `duration_s` to be flown. */
+    /** Shows `time_s` of a run flown up to `newest_s` out of `duration_s`. Emits nothing. */
     void showTime(double time_s, double newest_s, double duration_s);
-    /** In order of time. */
+    /** Sets the marks, in order of time. */
     void setMarks(std::vector<TimeMark> marks);
-    /** From when on the plan cannot be left for home with the reserve whole; none: always. */
+    /**
+     * Sets the time after which a return home uses the reserve; nullopt if there is no such time.
+     */
     void setNoReturn(std::optional<double> time_s);
     [[nodiscard]] const std::vector<TimeMark>& marks() const { return m_marks; }
 
@@ -45,7 +47,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
-    /** The user went to this instant. */
+    /** Emitted when the user moved to this instant. */
     void scrubbed(double time_s);
 
 protected:

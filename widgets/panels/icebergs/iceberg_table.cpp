@@ -30,9 +30,9 @@ namespace {
 constexpr int kMargin_px = 6;
 constexpr int kCellMargins_px = 10;
 constexpr int kSortMark_px = 14;
-constexpr int kFilterFrom = 15; ///< so many icebergs make it worth its room
+constexpr int kFilterFrom = 15; ///< number of icebergs from which the filter is shown
 
-/** As wide as usual contents: columns stand still in flight. */
+/** Returns a text as wide as usual contents, so that columns keep their width in flight. */
 QString widestText(IcebergColumn column, double sigmaFull_m2, const MissionClock& clock,
                    const QLocale& locale)
 {
@@ -108,8 +108,7 @@ IcebergTable::IcebergTable(ScenarioDocument& document, Selection& selection, QWi
     refresh();
 }
 
-/** An open editor edits for the last time when it loses the focus: by then this is a mere widget.
- */
+/** An open editor commits when it loses the focus; by then only the base class is left. */
 IcebergTable::~IcebergTable()
 {
     m_model->disconnect(this);
@@ -140,7 +139,7 @@ void IcebergTable::connectTable()
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &IcebergTable::showDocument);
     connect(&m_selection, &Selection::changed, this, [this] {
         if (m_isSelecting)
-            return; // it was made here
+            return; // the change comes from this table
         showSelection();
         scrollToSelection();
     });
@@ -187,7 +186,7 @@ void IcebergTable::setSigmaFull(double full_m2)
         widestSigmaText(full_m2, locale()) != widestSigmaText(m_sigmaFull_m2, locale());
     m_sigmaFull_m2 = full_m2;
     m_delegate->setSigmaFull(full_m2);
-    if (isWider) // else they stay as the user has made them
+    if (isWider) // otherwise columns keep the user's widths
         setColumnWidths();
 }
 
@@ -216,7 +215,7 @@ void IcebergTable::showEvent(QShowEvent* event)
     showDocument();
 }
 
-/** What is selected stays in sight; a list that is not laid out does not scroll. */
+/** Keeps the selection in sight; a list without a layout cannot scroll yet. */
 bool IcebergTable::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize)
@@ -224,7 +223,7 @@ bool IcebergTable::eventFilter(QObject* watched, QEvent* event)
     return QWidget::eventFilter(watched, event);
 }
 
-/** After the rows were begun anew, or are of another kind. */
+/** Updates the view after a reset of the rows or a change between editing and flight. */
 void IcebergTable::refresh()
 {
     showColumns();
@@ -252,7 +251,7 @@ void IcebergTable::setHiddenColumns(const QStringList& keys)
     showColumns();
 }
 
-/** Of what stands beside the text of a cell. */
+/** Returns the width of marks beside the text of a cell. */
 int IcebergTable::markWidth(IcebergColumn column) const
 {
     if (column == IcebergColumn::Sigma)
@@ -318,7 +317,7 @@ void IcebergTable::showSelection()
                                     QItemSelectionModel::NoUpdate);
 }
 
-/** To what was selected last. */
+/** Scrolls to the iceberg selected last. */
 void IcebergTable::scrollToSelection()
 {
     if (m_selection.isEmpty())
@@ -328,7 +327,7 @@ void IcebergTable::scrollToSelection()
             m_table->scrollTo(m_model->index(row, std::max(0, m_table->currentIndex().column())));
 }
 
-/** What was selected before stays in front, in its order. */
+/** Passes the selection on; icebergs that stay selected keep their order in front. */
 void IcebergTable::acceptSelection()
 {
     if (m_isSelecting)
@@ -370,7 +369,7 @@ void IcebergTable::editAll(const QModelIndex& index, const QVariant& value)
     m_model->setAll(m_table->selectedRows(), static_cast<IcebergColumn>(index.column()), value);
 }
 
-/** The rows selected, all when there are none. */
+/** Copies the selected rows, or all without a selection. */
 void IcebergTable::copy()
 {
     std::vector<int> rows = m_table->selectedRows();
@@ -386,7 +385,8 @@ void IcebergTable::paste()
         say(tr("In flight the icebergs cannot be edited. Stop the flight to paste."));
         return;
     }
-    const QMimeData* clipboard = QApplication::clipboard()->mimeData(); // null: nothing there
+    // Null without clipboard contents.
+    const QMimeData* clipboard = QApplication::clipboard()->mimeData();
     if (clipboard != nullptr && clipboard->hasFormat(QLatin1String(kIcebergMimeType))) {
         say({});
         emit mapPasteRequested();
@@ -413,7 +413,7 @@ void IcebergTable::showColumnMenu(const QPoint& at)
     auto* menu = new QMenu(this);
     menu->setObjectName(u"icebergColumnMenu"_s);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    for (int column = 1; column < m_model->columnCount(); ++column) { // the name is always there
+    for (int column = 1; column < m_model->columnCount(); ++column) { // the name is always shown
         if (!m_model->hasColumn(column))
             continue;
         const QString key = m_model->spec(column).key;

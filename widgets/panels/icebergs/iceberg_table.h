@@ -19,41 +19,47 @@ class IcebergTableView;
 enum class IcebergColumn;
 
 /**
- * The icebergs as a table: before take-off a spreadsheet to edit them in, in flight how each of
- * them stands at the instant shown. Its rows are selected with those of map and charts. Updated in
- * place: scroll position, selection and sorting stay.
+ * Table of icebergs: before take-off an editable spreadsheet, in flight the state at the instant
+ * shown. Its selection is shared with map and charts. Updates keep scroll position, selection and
+ * sorting.
  */
 class IcebergTable : public QWidget
 {
     Q_OBJECT
 
 public:
-    /** Both are borrowed and must outlive the panel. */
+    /** Borrows both, which must outlive the panel. */
     IcebergTable(ScenarioDocument& document, Selection& selection, QWidget* parent = nullptr);
     ~IcebergTable() override;
 
     void setTheme(const Theme& theme);
-    /** sigma at the end of the colour scale, the same as on the map. */
+    /** Sets sigma at the end of the colour scale, as on the map. */
     void setSigmaFull(double full_m2);
-    /** The document before take-off, in flight the instant shown. */
+    /** Shows the document before take-off, or the instant shown in flight. */
     void showRecord(const FlightRecord& record);
-    /** Marks this iceberg's row, e.g. while the pointer is on it on the map; empty: none. */
+    /**
+     * Highlights the row of this iceberg, e.g. while the pointer is on it on the map; an empty id
+     * clears it.
+     */
     void setHighlight(const std::string& id);
-    /** Takes what is being typed as if Return had been pressed. */
+    /** Accepts typed text as if Return had been pressed. */
     void finishTyping();
 
-    /** Keys of columns not to be shown. */
+    /** Sets the keys of hidden columns. */
     void setHiddenColumns(const QStringList& keys);
     [[nodiscard]] const QStringList& hiddenColumns() const { return m_hiddenColumns; }
 
 signals:
-    /** The pointer is on this iceberg's row; empty: on none any more. */
+    /**
+     * Emitted when the pointer moves to the row of this iceberg, or with an empty id when it
+     * leaves.
+     */
     void hovered(const std::string& id);
-    /** Double-clicked in flight, or Return pressed: to be shown on the map. */
+    /** Requests to show an iceberg on the map: double click in flight, or Return. */
     void chosen(const std::string& id);
-    /** There are icebergs cut or copied on the map on the clipboard, not cells. */
+    /** Requests to paste icebergs of the map, not cells, from the clipboard. */
     void mapPasteRequested();
-    /** By the user. */
+    /** Emitted when the user hides or shows columns. */
     void hiddenColumnsChanged(const QStringList& keys);
 
 protected:
@@ -87,13 +93,13 @@ private:
     IcebergTableDelegate* m_delegate;
     IcebergTableView* m_table;
     QLineEdit* m_filter;
-    QLabel* m_fault; ///< why something was not pasted
+    QLabel* m_fault; ///< reason for a rejected paste
     QLabel* m_empty;
     QStringList m_hiddenColumns;
     double m_sigmaFull_m2 = 0;
     std::string m_hovered;
-    std::string m_current;      ///< id of the current row, found again when the rows are begun anew
-    bool m_isSelecting = false; ///< the selection is going from here to there, or back
+    std::string m_current; ///< Id of the current row, by which it is found again after a reset.
+    bool m_isSelecting = false; ///< whether a selection is being copied between table and map
 };
 
 } // namespace berg

@@ -1,8 +1,7 @@
 #include "widgets/panels/icebergs/iceberg_table_columns.h"
 
-#include "core/base/error.h"
 #include "widgets/model/scenario_edits.h"
-#include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/panels/inspector/field_inputs.h"
 
 #include <QCoreApplication>
 
@@ -18,7 +17,7 @@ struct IcebergColumnText
 
 constexpr Limits kDirection_deg{.low = 0, .high = 360};
 
-/** The row of the inspector that edits this number. */
+/** Returns the Inspector's row that edits this number. */
 NumberRow inspectorRow(const std::vector<InspectorRow>& rows, const QString& key)
 {
     for (const InspectorRow& row : rows)
@@ -55,16 +54,16 @@ IcebergColumnSpec ofAsset(const QString& key, const QString& title, const QStrin
             .isOfAsset = true};
 }
 
-/** Closest point of approach and time to it. */
+/** Returns the columns of the closest point of approach and the time to it. */
 std::array<IcebergColumnSpec, 2> assetColumns()
 {
     const ShownUnit unit = distanceUnit();
     const QString distance = IcebergColumnText::tr("CPA, %1").arg(unit.name);
-    IcebergColumnSpec nearest = ofAsset(
-        u"assetDistance"_s, distance, distance,
-        IcebergColumnText::tr("Closest point of approach: least distance from the asset "
-                              "within the next hour, by the estimate. A warning sign beside "
-                              "the name: it comes into the inner ring"));
+    IcebergColumnSpec nearest =
+        ofAsset(u"assetDistance"_s, distance, distance,
+                IcebergColumnText::tr("Closest point of approach: smallest predicted distance from "
+                                      "the asset within the next hour. A warning sign beside the "
+                                      "name means that the iceberg will enter the inner ring"));
     nearest.unit = unit;
     return {nearest,
             ofAsset(u"assetTime"_s, IcebergColumnText::tr("TCPA"), IcebergColumnText::tr("TCPA, s"),
@@ -87,14 +86,14 @@ IcebergColumnSpec ofPlace(const QString& key, const QString& title, PlaceHalf ha
     return {.key = key,
             .title = title,
             .copied = title,
-            .toolTip = IcebergColumnText::tr("Where it is, in flight the estimate; typed and "
-                                             "pasted in any form, a whole coordinate sets both"),
+            .toolTip = IcebergColumnText::tr("Position, in flight the estimate. Type or paste any "
+                                             "form; a whole coordinate sets both"),
             .isInEditor = true,
             .isInFlight = true,
             .half = half};
 }
 
-/** Speed and direction, drift to the east and north: two of them are there, by the form chosen. */
+/** Returns the columns of speed and direction or of the components; two of them are shown. */
 std::array<IcebergColumnSpec, 4> driftColumns(const std::vector<InspectorRow>& rows)
 {
     const bool isComponents = shownUnits().vectors == VectorForm::Components;
@@ -110,22 +109,22 @@ std::array<IcebergColumnSpec, 4> driftColumns(const std::vector<InspectorRow>& r
     };
     IcebergColumnSpec speed =
         drift(u"speed"_s, IcebergColumnText::tr("Speed, %1"),
-              IcebergColumnText::tr("Known drift; in flight the current is in it"),
+              IcebergColumnText::tr("Known drift; in flight it includes the current"),
               u"icebergVelocitySpeed"_s, !isComponents);
     speed.isInFlight = true;
     IcebergColumnSpec direction =
         drift(u"direction"_s, IcebergColumnText::tr("Direction, °"),
-              IcebergColumnText::tr("Where it drifts to, degrees clockwise from north"),
+              IcebergColumnText::tr("Drift direction, degrees clockwise from north"),
               u"icebergVelocityDirection"_s, !isComponents);
     direction.unit = {};
     if (direction.number)
         direction.number->range = always(kDirection_deg);
     return {speed, direction,
             drift(u"driftEast"_s, IcebergColumnText::tr("Drift east, %1"),
-                  IcebergColumnText::tr("Known drift to the east; the current comes on top"),
+                  IcebergColumnText::tr("Known drift to the east, without the current"),
                   u"icebergVelocityEast"_s, isComponents),
             drift(u"driftNorth"_s, IcebergColumnText::tr("Drift north, %1"),
-                  IcebergColumnText::tr("Known drift to the north; the current comes on top"),
+                  IcebergColumnText::tr("Known drift to the north, without the current"),
                   u"icebergVelocityNorth"_s, isComponents)};
 }
 
@@ -141,14 +140,14 @@ IcebergColumnSpecs icebergColumnSpecs()
     };
     const auto [speed, direction, driftEast, driftNorth] = driftColumns(rows);
     const auto [assetDistance, assetTime] = assetColumns();
-    IcebergColumnSpec uav = inFlight(u"uav"_s, u"UAV"_s, u"UAV"_s,
-                                     IcebergColumnText::tr("The UAV that has it in its plan"));
+    IcebergColumnSpec uav =
+        inFlight(u"uav"_s, u"UAV"_s, u"UAV"_s, IcebergColumnText::tr("UAV that plans to visit it"));
     uav.isOfFleet = true;
     IcebergColumnSpec name{
         .key = u"name"_s,
         .title = IcebergColumnText::tr("Iceberg"),
         .copied = IcebergColumnText::tr("Iceberg"),
-        .toolTip = IcebergColumnText::tr("Name of the iceberg, its id where it has none"),
+        .toolTip = IcebergColumnText::tr("Name of the iceberg, or its id if it has none"),
         .isInEditor = true,
         .isInFlight = true};
     return {
@@ -157,8 +156,8 @@ IcebergColumnSpecs icebergColumnSpecs()
                  IcebergColumnText::tr(
                      "Uncertainty of the position now; the bar is on the scale of the map")),
         inFlight(u"radius95"_s, u"95 %"_s, IcebergColumnText::tr("95 % radius, m"),
-                 IcebergColumnText::tr("With 95 % the iceberg is inside a circle of this radius "
-                                       "round its position now")),
+                 IcebergColumnText::tr("Radius around the present position that contains the "
+                                       "iceberg with a probability of 95 %")),
         assetDistance,
         assetTime,
         inFlight(u"state"_s, IcebergColumnText::tr("State"), IcebergColumnText::tr("State"),
@@ -166,12 +165,12 @@ IcebergColumnSpecs icebergColumnSpecs()
         uav,
         inFlight(u"unseen"_s, IcebergColumnText::tr("Unseen for"),
                  IcebergColumnText::tr("Unseen for, s"),
-                 IcebergColumnText::tr("Time since it was last in view, or since it is known")),
-        inFlight(
-            u"arrival"_s, IcebergColumnText::tr("Arrival"), IcebergColumnText::tr("Arrival in, s"),
-            IcebergColumnText::tr("Time from now until the UAV is there, by the plan in force")),
+                 IcebergColumnText::tr("Time since it was last in view, or since it became known")),
+        inFlight(u"arrival"_s, IcebergColumnText::tr("Arrival"),
+                 IcebergColumnText::tr("Arrival in, s"),
+                 IcebergColumnText::tr("Time until the UAV arrives, by the present plan")),
         inFlight(u"visits"_s, IcebergColumnText::tr("Visits"), IcebergColumnText::tr("Visits"),
-                 IcebergColumnText::tr("How often it was the target and was reached")),
+                 IcebergColumnText::tr("Number of times it was reached as the target")),
         inBoth(inEditor(u"east"_s, IcebergColumnText::tr("East, %1"),
                         IcebergColumnText::tr(
                             "Position east of the scenario's origin: before take-off at the "
@@ -188,10 +187,10 @@ IcebergColumnSpecs icebergColumnSpecs()
         direction,
         driftEast,
         driftNorth,
-        like(u"sigma0"_s, u"σ₀, m²"_s, u"icebergSigma0"_s),
-        like(u"growth"_s, u"q, m²/s"_s, u"icebergGrowth"_s),
-        like(u"observed"_s, IcebergColumnText::tr("Last seen, s ago"), u"icebergObserved"_s),
-        like(u"appears"_s, IcebergColumnText::tr("Appears at, s"), u"icebergAppears"_s),
+        like(u"sigma0"_s, u"σ₀, m²"_s, u"icebergs.sigma0_m2"_s),
+        like(u"growth"_s, u"q, m²/s"_s, u"icebergs.q_m2ps"_s),
+        like(u"observed"_s, IcebergColumnText::tr("Last seen, s ago"), u"icebergs.observed_s"_s),
+        like(u"appears"_s, IcebergColumnText::tr("Appears at, s"), u"icebergs.appears_s"_s),
         ofPlace(u"latitude"_s, IcebergColumnText::tr("Latitude"), PlaceHalf::Latitude),
         ofPlace(u"longitude"_s, IcebergColumnText::tr("Longitude"), PlaceHalf::Longitude),
     };
@@ -199,46 +198,36 @@ IcebergColumnSpecs icebergColumnSpecs()
 
 namespace {
 
-/** Of a constant iceberg or not: the number that the column holds as it is; null: none, or speed
- * and direction, which follow from it. */
-template <class I>
-auto* heldNumber(I& iceberg, IcebergColumn column)
+/** A column that holds a number of the iceberg itself; speed and direction are derived. */
+struct HeldNumber
 {
-    using Number = std::remove_reference_t<decltype((iceberg.sigma0_m2))>;
-    switch (column) {
-    case IcebergColumn::East:
-        return &iceberg.position_m.x();
-    case IcebergColumn::North:
-        return &iceberg.position_m.y();
-    case IcebergColumn::DriftEast:
-        return &iceberg.velocity_mps.x();
-    case IcebergColumn::DriftNorth:
-        return &iceberg.velocity_mps.y();
-    case IcebergColumn::Sigma0:
-        return &iceberg.sigma0_m2;
-    case IcebergColumn::Growth:
-        return &iceberg.q_m2ps;
-    case IcebergColumn::Observed:
-        return &iceberg.observed_s;
-    case IcebergColumn::Appears:
-        return &iceberg.appears_s;
-    case IcebergColumn::Name:
-    case IcebergColumn::Sigma:
-    case IcebergColumn::Radius95:
-    case IcebergColumn::State:
-    case IcebergColumn::Uav:
-    case IcebergColumn::AssetDistance:
-    case IcebergColumn::AssetTime:
-    case IcebergColumn::Unseen:
-    case IcebergColumn::Arrival:
-    case IcebergColumn::Visits:
-    case IcebergColumn::Speed:
-    case IcebergColumn::Direction:
-    case IcebergColumn::Latitude:
-    case IcebergColumn::Longitude:
-        break;
-    }
-    return static_cast<Number*>(nullptr);
+    IcebergColumn column;
+    std::string_view field; ///< name in files
+    int axis = 0;           ///< axis of a pair
+};
+
+constexpr std::array kHeldNumbers{HeldNumber{IcebergColumn::East, "position_m", 0},
+                                  HeldNumber{IcebergColumn::North, "position_m", 1},
+                                  HeldNumber{IcebergColumn::DriftEast, "velocity_mps", 0},
+                                  HeldNumber{IcebergColumn::DriftNorth, "velocity_mps", 1},
+                                  HeldNumber{IcebergColumn::Sigma0, "sigma0_m2"},
+                                  HeldNumber{IcebergColumn::Growth, "q_m2ps"},
+                                  HeldNumber{IcebergColumn::Observed, "observed_s"},
+                                  HeldNumber{IcebergColumn::Appears, "appears_s"}};
+
+/**
+ * Calls `use` with the field of the iceberg and the axis. Returns false if the column holds no
+ * field.
+ */
+template <class I, class Use>
+bool withHeldNumber(I& iceberg, IcebergColumn column, const Use& use)
+{
+    const auto* const held = std::ranges::find(kHeldNumbers, column, &HeldNumber::column);
+    if (held == kHeldNumbers.end())
+        return false;
+    withField(between(fieldsOf<Iceberg>(), held->field, held->field).front(), iceberg,
+              [&](auto& number) { use(number, held->axis); });
+    return true;
 }
 
 } // namespace
@@ -249,8 +238,10 @@ std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column
         return iceberg.velocity_mps.norm();
     if (column == IcebergColumn::Direction && !iceberg.velocity_mps.isZero(0))
         return directionOf(iceberg.velocity_mps);
-    const double* held = heldNumber(iceberg, column);
-    return held != nullptr ? std::optional(*held) : std::nullopt;
+    std::optional<double> number;
+    withHeldNumber(iceberg, column,
+                   [&](const auto& held, int axis) { number = shownNumber(held, axis, 0); });
+    return number;
 }
 
 bool isShownAs(const Iceberg& iceberg, IcebergColumn column, const IcebergColumnSpec& spec,
@@ -266,9 +257,9 @@ void setIcebergNumber(Iceberg& iceberg, IcebergColumn column, double value)
         return setDrift(iceberg, {.speed_mps = value});
     if (column == IcebergColumn::Direction)
         return setDrift(iceberg, {.direction_deg = value});
-    double* held = heldNumber(iceberg, column);
-    require(held != nullptr, "not a number of an iceberg that can be set");
-    *held = value;
+    const bool isHeld = withHeldNumber(
+        iceberg, column, [&](auto& held, int axis) { setNumber(held, value, axis, 0, 0); });
+    require(isHeld, "not a number of an iceberg that can be set");
 }
 
 void setDrift(Iceberg& iceberg, const Drift& drift)

@@ -9,7 +9,7 @@
 
 namespace berg {
 
-/** Columns of the table of icebergs, from left to right. */
+/** Columns of the iceberg table, from left to right. */
 enum class IcebergColumn
 {
     Name,
@@ -38,28 +38,29 @@ enum class IcebergColumn
 inline constexpr std::size_t kIcebergColumns =
     static_cast<std::size_t>(IcebergColumn::Longitude) + 1;
 
-/** What one column is, whatever the rows are. */
+/** Description of a column. */
 struct IcebergColumnSpec
 {
-    QString key;    ///< names it in the settings
-    QString title;  ///< with the unit
+    QString key;    ///< key in the settings
+    QString title;  ///< title with the unit
     QString copied; ///< title over copied numbers
     QString toolTip;
-    bool isInEditor = false;           ///< there before take-off
-    bool isInFlight = false;           ///< there in flight
-    bool isOfAsset = false;            ///< there only with an asset
-    bool isOfFleet = false;            ///< there only with several UAVs
-    std::optional<NumberRow> number{}; ///< how the inspector edits it; none: no number to be edited
-    std::optional<PlaceHalf> half{};   ///< it holds an angle of the place
-    ShownUnit unit{};                  ///< its numbers are shown, edited and copied in this
+    bool isInEditor = false; ///< shown before take-off
+    bool isInFlight = false; ///< shown in flight
+    bool isOfAsset = false;  ///< shown only with an asset
+    bool isOfFleet = false;  ///< shown only with several UAVs
+    /** Editor as in the Inspector; nullopt if it is not an editable number. */
+    std::optional<NumberRow> number{};
+    std::optional<PlaceHalf> half{}; ///< half of the position that it holds
+    ShownUnit unit{};                ///< unit in which numbers are shown, edited and copied
 
-    /** Before take-off; what tells of the asset follows from the rest. */
+    /** Returns whether it can be edited before take-off; columns about the asset are derived. */
     [[nodiscard]] bool isEditable() const { return isInEditor && !isOfAsset; }
 };
 
 using IcebergColumnSpecs = std::array<IcebergColumnSpec, kIcebergColumns>;
 
-/** By `IcebergColumn`, in the language of now. */
+/** Returns the columns by `IcebergColumn`, in the current language. */
 [[nodiscard]] IcebergColumnSpecs icebergColumnSpecs();
 
 [[nodiscard]] inline const IcebergColumnSpec& specOf(const IcebergColumnSpecs& specs,
@@ -69,20 +70,22 @@ using IcebergColumnSpecs = std::array<IcebergColumnSpec, kIcebergColumns>;
 }
 
 /**
- * What an editor column holds of an iceberg alone; none: no number, e.g. the direction of one that
- * stands still.
+ * Returns the number that an editor column holds for an iceberg; nullopt if there is none, e.g. the
+ * direction of a stationary one.
  */
 [[nodiscard]] std::optional<double> icebergNumber(const Iceberg& iceberg, IcebergColumn column);
 
-/** Whether a number typed or pasted is the one an editor column shows: then nothing is to be set.
- */
+/** Returns whether a typed or pasted number equals the one shown, so that nothing is set. */
 [[nodiscard]] bool isShownAs(const Iceberg& iceberg, IcebergColumn column,
                              const IcebergColumnSpec& spec, double shown);
 
-/** Sets what an editor column holds; that of drift keeps the other half of it. */
+/** Sets the number of an editor column; a drift component keeps the other component. */
 void setIcebergNumber(Iceberg& iceberg, IcebergColumn column, double value);
 
-/** Known drift as a speed and the way it goes, degrees clockwise from north; none: as it is. */
+/**
+ * Known drift as speed and direction, degrees clockwise from north; nullopt keeps the present
+ * value.
+ */
 struct Drift
 {
     std::optional<double> speed_mps;
@@ -90,8 +93,8 @@ struct Drift
 };
 
 /**
- * One that stands still starts to the north. Nothing changes, not even by rounding, when speed and
- * direction are what they were; a velocity beyond the largest allowed is shortened.
+ * Sets the drift. A stationary iceberg starts to the north. Unchanged speed and direction leave the
+ * velocity unchanged to the last bit; a velocity beyond the largest allowed one is shortened.
  */
 void setDrift(Iceberg& iceberg, const Drift& drift);
 

@@ -23,9 +23,11 @@ constexpr int kBarHeight_px = 9;
 constexpr int kMargin_px = 5;
 constexpr int kMark_px = 3;
 constexpr int kAlarm_px = 15;
-constexpr double kHighlight = 0.18; ///< part of the plan's colour in the ground of a row
+constexpr double kHighlight = 0.18; ///< share of the plan's colour in the ground of a row
 
-/** The inspector's input in a cell; takes a point for the decimal sign where that is a comma. */
+/**
+ * The Inspector's input in a cell; it also accepts a decimal point where the locale has a comma.
+ */
 class CellField final : public NumberField
 {
 public:
@@ -61,7 +63,7 @@ bool isNumber(const QModelIndex& index)
     return column != IcebergColumn::Name && column != IcebergColumn::State;
 }
 
-/** Not there yet, or not there any more. */
+/** Returns whether the iceberg has not appeared yet or has left. */
 bool isAbsent(const QModelIndex& index)
 {
     const auto state =
@@ -88,13 +90,13 @@ void IcebergTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& 
     initStyleOption(&option, index);
     const auto column = static_cast<IcebergColumn>(index.column());
     if (!index.flags().testFlag(Qt::ItemIsEditable))
-        option.state.setFlag(QStyle::State_HasFocus, false); // rows are chosen, not cells
+        option.state.setFlag(QStyle::State_HasFocus, false); // rows are selected, not cells
     if (isAbsent(index))
         option.palette.setColor(QPalette::Text, option.palette.color(QPalette::PlaceholderText));
     if (index.data(IcebergTableModel::HighlightRole).toBool()) {
         painter->fillRect(option.rect,
                           mixed(option.palette.color(QPalette::Base), m_theme.plan, kHighlight));
-        if (column == IcebergColumn::Name) // not by colour alone
+        if (column == IcebergColumn::Name) // a bar, so that colour is not the only sign
             painter->fillRect(QRect(option.rect.topLeft(), QSize(kMark_px, option.rect.height())),
                               m_theme.plan);
     }
@@ -110,7 +112,7 @@ void IcebergTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& 
         paintBar(*painter, option, index.data(IcebergTableModel::SigmaRole).toDouble());
 }
 
-/** A warning sign behind the name. */
+/** Adds a warning sign behind the name. */
 void IcebergTableDelegate::addAlarm(QStyleOptionViewItem& option) const
 {
     option.features |= QStyleOptionViewItem::HasDecoration;
@@ -144,7 +146,7 @@ void IcebergTableDelegate::paintBar(QPainter& painter, const QStyleOptionViewIte
                        kBar_px, kBarHeight_px);
     QRectF bar = whole;
     bar.setWidth(share * kBar_px);
-    // On the ground of a chosen row the scale does not stand out by itself.
+    // On a selected row the scale lacks contrast.
     const bool isChosen = option.state.testFlag(QStyle::State_Selected);
     painter.save();
     painter.fillRect(bar, m_theme.sigma.colour(sigma_m2, m_sigmaFull_m2));
@@ -203,7 +205,7 @@ void IcebergTableDelegate::setModelData(QWidget* editor, QAbstractItemModel* mod
         if (field->typed())
             value = *field->typed();
         else if (!m_editsAll)
-            return; // the field shows fewer digits than there are
+            return; // the field shows fewer digits than the number has
     } else if (const auto* line = qobject_cast<QLineEdit*>(editor)) {
         if (!line->isModified() && !m_editsAll)
             return;

@@ -7,8 +7,8 @@
 namespace berg {
 
 /**
- * Draws the table of icebergs, numbers in tabular figures, sigma with a bar on the scale of the
- * map, and edits its cells with the inspector's inputs.
+ * Draws the iceberg table with tabular figures and a sigma bar on the scale of the map, and edits
+ * its cells with the Inspector's inputs.
  */
 class IcebergTableDelegate : public QStyledItemDelegate
 {
@@ -18,7 +18,7 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
     void setTheme(const Theme& theme) { m_theme = theme; }
-    /** sigma at the end of the colour scale. */
+    /** Sets sigma at the end of the colour scale. */
     void setSigmaFull(double full_m2) { m_sigmaFull_m2 = full_m2; }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& given,
@@ -29,13 +29,13 @@ public:
     void setModelData(QWidget* editor, QAbstractItemModel* model,
                       const QModelIndex& index) const override;
 
-    /** Room that the bar takes left of the text of sigma. */
+    /** Returns the width of the bar left of the text of sigma. */
     [[nodiscard]] static int barWidth();
-    /** Room that the sign of an alarm takes behind a name. */
+    /** Returns the width of the alarm sign behind a name. */
     [[nodiscard]] static int alarmWidth();
 
 signals:
-    /** Ctrl+Return: what was typed goes to this cell of all rows selected. */
+    /** Ctrl+Return: requests to set this cell in all selected rows. */
     void allEdited(const QModelIndex& index, const QVariant& value) const;
 
 protected:
@@ -49,7 +49,7 @@ private:
 
     Theme m_theme = Theme::light();
     double m_sigmaFull_m2 = 0;
-    bool m_editsAll = false; ///< while such an edit is being handed over
+    bool m_editsAll = false; ///< whether an edit for all rows is being committed
 };
 
 } // namespace berg

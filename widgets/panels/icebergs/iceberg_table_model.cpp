@@ -55,12 +55,12 @@ void IcebergTableModel::showRecord(const FlightRecord& record)
 {
     setRows(flightRows(record), {.isInFlight = true,
                                  .hasAsset = record.shown().asset.has_value(),
-                                 .hasFleet = areToldApart(record.scenario.uavs)});
+                                 .hasFleet = areDistinguished(record.scenario.uavs)});
 }
 
-void IcebergTableModel::setRows(std::vector<IcebergTableRow> rows, const Kind& kind)
+void IcebergTableModel::setRows(std::vector<IcebergTableRow> rows, const TableState& state)
 {
-    const bool hasOtherColumns = std::exchange(m_kind, kind) != kind;
+    const bool hasOtherColumns = std::exchange(m_state, state) != state;
     if (isSameIcebergs(rows, m_rows)) {
         updateRows(std::move(rows));
         if (hasOtherColumns)
@@ -91,9 +91,9 @@ void IcebergTableModel::updateRows(std::vector<IcebergTableRow> rows)
 
 void IcebergTableModel::rankNames()
 {
-    // The C locale compares bytes, also those of numbers.
+    // The C locale compares bytes, even within numbers.
     QCollator collator(m_locale == QLocale::c() ? QLocale(QLocale::English) : m_locale);
-    collator.setNumericMode(true); // berg-2 before berg-10
+    collator.setNumericMode(true); // sorts berg-2 before berg-10
     std::vector<int> order(m_rows.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
@@ -120,7 +120,7 @@ bool IcebergTableModel::isBefore(int a, int b) const
     return isAscending ? *first < *second : *first > *second;
 }
 
-/** The rows to be shown now. */
+/** Returns the icebergs to show, filtered and sorted. */
 std::vector<int> IcebergTableModel::arranged() const
 {
     std::vector<int> shown;
@@ -148,8 +148,8 @@ void IcebergTableModel::rearrange()
         endResetModel();
         return;
     }
-    // The same number of rows is taken for the same icebergs in another order; one that the filter
-    // now hides, because it was renamed, has no row any more.
+    // Views take the same number of rows for the same icebergs in another order; a renamed iceberg
+    // that the filter now hides loses its row.
     emit layoutAboutToBeChanged({}, VerticalSortHint);
     std::vector<int> rowOfIceberg(m_rows.size(), -1);
     for (std::size_t row = 0; row < shown.size(); ++row)
@@ -226,8 +226,8 @@ const IcebergColumnSpec& IcebergTableModel::spec(int column) const
 bool IcebergTableModel::hasColumn(int column) const
 {
     const IcebergColumnSpec& one = spec(column);
-    return (m_kind.isInFlight ? one.isInFlight : one.isInEditor) &&
-           (m_kind.hasAsset || !one.isOfAsset) && (m_kind.hasFleet || !one.isOfFleet);
+    return (m_state.isInFlight ? one.isInFlight : one.isInEditor) &&
+           (m_state.hasAsset || !one.isOfAsset) && (m_state.hasFleet || !one.isOfFleet);
 }
 
 int IcebergTableModel::rowCount(const QModelIndex& parent) const
@@ -248,11 +248,11 @@ QVariant IcebergTableModel::data(const QModelIndex& index, int role) const
     const IcebergTableRow& row = rowAt(index.row());
     switch (role) {
     case Qt::DisplayRole:
-        return cellText(row, column, m_kind.isInFlight, m_locale);
+        return cellText(row, column, m_state.isInFlight, m_locale);
     case Qt::EditRole:
         return column == IcebergColumn::Name ? QVariant(row.name)
                : spec(index.column()).half
-                   ? QVariant(cellText(row, column, m_kind.isInFlight, m_locale))
+                   ? QVariant(cellText(row, column, m_state.isInFlight, m_locale))
                    : QVariant(spec(index.column()).unit.fromSi(row.value(column).value_or(0)));
     case Qt::ToolTipRole:
         return cellToolTip(row, column, m_locale);
@@ -298,7 +298,7 @@ Qt::ItemFlags IcebergTableModel::flags(const QModelIndex& index) const
 {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
     flags.setFlag(Qt::ItemIsEditable,
-                  index.isValid() && !m_kind.isInFlight && spec(index.column()).isEditable());
+                  index.isValid() && !m_state.isInFlight && spec(index.column()).isEditable());
     return flags;
 }
 
@@ -310,7 +310,7 @@ bool IcebergTableModel::setData(const QModelIndex& index, const QVariant& value,
 bool IcebergTableModel::setAll(const std::vector<int>& rows, IcebergColumn column,
                                const QVariant& value)
 {
-    if (m_kind.isInFlight || !specOf(m_specs, column).isEditable())
+    if (m_state.isInFlight || !specOf(m_specs, column).isEditable())
         return false;
     std::vector<std::string> ids;
     for (const int row : rows)
@@ -347,7 +347,7 @@ void IcebergTableModel::setNumbers(const std::vector<std::string>& ids, IcebergC
     });
 }
 
-/** Why nothing was set; empty: it was. */
+/** Sets the typed position. Returns the reason if nothing was set, or an empty text. */
 QString IcebergTableModel::setPlaces(const std::vector<int>& rows, IcebergColumn column,
                                      const QString& text)
 {
@@ -357,10 +357,10 @@ QString IcebergTableModel::setPlaces(const std::vector<int>& rows, IcebergColumn
             return fault;
     Scenario after = m_document.scenario();
     for (const int row : rows) {
-        if (text == cellText(rowAt(row), column, m_kind.isInFlight, m_locale))
-            continue; // what is shown has fewer digits than there are
-        QString fault = takePlace(findById(after.icebergs, rowAt(row).id)->position_m, text, half,
-                                  after.origin, m_locale);
+        if (text == cellText(rowAt(row), column, m_state.isInFlight, m_locale))
+            continue; // the cell shows fewer digits than the number has
+        QString fault = applyTypedPlace(findById(after.icebergs, rowAt(row).id)->position_m, text,
+                                        half, after.origin, m_locale);
         if (!fault.isEmpty())
             return fault;
     }
@@ -372,7 +372,7 @@ QString IcebergTableModel::setPlaces(const std::vector<int>& rows, IcebergColumn
 QString IcebergTableModel::copiedCell(const IcebergTableRow& row, int column) const
 {
     if (isText(columnOf(column)))
-        return cellText(row, columnOf(column), m_kind.isInFlight, m_locale);
+        return cellText(row, columnOf(column), m_state.isInFlight, m_locale);
     const std::optional<double> value = row.value(columnOf(column));
     if (!value)
         return {};
@@ -398,7 +398,7 @@ PasteOutcome IcebergTableModel::paste(const QString& text, int row, int column,
                                       const std::vector<int>& columns)
 {
     if (!spec(column).isEditable())
-        return {.fault = tr("The column \"%1\" follows from the others. Nothing was pasted.")
+        return {.fault = tr("The column \"%1\" is computed from others. Nothing was pasted.")
                              .arg(spec(column).title)};
     PasteTarget target{.added = m_document.newIceberg()};
     for (int at = row; at < rowCount(); ++at)

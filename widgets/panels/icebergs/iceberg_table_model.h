@@ -10,9 +10,9 @@
 namespace berg {
 
 /**
- * The icebergs as a table, sorted and filtered by itself: before take-off those of the document,
- * which can be edited, in flight those of the instant shown. An update tells of the rows between
- * the first and the last that have changed; the table is begun anew only when icebergs come or go.
+ * Model of the iceberg table with its own sorting and filter: before take-off the editable icebergs
+ * of the document, in flight those of the instant shown. An update reports the span of changed
+ * rows; the model is reset only when icebergs are added or removed.
  */
 class IcebergTableModel : public QAbstractTableModel
 {
@@ -23,42 +23,48 @@ public:
     {
         SigmaRole = Qt::UserRole, ///< sigma, m^2
         StateRole,                ///< int of `IcebergStanding`
-        AlarmRole,                ///< bool: on its way into the inner ring of the asset
-        HighlightRole             ///< bool
+        /** A bool that is true if the iceberg is on its way into the inner ring of the asset. */
+        AlarmRole,
+        HighlightRole ///< bool
     };
 
-    /** The document is borrowed and must outlive the model. */
+    /** Borrows the document, which must outlive the model. */
     IcebergTableModel(ScenarioDocument& document, const QLocale& locale, QObject* parent = nullptr);
 
-    /** Before take-off. */
+    /** Shows the document before take-off. */
     void showScenario();
-    /** In flight. */
+    /** Shows a flight. */
     void showRecord(const FlightRecord& record);
-    [[nodiscard]] bool isInFlight() const { return m_kind.isInFlight; }
+    [[nodiscard]] bool isInFlight() const { return m_state.isInFlight; }
 
-    /** Shows those whose name or id holds this text, whatever its case; empty: all. */
+    /**
+     * Shows only icebergs whose name or id contains this text, ignoring case; an empty text shows
+     * all.
+     */
     void setFilter(const QString& text);
     void setHighlight(const std::string& id);
 
     [[nodiscard]] const IcebergTableRow& rowAt(int row) const;
-    /** -1: not shown. */
+    /** Returns the row of an iceberg, or −1 if it is not shown. */
     [[nodiscard]] int rowOf(const std::string& id) const;
-    /** So many icebergs there are, the ones that the filter hides included. */
+    /** Returns the number of icebergs, including those hidden by the filter. */
     [[nodiscard]] int total() const { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] const IcebergColumnSpec& spec(int column) const;
-    /** Whether the column is there now, in the editor or in flight, by the asset and the UAVs
-     * there are. */
+    /**
+     * Returns whether the column applies now: before take-off or in flight, with an asset, or with
+     * several UAVs.
+     */
     [[nodiscard]] bool hasColumn(int column) const;
 
     /**
-     * Sets a cell of all these rows, one undo step; a number is brought into its range, an angle
-     * that cannot be read changes nothing.
+     * Sets a cell of all these rows in one undo step. A number is limited to its range; an angle
+     * that cannot be read changes nothing. Returns whether the scenario changed.
      */
     bool setAll(const std::vector<int>& rows, IcebergColumn column, const QVariant& value);
-    /** Cells of these rows in full precision below the titles, tabs between. */
+    /** Returns the cells of these rows in full precision below their titles, separated by tabs. */
     [[nodiscard]] QString copied(const std::vector<int>& rows,
                                  const std::vector<int>& columns) const;
-    /** Pastes from this cell to the right, through `columns`, and down: one undo step. */
+    /** Pastes from this cell to the right, through `columns`, and down, in one undo step. */
     PasteOutcome paste(const QString& text, int row, int column, const std::vector<int>& columns);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -68,27 +74,29 @@ public:
                                       int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    /** -1: the order of the scenario. Cells without a number come last either way. */
+    /**
+     * Sorts by a column; −1 restores the order of the scenario. Cells without a number come last.
+     */
     void sort(int column, Qt::SortOrder order) override;
 
 signals:
-    /** A cell was edited; why it could not be, a whole sentence, else empty. */
+    /** Emitted after an edit with a sentence on why it was rejected, or an empty text. */
     void edited(const QString& fault);
-    /** `hasColumn` is not what it was. */
+    /** Emitted when `hasColumn` has changed. */
     void columnsChanged();
 
 private:
-    struct Kind
+    struct TableState
     {
         bool isInFlight = false;
         bool hasAsset = false;
         bool hasFleet = false;
-        bool operator==(const Kind&) const = default;
+        bool operator==(const TableState&) const = default;
     };
     void setNumbers(const std::vector<std::string>& ids, IcebergColumn column, double value);
     [[nodiscard]] QString setPlaces(const std::vector<int>& rows, IcebergColumn column,
                                     const QString& text);
-    void setRows(std::vector<IcebergTableRow> rows, const Kind& kind);
+    void setRows(std::vector<IcebergTableRow> rows, const TableState& state);
     void updateRows(std::vector<IcebergTableRow> rows);
     void rankNames();
     [[nodiscard]] std::vector<int> arranged() const;
@@ -100,14 +108,14 @@ private:
     ScenarioDocument& m_document;
     QLocale m_locale;
     IcebergColumnSpecs m_specs = icebergColumnSpecs();
-    std::vector<IcebergTableRow> m_rows; ///< as in the scenario
-    std::vector<int> m_nameRanks;        ///< by index, in the order of names
+    std::vector<IcebergTableRow> m_rows; ///< in the order of the scenario
+    std::vector<int> m_nameRanks;        ///< by iceberg index: rank in the order of names
     std::vector<int> m_shown;            ///< by row: index of its iceberg
     QString m_filter;
     std::string m_highlight;
     int m_sortColumn = -1;
     Qt::SortOrder m_sortOrder = Qt::AscendingOrder;
-    Kind m_kind;
+    TableState m_state;
 };
 
 } // namespace berg

@@ -56,7 +56,9 @@ public:
     }
 
 private:
-    /** Whether all cells of the line are titles of columns; then they say where cells go. */
+    /**
+     * Returns whether all cells of the line are column titles, which then determine the columns.
+     */
     [[nodiscard]] bool readTitles(const Line& line)
     {
         std::vector<IcebergColumn> columns;
@@ -95,7 +97,7 @@ private:
             }
             pasteCell(iceberg, drift, m_columns[i], line[i]);
         }
-        setDrift(iceberg, drift); // both halves at once
+        setDrift(iceberg, drift); // sets speed and direction together
         if (m_outcome.fault.isEmpty() && m_place)
             setPlace(iceberg, *m_place);
     }
@@ -131,14 +133,14 @@ private:
         if (column == IcebergColumn::Name) {
             const std::string& label = iceberg.name.empty() ? iceberg.id : iceberg.name;
             if (cell.toStdString() == label)
-                return; // as it was copied, spaces and all
+                return; // unchanged copy, including spaces
             const std::string name = cell.trimmed().toStdString();
             iceberg.name = name == iceberg.id ? std::string() : name;
             return;
         }
         const IcebergColumnSpec& spec = specOf(m_specs, column);
         if (!spec.isEditable())
-            return; // named by a title: it follows from the others
+            return; // a derived column named by a title
         if (spec.half) {
             readPlace(iceberg, spec, cell);
             return;
@@ -159,7 +161,7 @@ private:
                           fixedText(limits.high, 0, m_locale)));
             return;
         }
-        // What is there stays as it is to the last bit, whatever the unit.
+        // An unchanged value stays the same to the last bit in any unit.
         const std::optional<double> number =
             isThere ? icebergNumber(iceberg, column) : spec.unit.toSi(*value);
         if (column == IcebergColumn::Speed)
@@ -175,7 +177,7 @@ private:
         return LocalFrame(m_outcome.scenario.origin).toGeographic(iceberg.position_m);
     }
 
-    /** Whether the cell is a half of the place as it is copied. */
+    /** Returns whether the cell is an unchanged copy of this half of the position. */
     [[nodiscard]] bool isCopyOf(const LatLon& place, PlaceHalf half, const QString& cell) const
     {
         return cell.trimmed() ==
@@ -185,7 +187,7 @@ private:
 
     void readPlace(const Iceberg& iceberg, const IcebergColumnSpec& spec, const QString& cell)
     {
-        // An angle that was only copied along does not undo what the cells beside it have changed.
+        // An angle that was only copied along must not undo changes by the cells beside it.
         if (isCopyOf(m_before, *spec.half, cell) || isCopyOf(placeOf(iceberg), *spec.half, cell))
             return;
         const auto typed = typedPlace(cell, *spec.half, m_place.value_or(placeOf(iceberg)));
@@ -197,13 +199,13 @@ private:
             m_place = std::get<LatLon>(typed);
     }
 
-    /** What is there stays as it is to the last bit. */
+    /** Sets the position; an unchanged one stays the same to the last bit. */
     void setPlace(Iceberg& iceberg, const LatLon& place)
     {
         const LatLon origin = m_outcome.scenario.origin;
         if (place == placeOf(iceberg))
             return;
-        if (const std::optional<Point> at_m = reachedPoint(place, origin))
+        if (const std::optional<Point> at_m = pointInReach(place, origin))
             iceberg.position_m = *at_m;
         else
             fail(IcebergPasteText::tr("Row %1: %2")
@@ -227,9 +229,9 @@ private:
     std::vector<IcebergColumn> m_columns;
     const IcebergColumnSpecs& m_specs;
     QLocale m_locale;
-    std::size_t m_line = 0;        ///< of the text, from 1
-    LatLon m_before;               ///< where the iceberg of the line was
-    std::optional<LatLon> m_place; ///< of the line, as far as it has been read
+    std::size_t m_line = 0;        ///< line of the text, from 1
+    LatLon m_before;               ///< position of the line's iceberg before
+    std::optional<LatLon> m_place; ///< position of the line, as far as it has been read
     PasteOutcome m_outcome;
 };
 

@@ -9,28 +9,28 @@
 
 namespace berg {
 
-/** Where pasted cells go. */
+/** Target of a paste. */
 struct PasteTarget
 {
-    std::vector<std::string> ids;       ///< rows from the chosen one downwards
-    std::vector<IcebergColumn> columns; ///< from the chosen one to the right
-    std::vector<IcebergColumn> shown;   ///< all that a line of titles may name
-    Iceberg added{};                    ///< what a line below the last row starts from
+    std::vector<std::string> ids;       ///< rows from the current one downwards
+    std::vector<IcebergColumn> columns; ///< columns from the current one to the right
+    std::vector<IcebergColumn> shown;   ///< all columns that a line of titles may name
+    Iceberg added{};                    ///< pattern of icebergs added below the last row
 };
 
+/** Result of a paste. */
 struct PasteOutcome
 {
-    QString fault;                  ///< a sentence; empty: `scenario` is what comes of it
-    std::vector<std::string> ids{}; ///< of the icebergs pasted onto, the added ones last
+    QString fault;                  ///< a sentence; if it is empty, `scenario` is the result
+    std::vector<std::string> ids{}; ///< icebergs changed, then those added
     Scenario scenario{};
 };
 
 /**
- * The scenario with the cells of a spreadsheet in it. Where the first of several lines holds
- * titles of columns, they say which column goes where. An empty cell leaves what is there. Lines
- * below the last row add icebergs; one that comes with a name that is no id yet gets it as its id.
- * A name that is the id of its iceberg is none. A cell that cannot be read, or not be taken in the
- * limits of the inspector, is a fault of the whole.
+ * Returns the scenario with the pasted cells of a spreadsheet. If the first of several lines holds
+ * column titles, they determine the columns. Empty cells change nothing. Lines below the last row
+ * add icebergs; a name that is an unused id becomes the id. A name equal to the id is ignored. A
+ * cell that cannot be read, or is outside the Inspector's limits, rejects the whole paste.
  */
 [[nodiscard]] PasteOutcome pasteCells(const Scenario& scenario, const QString& text,
                                       const PasteTarget& target, const IcebergColumnSpecs& specs,

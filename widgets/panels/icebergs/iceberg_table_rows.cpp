@@ -27,8 +27,8 @@ constexpr std::array kEditorNumbers{IcebergColumn::Speed,     IcebergColumn::Dir
                                     IcebergColumn::Sigma0,    IcebergColumn::Growth,
                                     IcebergColumn::Observed,  IcebergColumn::Appears};
 
-// Decimals of the minutes.
-constexpr int kAnglesInFlight = 2; ///< 20 m, where they run
+// Decimals of minutes of angle.
+constexpr int kAnglesInFlight = 2; ///< about 20 m, as positions run in flight
 
 void put(IcebergTableRow& row, IcebergColumn column, std::optional<double> value)
 {
@@ -53,18 +53,18 @@ void putPlace(IcebergTableRow& row, const LocalFrame& frame, const Point& positi
     put(row, IcebergColumn::Longitude, place.longitude_deg);
 }
 
-/** Of all orders: when the UAV is there. */
+/** Returns the arrival times of all orders, by id. */
 std::unordered_map<std::string, double> arrivalsOf(const FlightRecord& record)
 {
     std::unordered_map<std::string, double> arrivals_s;
     for (const PlanSection& section : planSections(record.shown(), record.scenario))
         for (const PlanRow& row : section.rows)
-            if (row.isSeen) // else on a later sortie
+            if (row.isSeen) // otherwise it is on a later sortie
                 arrivals_s.emplace(row.id, row.arrival_s);
     return arrivals_s;
 }
 
-/** By index: how often it was reached until the time shown. */
+/** Returns how often each iceberg was reached until the time shown, by index. */
 std::vector<int> visitsOf(const FlightRecord& record)
 {
     std::vector<int> visits(record.shown().icebergs.size());
@@ -78,14 +78,14 @@ std::vector<int> visitsOf(const FlightRecord& record)
     return visits;
 }
 
-/** Where an iceberg is in the orders. */
+/** Place of an iceberg in the orders. */
 struct PlaceInOrder
 {
-    int place = 0; ///< from 1; 0: in none
-    int uav = -1;  ///< whose order
+    int place = 0; ///< from 1; 0 if it is in no order
+    int uav = -1;  ///< UAV of the order; −1 if there is none
 };
 
-/** By index. */
+/** Returns the places of the icebergs, by index. */
 std::vector<PlaceInOrder> placesOf(const FlightRecord& record)
 {
     const MissionSnapshot& shown = record.shown();
@@ -126,7 +126,7 @@ IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, int p
     return place > 0 ? IcebergStanding::Planned : IcebergStanding::Unplanned;
 }
 
-/** Smaller stands further up when sorted. */
+/** Returns the sort key of a state; smaller is further up. */
 double stateOrder(IcebergStanding state, int place)
 {
     constexpr double kBehindAll = 1e6;
@@ -141,7 +141,7 @@ QString orDash(const QString& text)
     return text.isEmpty() ? u"–"_s : text;
 }
 
-/** Of the asset; "> 1 h": still coming nearer at the end of what is looked at. */
+/** Returns the time to the closest approach; "> 1 h" if it still approaches at the horizon. */
 QString approachTimeText(double time_s)
 {
     if (time_s <= 0)
@@ -149,7 +149,7 @@ QString approachTimeText(double time_s)
     return time_s < kApproachHorizon_s ? clockText(time_s) : IcebergRowText::tr("> 1 h");
 }
 
-/** Without its unit, which is in the header; to about a tenth of a metre, in flight to one. */
+/** Returns a position without its unit, to about 0.1 m, or 1 m in flight. */
 QString positionText(double position_m, bool inFlight, const QLocale& locale)
 {
     const bool isNautical = shownUnits().distance == DistanceUnit::Nautical;
@@ -284,17 +284,17 @@ QString stateText(const IcebergTableRow& row)
                                  : IcebergRowText::tr("number %1 of %2").arg(place, row.uav);
     }
     case IcebergStanding::Searched:
-        return IcebergRowText::tr("lost, searched for");
+        return IcebergRowText::tr("lost, being searched for");
     case IcebergStanding::Lost:
         return IcebergRowText::tr("lost");
     case IcebergStanding::GivenUp:
-        return IcebergRowText::tr("given up");
+        return IcebergRowText::tr("search abandoned");
     case IcebergStanding::Left:
         return IcebergRowText::tr("left or removed");
     case IcebergStanding::Unplanned:
         return IcebergRowText::tr("not in the order");
     case IcebergStanding::Later:
-        return IcebergRowText::tr("not there yet");
+        return IcebergRowText::tr("not appeared yet");
     }
     return {};
 }
@@ -322,7 +322,7 @@ QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLoc
     case IcebergColumn::AssetTime:
         return row.value(IcebergColumn::AssetTime) == kApproachHorizon_s
                    ? IcebergRowText::tr(
-                         "It still comes nearer in an hour, to this distance by then.")
+                         "It is still approaching after one hour; this is its distance then.")
                    : QString();
     case IcebergColumn::State:
         return row.state == IcebergStanding::Later
@@ -340,7 +340,7 @@ QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLoc
     case IcebergColumn::Appears:
         return value && *value > 0 ? row.times.clock.details(*value) : QString();
     case IcebergColumn::Direction:
-        return value ? QString() : IcebergRowText::tr("It stands still.");
+        return value ? QString() : IcebergRowText::tr("It does not drift.");
     case IcebergColumn::Uav:
     case IcebergColumn::Radius95:
     case IcebergColumn::Unseen:

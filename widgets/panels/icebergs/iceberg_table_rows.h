@@ -8,61 +8,63 @@
 
 namespace berg {
 
-/** How an iceberg stands in the mission; sorted, the former ones stand further up. */
+/** State of an iceberg in the mission, in sorting order. */
 enum class IcebergStanding
 {
     InView,
     Target,
-    Planned,   ///< further on in the visiting order
-    Searched,  ///< lost, and the UAV is searching for it
-    Lost,      ///< not where it should be
-    GivenUp,   ///< the search for it has ended without it
+    Planned,   ///< later in the visiting order
+    Searched,  ///< lost; a UAV is searching for it
+    Lost,      ///< lost; not seen where it was expected
+    GivenUp,   ///< lost; the search was abandoned
     Unplanned, ///< known, not in the order
-    Later,     ///< not there yet
-    Left       ///< of the area that is monitored
+    Later,     ///< not appeared yet
+    Left       ///< left the monitored area, or removed
 };
 
-/** One iceberg as numbers. */
+/** Values of one iceberg. */
 struct IcebergTableRow
 {
     std::string id;
-    QString name; ///< empty: it has none
+    QString name; ///< empty if it has no name
     IcebergStanding state = IcebergStanding::Unplanned;
-    std::array<std::optional<double>, kIcebergColumns> values{}; ///< by column; none: nothing there
-    QString uav;      ///< of several UAVs the one that has it in its order; empty: none has
-    TimesAhead times; ///< writes its instants
-    std::optional<double> ringEntry_s; ///< from now, into the inner ring of the asset, 0: inside
+    /** By column; nullopt for an empty cell. */
+    std::array<std::optional<double>, kIcebergColumns> values{};
+    QString uav;      ///< the UAV that has it in its order, if there are several; may be empty
+    TimesAhead times; ///< formats the instants of the row
+    /** Time until it enters the inner ring of the asset, s; 0 if inside. */
+    std::optional<double> ringEntry_s;
     bool operator==(const IcebergTableRow&) const = default;
 
     [[nodiscard]] std::optional<double> value(IcebergColumn column) const
     {
         return values[static_cast<std::size_t>(column)];
     }
-    /** Name, or the id where it has none. */
+    /** Returns the name, or the id if it has no name. */
     [[nodiscard]] QString label() const
     {
         return name.isEmpty() ? QString::fromStdString(id) : name;
     }
 };
 
-/** What can be edited, in the order of the scenario. */
+/** Returns the editable values, in the order of the scenario. */
 [[nodiscard]] std::vector<IcebergTableRow> editorRows(const Scenario& scenario);
 
 /**
- * The icebergs at the time shown, by index; of those that are not there yet, or have left the
- * area, nothing but the name.
- * `State` holds the place in the visiting order, from 1. Cost: linear in icebergs and events.
+ * Returns the icebergs at the time shown, by index; those that have not appeared or have left have
+ * only a name. `State` holds the place in the visiting order, from 1. Cost: linear in icebergs and
+ * events.
  */
 [[nodiscard]] std::vector<IcebergTableRow> flightRows(const FlightRecord& record);
 
-/** "in view", "number 3 in the order", of several UAVs "number 3 of uav-2". */
+/** Returns "in view", "number 3 in the order", or with several UAVs "number 3 of uav-2". */
 [[nodiscard]] QString stateText(const IcebergTableRow& row);
 
-/** What a cell shows; metres without decimals in flight, where they run. */
+/** Returns the text of a cell; in flight running metres have no decimals. */
 [[nodiscard]] QString cellText(const IcebergTableRow& row, IcebergColumn column, bool inFlight,
                                const QLocale& locale);
 
-/** More about a cell; empty: nothing. */
+/** Returns details of a cell; may be empty. */
 [[nodiscard]] QString cellToolTip(const IcebergTableRow& row, IcebergColumn column,
                                   const QLocale& locale);
 

@@ -34,7 +34,7 @@ IcebergTableView::IcebergTableView(QWidget* parent) : QTableView(parent)
     setHorizontalScrollMode(ScrollPerPixel);
     QHeaderView* header = horizontalHeader();
     header->setMinimumSectionSize(kSmallestColumn_px);
-    header->setSortIndicatorClearable(true); // the third click: the order of the scenario
+    header->setSortIndicatorClearable(true); // the third click restores the order of the scenario
     header->setSortIndicator(-1, Qt::AscendingOrder);
     connect(this, &QTableView::entered, this, &IcebergTableView::pointedAt);
     connect(this, &QTableView::viewportEntered, this, [this] { emit pointedAt({}); });
@@ -62,7 +62,7 @@ std::vector<int> IcebergTableView::selectedRows() const
     return rows;
 }
 
-/** Whether this key begins a number in the current cell. */
+/** Returns whether this key begins a number in the current cell. */
 bool IcebergTableView::startsNumber(const QKeyEvent& key) const
 {
     const QModelIndex current = currentIndex();
@@ -74,7 +74,7 @@ bool IcebergTableView::startsNumber(const QKeyEvent& key) const
     return c.isDigit() || u"+-.,"_s.contains(c);
 }
 
-/** Whether this key is the table's, whatever it is to the window. */
+/** Returns whether the table handles this key before the window does. */
 bool IcebergTableView::isMine(const QKeyEvent& key) const
 {
     return key.matches(QKeySequence::SelectStartOfDocument) ||
@@ -86,7 +86,8 @@ bool IcebergTableView::isMine(const QKeyEvent& key) const
 void IcebergTableView::keyPressEvent(QKeyEvent* event)
 {
     const QModelIndex current = currentIndex();
-    const bool isChoice = state() != EditingState && isReturn(*event); // else left by an editor
+    // Otherwise an editor has sent it.
+    const bool isChoice = state() != EditingState && isReturn(*event);
     if (event->matches(QKeySequence::Copy))
         emit copyRequested();
     else if (event->matches(QKeySequence::Paste))

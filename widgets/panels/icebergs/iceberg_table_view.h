@@ -4,7 +4,7 @@
 
 namespace berg {
 
-/** A table view with the keys of a spreadsheet; letters stay the shortcuts of the window. */
+/** Table view with the keys of a spreadsheet; letters remain shortcuts of the window. */
 class IcebergTableView : public QTableView
 {
     Q_OBJECT
@@ -12,17 +12,17 @@ class IcebergTableView : public QTableView
 public:
     explicit IcebergTableView(QWidget* parent = nullptr);
 
-    /** Columns that are not hidden, from left to right. */
+    /** Returns the visible columns, from left to right. */
     [[nodiscard]] std::vector<int> shownColumns() const;
-    /** Rows selected, from top to bottom. */
+    /** Returns the selected rows, from top to bottom. */
     [[nodiscard]] std::vector<int> selectedRows() const;
 
 signals:
     void copyRequested();
     void pasteRequested();
-    /** Return or a double click on a row that cannot be edited. */
+    /** Emitted by Return or a double click on a row that cannot be edited. */
     void chosen(const QModelIndex& index);
-    /** The pointer is on this row; invalid: on none any more. */
+    /** Emitted when the pointer moves to this row; the index is invalid when it leaves. */
     void pointedAt(const QModelIndex& index);
 
 protected:

@@ -1,5 +1,4 @@
-#include "widgets/panels/inspector/inspector_row_makers.h"
-#include "widgets/theme/quantity_text.h"
+#include "widgets/panels/inspector/field_inputs.h"
 
 #include <cmath>
 
@@ -8,49 +7,18 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kSpeedStep_mps = 0.5;
-
-template <class Number>
-NumberRow assetRow(const RowWords& words, Number number, const Limits& limits, double step = 1)
-{
-    NumberRow row = objectRow<Asset>(words, {}, number, limits, step);
-    row.decimals = {.least = 0, .most = 2};
-    return row;
-}
-
-template <class Object, class Height>
-NumberRow ceilingRow(const RowWords& words, Height height)
-{
-    NumberRow row = optionalRow(words, {}, memberOf<Object>(height), limits::kLength_m,
-                                InspectorRows::tr("none"));
-    row.step = 10;
-    return asHeight(row);
-}
-
 std::vector<InspectorRow> wayRows()
 {
-    const auto component = [](const QString& key, const QString& label, const QString& toolTip,
-                              int axis) {
-        return assetRow(
-            {.key = key,
-             .label = label,
-             .toolTip = toolTip,
-             .undoText = InspectorRows::tr("Change velocity of the asset")},
-            [axis](auto& asset) -> auto& { return asset.velocity_mps[axis]; },
-            limits::kAssetVelocity_mps, kSpeedStep_mps);
-    };
+    const FieldInputs<Asset> asset("asset.");
+    const QString change = InspectorRows::tr("Change velocity of the asset");
     return velocityRows(
-        {.east =
-             component(u"assetVelocityEast"_s, InspectorRows::tr("Speed east"),
-                       InspectorRows::tr("What a ship makes to the east; 0 for a platform."), 0),
-         .north =
-             component(u"assetVelocityNorth"_s, InspectorRows::tr("Speed north"),
-                       InspectorRows::tr("What a ship makes to the north; 0 for a platform."), 1),
+        {.east = named(asset.inSi("velocity_mps", 0), u"assetVelocityEast"_s, change),
+         .north = named(asset.inSi("velocity_mps", 1), u"assetVelocityNorth"_s, change),
          .key = u"assetVelocity"_s,
          .speedLabel = InspectorRows::tr("Speed"),
-         .speedToolTip = InspectorRows::tr("What a ship makes; 0 for a platform."),
+         .speedToolTip = InspectorRows::tr("Speed of a ship; 0 for a platform."),
          .directionLabel = InspectorRows::tr("Course"),
-         .directionToolTip = InspectorRows::tr("Where it goes, clockwise from north."),
+         .directionToolTip = InspectorRows::tr("Course over ground, clockwise from north."),
          .componentLimit_mps = limits::kAssetVelocity_mps.high,
          .speeds_mps = always({.low = 0, .high = limits::kAssetVelocity_mps.high}),
          .direction = {
@@ -75,55 +43,23 @@ QString areaText(const std::vector<Point>& corners_m, const QLocale& locale)
 
 std::vector<InspectorRow> assetRows()
 {
-    std::vector<InspectorRow> rows{nameRow<Asset>(u"assetName"_s)};
-    rows.emplace_back(GroupRow{.key = u"assetPositionGroup"_s,
-                               .title = InspectorRows::tr("Position and course")});
-    append(rows, positionRows<Asset>(u"asset"_s));
+    const FieldInputs<Asset> asset("asset.");
+    const FieldInputs<Asset> ring("asset.", [](const Scenario& scenario, const std::string&) {
+        return scenario.asset && scenario.asset->standoff_m > 0;
+    });
+    std::vector<InspectorRow> rows = asset.rows("name");
+    beginGroup(rows, u"assetPositionGroup"_s, InspectorRows::tr("Position and course"));
+    append(rows, positionRows<Asset>(u"asset"_s, "asset."));
     append(rows, wayRows());
-    rows.emplace_back(
-        GroupRow{.key = u"assetProtectionGroup"_s, .title = InspectorRows::tr("Protection")});
-    rows.emplace_back(
-        asDistance(assetRow({.key = u"assetRange"_s,
-                             .label = InspectorRows::tr("Range"),
-                             .toolTip = InspectorRows::tr("How near an iceberg matters to it."),
-                             .undoText = InspectorRows::tr("Change range of the asset")},
-                            &Asset::range_m, limits::kExtent_m, 500)));
-    NumberRow alarm = assetRow({.key = u"assetAlarm"_s,
-                                .label = InspectorRows::tr("Inner ring"),
-                                .toolTip = InspectorRows::tr(
-                                    "An iceberg on its way into it within an hour is an alarm; at "
-                                    "0 it is half the range."),
-                                .undoText = InspectorRows::tr("Change inner ring of the asset")},
-                               &Asset::alarm_m, limits::kLength_m, 500);
-    alarm.lowestText = InspectorRows::tr("half the range");
-    rows.emplace_back(asDistance(alarm));
-    rows.emplace_back(
-        assetRow({.key = u"assetGain"_s,
-                  .label = InspectorRows::tr("Gain"),
-                  .toolTip = InspectorRows::tr("How much more an iceberg near it matters."),
-                  .undoText = InspectorRows::tr("Change gain of the asset")},
-                 &Asset::gain, limits::kGain));
-    NumberRow standoff = assetRow(
-        {.key = u"assetStandoff"_s,
-         .label = InspectorRows::tr("Stand-off ring"),
-         .toolTip = InspectorRows::tr("No UAV comes nearer to it; of a ship, to all of its track."),
-         .undoText = InspectorRows::tr("Change stand-off ring")},
-        &Asset::standoff_m, limits::kLength_m, 100);
-    standoff.lowestText = InspectorRows::tr("none");
-    rows.emplace_back(asDistance(standoff));
-    rows.emplace_back(
-        ceilingRow<Asset>({.key = u"assetStandoffCeiling"_s,
-                           .label = InspectorRows::tr("Stand-off ceiling"),
-                           .toolTip = InspectorRows::tr("Above it UAVs may fly over the ring."),
-                           .undoText = InspectorRows::tr("Change stand-off ceiling"),
-                           .isShown =
-                               [](const Scenario& scenario, const std::string&) {
-                                   return scenario.asset && scenario.asset->standoff_m > 0;
-                               }},
-                          &Asset::standoffCeiling_m));
+    beginGroup(rows, u"assetProtectionGroup"_s, InspectorRows::tr("Protection"));
+    append(rows, asset.rows("range_m"));
+    append(rows, asset.rows("alarm_m"));
+    append(rows, asset.rows("gain"));
+    append(rows, asset.rows("standoff_m"));
+    append(rows, ring.rows("standoff_ceiling_m"));
     rows.emplace_back(
         ActionRow{.words = {.key = u"assetRemove"_s,
-                            .toolTip = InspectorRows::tr("Takes the asset off the map."),
+                            .toolTip = InspectorRows::tr("Removes the asset from the map."),
                             .undoText = InspectorRows::tr("Remove asset")},
                   .act = [](Scenario& scenario) { scenario.asset.reset(); }});
     return rows;
@@ -135,14 +71,9 @@ std::vector<InspectorRow> areaRows()
         InfoRow{.key = u"areaSize"_s,
                 .text = [](const Scenario& scenario, const std::string&,
                            const QLocale& locale) { return areaText(scenario.area_m, locale); }},
-        flagRow({.key = u"areaFence"_s,
-                 .label = InspectorRows::tr("Geofence"),
-                 .toolTip = InspectorRows::tr("UAVs that start clear of its edge stay "
-                                              "inside the area."),
-                 .undoText = InspectorRows::tr("Change geofence")},
-                &Scenario::geofence),
+        FieldInputs<Scenario>("").flag("geofence"),
         ActionRow{.words = {.key = u"areaRemove"_s,
-                            .toolTip = InspectorRows::tr("Takes the area off the map."),
+                            .toolTip = InspectorRows::tr("Removes the area from the map."),
                             .undoText = InspectorRows::tr("Remove area")},
                   .act = [](Scenario& scenario) {
                       scenario.area_m.clear();
@@ -152,24 +83,11 @@ std::vector<InspectorRow> areaRows()
 
 std::vector<InspectorRow> noFlyRows()
 {
-    TextRow name = nameRow<NoFlyArea>(u"noFlyName"_s);
-    name.words.toolTip = InspectorRows::tr("Shown on the map.");
-    return {
-        name,
-        asHeight(objectRow<NoFlyArea>(
-            {.key = u"noFlyFloor"_s,
-             .label = InspectorRows::tr("Floor"),
-             .toolTip = InspectorRows::tr("UAVs lower than this fly below it."),
-             .undoText = InspectorRows::tr("Change floor of the no-fly area")},
-            {}, &NoFlyArea::floor_m, limits::kLength_m, 10)),
-        ceilingRow<NoFlyArea>({.key = u"noFlyCeiling"_s,
-                               .label = InspectorRows::tr("Ceiling"),
-                               .toolTip = InspectorRows::tr("UAVs higher than this fly above it."),
-                               .undoText = InspectorRows::tr("Change ceiling of the no-fly area")},
-                              &NoFlyArea::ceiling_m),
+    std::vector<InspectorRow> rows = FieldInputs<NoFlyArea>("no_fly.").rows("name", "ceiling_m");
+    rows.emplace_back(
         PartRow{.words = {.key = u"noFlyRemove"_s,
                           .label = InspectorRows::tr("Outline"),
-                          .toolTip = InspectorRows::tr("Takes the no-fly area off the map."),
+                          .toolTip = InspectorRows::tr("Removes the no-fly area from the map."),
                           .undoText = InspectorRows::tr("Remove no-fly area")},
                 .removeText = InspectorRows::tr("Remove"),
                 .text =
@@ -182,7 +100,8 @@ std::vector<InspectorRow> noFlyRows()
                         if (const std::optional<std::size_t> place = noFlyPlace(id))
                             scenario.noFly.erase(scenario.noFly.begin() +
                                                  static_cast<std::ptrdiff_t>(*place));
-                    }}};
+                    }});
+    return rows;
 }
 
 } // namespace berg

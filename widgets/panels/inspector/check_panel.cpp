@@ -36,7 +36,7 @@ QString severityText(Severity severity)
     case Severity::Error:
         return CheckPanel::tr("Error: must be fixed before planning");
     case Severity::Warning:
-        return CheckPanel::tr("Warning: probably not what you want");
+        return CheckPanel::tr("Warning: probably not intended");
     case Severity::Hint:
         return CheckPanel::tr("Hint: good to know");
     }
@@ -83,7 +83,7 @@ void CheckPanel::setTheme(const Theme& theme)
     fill();
 }
 
-/** Not touched while it stays the same, so that a list being read stands still. */
+/** Updates the list only if it changed, so that it does not jump while it is read. */
 void CheckPanel::refresh()
 {
     std::vector<Issue> issues = m_document.issues();
@@ -128,7 +128,8 @@ void CheckPanel::choose(int row)
 {
     if (row < 0 || row >= static_cast<int>(m_issues.size()))
         return;
-    const Issue issue = m_issues[static_cast<std::size_t>(row)]; // what follows may change the list
+    // A copy, because a receiver may change the list.
+    const Issue issue = m_issues[static_cast<std::size_t>(row)];
     emit chosen(issue);
 }
 

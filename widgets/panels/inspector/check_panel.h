@@ -13,25 +13,25 @@ namespace berg {
 class CaptionLabel;
 
 /**
- * Every finding about the scenario as it is now, worst first; one chosen by a click or Return is
- * told to whoever can show what it is about.
+ * List of all findings in the present scenario, worst first. Emits a finding chosen by a click or
+ * Return.
  */
 class CheckPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    /** `document` is borrowed and must outlive the panel. */
+    /** Borrows `document`, which must outlive the panel. */
     explicit CheckPanel(const ScenarioDocument& document, QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** What is to be said of the plan, after the findings about the scenario. */
+    /** Sets the findings about the plan, which are listed with those about the scenario. */
     void setPlanIssues(std::vector<Issue> issues);
-    /** All that is listed. */
+    /** All listed findings. */
     [[nodiscard]] const std::vector<Issue>& issues() const { return m_issues; }
 
 signals:
-    /** What is listed is new. */
+    /** Emitted when the list has changed. */
     void changed();
     void chosen(const berg::Issue& issue);
 
@@ -43,7 +43,7 @@ private:
     const ScenarioDocument& m_document;
     Theme m_theme = Theme::light();
     std::vector<Issue> m_planIssues;
-    std::vector<Issue> m_issues; ///< as listed
+    std::vector<Issue> m_issues; ///< in the order of the list
     QStringList m_lines;
     QStackedLayout* m_pages = nullptr;
     QListWidget* m_list = nullptr;

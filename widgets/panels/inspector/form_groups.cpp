@@ -29,7 +29,7 @@ void FormGroups::add(QWidget* label, QWidget* row)
     m_groups.back().rows.push_back({.row = row});
 }
 
-void FormGroups::setMatters(const QWidget* row, bool matters)
+void FormGroups::setRelevant(const QWidget* row, bool matters)
 {
     for (Group& group : m_groups)
         for (Row& one : group.rows)
@@ -62,6 +62,16 @@ void FormGroups::fold(const QStringList& keys)
     for (const Group& group : m_groups)
         if (group.heading != nullptr)
             group.heading->setChecked(!keys.contains(group.heading->objectName()));
+}
+
+void FormGroups::open(const QWidget* input)
+{
+    const auto has = [&](const Row& row) {
+        return row.row == input || row.row->isAncestorOf(input);
+    };
+    for (const Group& group : m_groups)
+        if (group.heading != nullptr && std::ranges::any_of(group.rows, has))
+            group.heading->setChecked(true);
 }
 
 } // namespace berg

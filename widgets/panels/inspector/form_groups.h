@@ -11,26 +11,28 @@ namespace berg {
 
 class FoldHeading;
 
-/** The rows of a form, under headings that show and hide them. */
+/** Rows of a form in groups with headings that fold them. */
 class FormGroups
 {
 public:
-    /** The form is borrowed and gets its rows from here. */
+    /** Borrows the form, to which all rows are added here. */
     explicit FormGroups(QFormLayout& form);
 
-    /** The rows that follow are under this heading. */
+    /** Begins a group: the rows added next are below this heading. */
     [[nodiscard]] FoldHeading* begin(const QString& key, const QString& title, bool isFolded);
-    /** Without a label over the whole width. */
+    /** Adds a row; without a label it takes the whole width. */
     void add(QWidget* label, QWidget* row);
-    /** Whether the row is of use to what is shown; takes effect with `show`. */
-    void setMatters(const QWidget* row, bool matters);
-    /** Shows the rows that matter and are not folded away, and the headings that have some. */
+    /** Sets whether the row is of use to the objects shown; takes effect with `show`. */
+    void setRelevant(const QWidget* row, bool matters);
+    /** Shows the rows that matter and are not folded, and the headings that have such rows. */
     void show() const;
 
-    /** Keys of the groups that are folded. */
+    /** Returns the keys of the folded groups. */
     [[nodiscard]] QStringList folded() const;
-    /** Those of these keys that are here are folded, the others open. */
+    /** Folds the groups with these keys and opens all others. */
     void fold(const QStringList& keys);
+    /** Opens the group that contains the input. */
+    void open(const QWidget* input);
 
 private:
     struct Row
@@ -40,7 +42,7 @@ private:
     };
     struct Group
     {
-        FoldHeading* heading = nullptr; ///< null: the rows before the first heading
+        FoldHeading* heading = nullptr; ///< null for the rows before the first heading
         std::vector<Row> rows;
     };
 

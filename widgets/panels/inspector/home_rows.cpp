@@ -1,4 +1,4 @@
-#include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/panels/inspector/field_inputs.h"
 #include "widgets/theme/quantity_text.h"
 
 using namespace Qt::StringLiterals;
@@ -12,40 +12,33 @@ bool hasHome(const Scenario& scenario, const std::string& id)
     return isLimited(scenario, id) || (uav != nullptr && uav->home_m);
 }
 
-/** One coordinate of where it lands; setting it makes that a place of its own. */
-NumberRow homeRow(const QString& key, const QString& label, const QString& toolTip, int axis)
+/**
+ * Returns the row of a coordinate of the landing place; editing it separates the place from the
+ * start.
+ */
+NumberRow homeRow(const QString& key, int axis)
 {
-    return asDistance({.words = {.key = key,
-                                 .label = label,
-                                 .toolTip = toolTip,
-                                 .undoText = InspectorRows::tr("Change home"),
-                                 .isShown = hasHome},
-                       .unit = {},
-                       .decimals = {.least = 0, .most = 1},
-                       .step = 10,
-                       .read =
-                           [axis](const Scenario& scenario, const std::string& id) {
-                               const Uav* uav = findById(scenario.uavs, id);
-                               return uav == nullptr ? 0
-                                                     : uav->home_m.value_or(uav->position_m)[axis];
-                           },
-                       .write =
-                           [axis](Scenario& scenario, const std::string& id, double value) {
-                               Uav* uav = findById(scenario.uavs, id);
-                               if (uav == nullptr)
-                                   return;
-                               Point home_m = uav->home_m.value_or(uav->position_m);
-                               home_m[axis] = value;
-                               uav->home_m = home_m;
-                           },
-                       .range = always(limits::kCoordinate_m)});
+    NumberRow row = FieldInputs<Uav>("uavs.", hasHome).inSi("home_m", axis);
+    row.read = [axis](const Scenario& scenario, const std::string& id) {
+        const Uav* uav = findById(scenario.uavs, id);
+        return uav == nullptr ? 0 : uav->home_m.value_or(uav->position_m)[axis];
+    };
+    row.write = [axis](Scenario& scenario, const std::string& id, double value) {
+        Uav* uav = findById(scenario.uavs, id);
+        if (uav == nullptr)
+            return;
+        Point home_m = uav->home_m.value_or(uav->position_m);
+        home_m[axis] = value;
+        uav->home_m = home_m;
+    };
+    return asDistance(named(row, key, InspectorRows::tr("Change home")));
 }
 
 PartRow ownHomeRow()
 {
     return {.words = {.key = u"uavHomeClear"_s,
                       .label = InspectorRows::tr("Home"),
-                      .toolTip = InspectorRows::tr("It lands elsewhere than it starts."),
+                      .toolTip = InspectorRows::tr("Landing place other than the start."),
                       .undoText = InspectorRows::tr("Land where it starts")},
             .removeText = InspectorRows::tr("Clear"),
             .text = [](const Scenario& scenario, const std::string& id,
@@ -67,18 +60,7 @@ PartRow ownHomeRow()
 
 std::vector<InspectorRow> homeRows()
 {
-    return {homeRow(u"uavHomeEast"_s, InspectorRows::tr("Home east"),
-                    InspectorRows::tr("Where it lands, east of the scenario's origin."), 0),
-            homeRow(u"uavHomeNorth"_s, InspectorRows::tr("Home north"),
-                    InspectorRows::tr("Where it lands, north of the scenario's origin."), 1),
-            ownHomeRow(),
-            objectRow<Uav>({.key = u"uavTurnaround"_s,
-                            .label = InspectorRows::tr("Turn-around"),
-                            .toolTip = InspectorRows::tr(
-                                "Time on the ground between landing and the next take-off."),
-                            .undoText = InspectorRows::tr("Change turn-around"),
-                            .isShown = isLimited},
-                           u" s"_s, &Uav::turnaround_s, limits::kTime_s, 60)};
+    return {homeRow(u"uavHomeEast"_s, 0), homeRow(u"uavHomeNorth"_s, 1), ownHomeRow()};
 }
 
 } // namespace berg

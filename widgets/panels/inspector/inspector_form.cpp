@@ -28,9 +28,9 @@ namespace {
 constexpr int kNotesLines = 3;
 constexpr int kRowGap_px = 4;
 constexpr int kColumnGap_px = 8;
-constexpr int kLabels_px = 90; ///< longer labels take several lines, as all fields stand beside
+constexpr int kLabels_px = 90; ///< longer labels wrap, so that all fields stand beside
 
-/** A page of text that tells when the focus leaves it. */
+/** A text page that reports when it loses the focus. */
 class NotesEdit final : public QPlainTextEdit
 {
 public:
@@ -47,7 +47,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override
     {
         QPlainTextEdit::focusOutEvent(event);
-        // Its own menu and other programs take the focus for a moment only, as QLineEdit has it.
+        // Context menus and other programs take the focus only for a moment, as in QLineEdit.
         if (event->reason() != Qt::PopupFocusReason &&
             event->reason() != Qt::ActiveWindowFocusReason)
             m_finished();
@@ -65,14 +65,14 @@ QLabel* newLabel(const QString& text, QWidget* input)
     int widest_px = kLabels_px;
     for (const QString& part : text.split(u' '))
         widest_px = std::max(widest_px, label->fontMetrics().horizontalAdvance(part));
-    // By itself it would take several lines sooner, and the layout asks for the column's width.
+    // A label by itself wraps sooner, and the layout asks for the column's width.
     const int width_px = std::min(widest_px, label->fontMetrics().horizontalAdvance(text)) + 1;
     label->setFixedWidth(width_px);
     label->setMinimumHeight(label->heightForWidth(width_px));
     return label;
 }
 
-/** Numbers that were reckoned from others may differ by their rounding. */
+/** Returns whether numbers are equal except for rounding in conversions. */
 bool isAlike(double a, double b)
 {
     constexpr double kRounding = 1e-9;
@@ -127,21 +127,41 @@ void InspectorForm::addInput(const RowWords& words, QWidget* input)
     QWidget* row = number != nullptr ? withRemark(number) : input;
     m_groups.add(newLabel(words.label, input), row);
     showWhere(words, row);
+    m_inputs.push_back({.words = words, .input = input});
     if (m_first == nullptr)
         m_first = input;
+}
+
+std::vector<RowWords> InspectorForm::inputsOf(const std::string& id) const
+{
+    std::vector<RowWords> found;
+    for (const Input& one : m_inputs)
+        if (!one.words.isShown || one.words.isShown(m_document.scenario(), id))
+            found.push_back(one.words);
+    return found;
+}
+
+QWidget* InspectorForm::goTo(const QString& key)
+{
+    const auto found =
+        std::ranges::find(m_inputs, key, [](const Input& one) { return one.words.key; });
+    require(found != m_inputs.end(), "an input is gone to by its key");
+    m_groups.open(found->input);
+    found->input->setFocus(Qt::ShortcutFocusReason);
+    return found->input;
 }
 
 void InspectorForm::add(const GroupRow& row)
 {
     const FoldHeading* heading = m_groups.begin(row.key, row.title, row.isFolded);
     connect(heading, &FoldHeading::toggled, this, [this] {
-        finishTyping(); // in what is hidden nobody types
+        finishTyping(); // hidden inputs must not keep unfinished text
         m_groups.show();
     });
     connect(heading, &FoldHeading::clicked, this, &InspectorForm::folded);
 }
 
-/** Only while the row matters to one of what is edited. */
+/** Shows the input only while it matters to one of the edited objects. */
 void InspectorForm::showWhere(const RowWords& words, QWidget* input)
 {
     if (!words.isShown)
@@ -150,7 +170,7 @@ void InspectorForm::showWhere(const RowWords& words, QWidget* input)
         const auto matters = [&](const std::string& id) {
             return isShown(m_document.scenario(), id);
         };
-        m_groups.setMatters(input, std::any_of(m_ids.begin(), m_ids.end(), matters));
+        m_groups.setRelevant(input, std::any_of(m_ids.begin(), m_ids.end(), matters));
     });
 }
 
@@ -231,7 +251,7 @@ void InspectorForm::addLine(const TextRow& row)
 
 namespace {
 
-/** As a page gives back what it was given: kinds of spaces and line ends become one. */
+/** Returns the text as a page returns it: spaces and line ends are normalised. */
 QString asPageHasIt(const QString& text)
 {
     QTextDocument page;
@@ -249,7 +269,7 @@ void InspectorForm::addPage(const TextRow& row)
         const QString text = page->toPlainText();
         const std::optional<std::string> before = common(row.read);
         if (before && asPageHasIt(QString::fromStdString(*before)) == text)
-            return; // shown, not written
+            return; // the text was shown, not typed
         edit(row.words, [&](Scenario& scenario, const std::string& id) {
             row.write(scenario, id, text.toStdString());
         });
@@ -263,24 +283,25 @@ void InspectorForm::addPage(const TextRow& row)
 
 void InspectorForm::add(const EntryRow& row)
 {
-    const auto whyNot = [this, row](const QString& text) {
+    const auto faultOf = [this, row](const QString& text) {
         Scenario tried = m_document.scenario();
         QString fault =
             m_ids.size() > 1 && row.faultForSeveral ? row.faultForSeveral(text) : QString();
         for (const std::string& id : m_ids)
             if (fault.isEmpty())
-                fault = row.take(tried, id, text, locale());
+                fault = row.apply(tried, id, text, locale());
         return fault;
     };
     auto* field = new EntryField(
         {.key = row.words.key, .label = row.words.label, .toolTip = row.words.toolTip},
-        EntryField::Says::WhenFinished, whyNot);
+        EntryField::ValidationTime::WhenFinished, faultOf);
     m_groups.add(newLabel(row.words.label, field), field);
+    m_inputs.push_back({.words = row.words, .input = field});
     showWhere(row.words, field);
     connect(field, &EntryField::edited, this, [this, row](const QString& text) {
         m_document.endGesture();
         edit(row.words, [&](Scenario& scenario, const std::string& id) {
-            const QString fault = row.take(scenario, id, text, locale());
+            const QString fault = row.apply(scenario, id, text, locale());
             require(fault.isEmpty(), "a text that was found good is taken");
         });
         m_document.endGesture();
@@ -296,10 +317,11 @@ void InspectorForm::add(const FlagRow& row)
     auto* box = new QCheckBox;
     addInput(row.words, box);
     connect(box, &QCheckBox::clicked, this, [this, row](bool on) {
-        edit(row.words, [&](Scenario& scenario, const std::string&) { row.write(scenario, on); });
+        edit(row.words,
+             [&](Scenario& scenario, const std::string& id) { row.write(scenario, id, on); });
         m_document.endGesture();
     });
-    m_shows.emplace_back([this, row, box] { box->setChecked(row.read(m_document.scenario())); });
+    m_shows.emplace_back([this, row, box] { box->setChecked(common(row.read).value_or(false)); });
 }
 
 void InspectorForm::add(const PickRow& row)
@@ -380,13 +402,13 @@ void InspectorForm::add(const InfoRow& row)
     showText(row.text, *text, text);
 }
 
-/** In a row that is there only while there is a text. */
+/** Shows the text in a row that is hidden while the text is empty. */
 void InspectorForm::showText(const ReadText& read, QLabel& label, QWidget* row)
 {
     m_shows.emplace_back([this, read, &label, row] {
         const QString text = commonText(read).value_or(tr("mixed"));
         label.setText(text);
-        m_groups.setMatters(row, !text.isEmpty());
+        m_groups.setRelevant(row, !text.isEmpty());
     });
 }
 
@@ -403,14 +425,14 @@ void InspectorForm::edit(const RowWords& words,
                 change(scenario, id);
         },
         gesture);
-    showAll(); // also what came out as it was, e.g. 360° for 0°
+    showAll(); // also shows normalised values, e.g. 0° for 360°
 }
 
 void InspectorForm::showObjects(std::vector<std::string> ids)
 {
     if (ids != m_ids)
         for (NumberField* field : findChildren<NumberField*>())
-            emit field->remarked({}); // it is about another one
+            emit field->remarked({}); // the remark concerns another object
     m_ids = std::move(ids);
     showAll();
 }

@@ -12,9 +12,9 @@ class QLabel;
 namespace berg {
 
 /**
- * The inputs of a list of rows for one or several objects of a scenario, or for the scenario
- * itself. Several objects with different values show "mixed"; an edit is made to all of them and
- * is one undo step, as are the steps of one input that follow each other.
+ * Inputs of a list of rows for one or several objects of a scenario, or for the scenario itself.
+ * Different values show "mixed"; an edit applies to all objects and is one undo step, as are
+ * successive steps of one input.
  */
 class InspectorForm : public QWidget
 {
@@ -24,22 +24,29 @@ public:
     InspectorForm(ScenarioDocument& document, const std::vector<InspectorRow>& rows,
                   QWidget* parent = nullptr);
 
-    /** Puts an input of the caller's above the others. */
+    /** Adds an input of the caller above the others. */
     void addOnTop(const QString& label, QWidget* input);
     void setTopVisible(bool visible);
-    /** The first one of the list of rows. */
+    /** Returns the input of the first row. */
     [[nodiscard]] QWidget* firstInput() const { return m_first; }
+    /** Returns the texts of the inputs that matter to the object with this id. */
+    [[nodiscard]] std::vector<RowWords> inputsOf(const std::string& id) const;
+    /** Opens the group of the input with this key, focuses and returns the input. */
+    QWidget* goTo(const QString& key);
 
-    /** Ids of the objects, all of them in the scenario; one empty id: the scenario itself. */
+    /**
+     * Shows the objects with these ids, which exist in the scenario; one empty id shows the
+     * scenario.
+     */
     void showObjects(std::vector<std::string> ids);
-    /** All inputs, the one on top as well. */
+    /** Locks all inputs, also the one on top. */
     void setLocked(bool locked);
-    /** Takes what is being typed as if Return had been pressed. */
+    /** Accepts typed text as if Return had been pressed. */
     void finishTyping();
     [[nodiscard]] FormGroups& groups() { return m_groups; }
 
 signals:
-    /** A group was folded or opened by the user. */
+    /** Emitted when the user folded or opened a group. */
     void folded();
 
 private:
@@ -59,7 +66,7 @@ private:
     void edit(const RowWords& words,
               const std::function<void(Scenario&, const std::string& id)>& change);
     void showAll();
-    /** What `read` gives for the objects; none: they differ. */
+    /** Returns the common value of `read` for the objects, or nullopt if they differ. */
     template <class Read>
     [[nodiscard]] auto common(const Read& read) const;
     [[nodiscard]] std::optional<QString> commonText(const ReadText& read) const;
@@ -70,7 +77,13 @@ private:
     FormGroups m_groups;
     QWidget* m_top = nullptr;
     QWidget* m_first = nullptr;
-    std::vector<std::function<void()>> m_shows; ///< of the inputs: what there is of `m_ids`
+    struct Input
+    {
+        RowWords words;
+        QWidget* input = nullptr;
+    };
+    std::vector<Input> m_inputs;
+    std::vector<std::function<void()>> m_shows; ///< update the inputs from the objects in `m_ids`
     std::vector<std::string> m_ids;
 };
 

@@ -9,10 +9,14 @@
 #include "widgets/words/issue_text.h"
 
 #include <QApplication>
+#include <QEvent>
 #include <QFormLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPointer>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -28,8 +32,9 @@ constexpr int kMargin_px = 10;
 constexpr int kGap_px = 6;
 constexpr int kMark_px = 16;
 constexpr int kChip_px = 12;
+constexpr int kNoticeLines = 3; ///< maximum; the tool tip has all of them
 
-/** The ids that are among `objects`, in the order selected. */
+/** Returns the ids that are in `objects`, in the order of selection. */
 template <class Object>
 std::vector<std::string> idsAmong(const std::vector<Object>& objects,
                                   const std::vector<std::string>& ids)
@@ -45,7 +50,7 @@ std::vector<std::string> idsAmong(const std::vector<Object>& objects,
     return found;
 }
 
-/** Whether the finding is about one of `ids`, an element of `list` in the file. */
+/** Returns whether the finding concerns one of `ids`, which are in `list` of the file. */
 template <class Object>
 bool isAbout(const Issue& issue, std::string_view list, const std::vector<Object>& objects,
              const std::vector<std::string>& ids)
@@ -62,7 +67,7 @@ bool isOnly(const std::vector<std::string>& ids)
     return ids.size() == 1;
 }
 
-/** Several are edited together, but each has an id of its own. */
+/** Several objects are edited together, but the id of a single one only. */
 void showIdOfOnly(const std::vector<std::string>& ids, InspectorForm& form, EntryField& field)
 {
     form.setTopVisible(isOnly(ids));
@@ -88,21 +93,9 @@ InspectorPanel::InspectorPanel(ScenarioDocument& document, Selection& selection,
     heading->addWidget(m_title, 1);
     column->addLayout(heading);
     column->addWidget(m_subtitle);
-    auto* notices = new QVBoxLayout;
-    notices->setSpacing(0);
-    m_lock = addNotice(*notices, u"inspectorLock"_s);
-    m_lock.text->setText(tr("Locked in flight. Stop the flight to edit."));
-    m_lock.row->hide();
-    m_issues = addNotice(*notices, u"inspectorIssues"_s);
-    notices->addStretch(1);
-    auto* room = new QWidget; // of three lines: rows below stay where they are
-    room->setLayout(notices);
-    notices->setContentsMargins(0, 0, 0, 0);
-    room->setFixedHeight(3 * std::max(kMark_px, fontMetrics().lineSpacing()));
-    column->addWidget(room);
-    column->addSpacing(2);
     addForms(*column);
     column->addStretch();
+    addNotices(*column);
 
     connect(&document, &ScenarioDocument::scenarioChanged, this, &InspectorPanel::refresh);
     connect(&selection, &Selection::changed, this, &InspectorPanel::changeSelection);
@@ -112,7 +105,7 @@ InspectorPanel::InspectorPanel(ScenarioDocument& document, Selection& selection,
 
 InspectorPanel::~InspectorPanel()
 {
-    // Inputs take what is being typed when they are hidden, and that is after this body.
+    // Inputs accept typed text when they are hidden, which happens after this body.
     m_document.disconnect(this);
     m_selection.disconnect(this);
 }
@@ -134,6 +127,57 @@ QVBoxLayout* InspectorPanel::addScrollArea()
     column->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
     column->setSpacing(kGap_px);
     return column;
+}
+
+/** Adds the notices below the rows; the space at the end of the rows shrinks by their height. */
+void InspectorPanel::addNotices(QVBoxLayout& rows)
+{
+    m_notices = new QWidget;
+    m_notices->setObjectName(u"inspectorNotices"_s);
+    auto* column = new QVBoxLayout(m_notices);
+    column->setContentsMargins(kMargin_px, 0, kMargin_px, kGap_px);
+    column->setSpacing(0);
+    m_lock = addNotice(*column, u"inspectorLock"_s);
+    m_lock.text->setText(tr("Locked in flight. Stop the flight to edit."));
+    m_lock.row->hide();
+    m_issues = addNotice(*column, u"inspectorIssues"_s);
+    m_room = new QWidget;
+    m_room->setObjectName(u"inspectorRoom"_s);
+    rows.addWidget(m_room);
+    layout()->addWidget(m_notices);
+}
+
+/**
+ * The notices take at most `kNoticeLines`; the rest of that height is empty space at the end of the
+ * rows. The scroll range is therefore the same with and without notices, and no row moves.
+ */
+void InspectorPanel::showNotices()
+{
+    const int most_px = kNoticeLines * std::max(kMark_px, fontMetrics().lineSpacing()) + kGap_px;
+    int height_px = kGap_px;
+    for (const Notice& notice : {m_lock, m_issues})
+        if (!notice.row->isHidden())
+            height_px += std::max(kMark_px, notice.text->heightForWidth(width() - 2 * kMargin_px -
+                                                                        kMark_px - kGap_px));
+    const bool hasAny = height_px > kGap_px;
+    height_px = hasAny ? std::min(height_px, most_px) : 0;
+    if (m_room->maximumHeight() == most_px - height_px)
+        return;
+    QScrollBar& bar = *findChild<QScrollArea*>()->verticalScrollBar();
+    const int scrolled_px = bar.value();
+    m_notices->setFixedHeight(height_px);
+    m_notices->setVisible(hasAny);
+    m_room->setFixedHeight(most_px - height_px);
+    QEvent arrange(QEvent::LayoutRequest);
+    QCoreApplication::sendEvent(m_room->parentWidget(), &arrange); // updates both at once
+    layout()->activate();
+    bar.setValue(scrolled_px);
+}
+
+void InspectorPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    showNotices();
 }
 
 InspectorPanel::Notice InspectorPanel::addNotice(QVBoxLayout& column, const QString& name)
@@ -161,10 +205,10 @@ void InspectorPanel::addForms(QVBoxLayout& column)
     m_noFlyForm = new InspectorForm(m_document, noFlyRows());
     m_forms = {m_icebergForm, m_uavForm, m_assetForm, m_areaForm, m_noFlyForm, m_scenarioForm};
     m_icebergId = addIdField(*m_icebergForm, u"iceberg"_s,
-                             tr("Names the iceberg in files and lists; each id is there once."),
+                             tr("Identifies the iceberg in files and lists; must be unique."),
                              tr("An iceberg needs an id."), m_icebergs);
     m_uavId = addIdField(*m_uavForm, u"uav"_s,
-                         tr("Names the UAV in files and lists; each id is there once."),
+                         tr("Identifies the UAV in files and lists; must be unique."),
                          tr("A UAV needs an id."), m_uavs);
     for (InspectorForm* form : m_forms) {
         column.addWidget(form);
@@ -186,19 +230,69 @@ void InspectorPanel::foldGroups(const QStringList& keys)
         form->groups().fold(keys);
 }
 
-/** On top of its form: of the one object of `shown`, which changes with the selection. */
+/** Returns the forms whose inputs can be found by name. */
+std::array<InspectorPanel::Fielded, 3> InspectorPanel::fielded() const
+{
+    const auto first = [](const std::vector<std::string>& selected, const auto& objects) {
+        if (!selected.empty())
+            return std::optional(selected.front());
+        return objects.empty() ? std::nullopt : std::optional(objects.front().id);
+    };
+    const Scenario& scenario = m_document.scenario();
+    return {{{.form = m_scenarioForm, .id = std::string(), .name = tr("Scenario")},
+             {.form = m_uavForm, .id = first(m_uavs, scenario.uavs), .name = tr("UAV")},
+             {.form = m_icebergForm,
+              .id = first(m_icebergs, scenario.icebergs),
+              .name = tr("Iceberg")}}};
+}
+
+std::vector<InspectorPanel::Field> InspectorPanel::fields() const
+{
+    std::vector<Field> fields;
+    for (const auto& [form, id, name] : fielded())
+        if (id)
+            for (const RowWords& words : form->inputsOf(*id))
+                fields.push_back({.key = words.key, .label = words.label, .of = name});
+    return fields;
+}
+
+void InspectorPanel::goToField(const QString& key)
+{
+    for (const auto& [form, id, name] : fielded()) {
+        const auto inputs = id ? form->inputsOf(*id) : std::vector<RowWords>();
+        if (std::ranges::find(inputs, key, &RowWords::key) == inputs.end())
+            continue;
+        if (form != formInUse())
+            m_selection.set(id->empty() ? std::vector<std::string>() : std::vector{*id});
+        const QPointer<QWidget> input = form->goTo(key);
+        const auto scroll = [this, input] {
+            auto& area = *findChild<QScrollArea*>();
+            QEvent arrange(QEvent::LayoutRequest);
+            QCoreApplication::sendEvent(area.widget(), &arrange);
+            if (input)
+                area.ensureWidgetVisible(input);
+        };
+        scroll();
+        QTimer::singleShot(0, this, scroll); // labels wrap once the form is shown, which moves rows
+        return;
+    }
+}
+
+/** Adds the id field on top of its form; it shows the only id in `shown`, which may change. */
 EntryField* InspectorPanel::addIdField(InspectorForm& form, const QString& key,
                                        const QString& toolTip, const QString& missing,
                                        const std::vector<std::string>& shown)
 {
-    auto* field = new EntryField(
-        {.key = key + u"Id"_s, .label = tr("Id"), .toolTip = toolTip}, EntryField::Says::AtOnce,
-        [this, missing](const QString& id) { return id.isEmpty() ? missing : whyTaken(id); });
+    auto* field =
+        new EntryField({.key = key + u"Id"_s, .label = tr("Id"), .toolTip = toolTip},
+                       EntryField::ValidationTime::AtOnce, [this, missing](const QString& id) {
+                           return id.isEmpty() ? missing : whyTaken(id);
+                       });
     form.addOnTop(tr("Id"), field);
     connect(field, &EntryField::edited, this, [this, &shown](const QString& id) {
         if (shown.empty())
             return;
-        // A copy: `shown` is another one while it is renamed.
+        // A copy, because `shown` changes during the renaming.
         // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
         const std::string before = shown.front();
         rename(before, id.toStdString());
@@ -216,7 +310,7 @@ void InspectorPanel::setTheme(const Theme& theme)
         icon(IconName::Locked, theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
     m_issues.mark->setPixmap(
         icon(IconName::Warning, theme).pixmap(QSize(kMark_px, kMark_px), devicePixelRatioF()));
-    lockInputs(); // whose ground is a colour of the palette
+    lockInputs(); // their ground is a colour of the palette
 }
 
 void InspectorPanel::setLocked(bool locked)
@@ -225,6 +319,7 @@ void InspectorPanel::setLocked(bool locked)
         return;
     m_locked = locked;
     m_lock.row->setVisible(locked);
+    showNotices();
     lockInputs();
     if (const QWidget* focused = QApplication::focusWidget();
         locked && focused != nullptr && isAncestorOf(focused))
@@ -245,7 +340,7 @@ void InspectorPanel::finishTyping()
         form->finishTyping();
 }
 
-/** Keys that no input has use for arrive here. */
+/** Receives the keys that no input uses. */
 void InspectorPanel::keyPressEvent(QKeyEvent* event)
 {
     const auto lines = findChildren<QLineEdit*>();
@@ -279,6 +374,8 @@ void InspectorPanel::refresh()
     showIdOfOnly(m_icebergs, *m_icebergForm, *m_icebergId);
     showIdOfOnly(m_uavs, *m_uavForm, *m_uavId);
     const InspectorForm* shown = formInUse();
+    if (shown->isHidden()) // another form starts at its top
+        findChild<QScrollArea*>()->verticalScrollBar()->setValue(0);
     for (InspectorForm* form : m_forms)
         form->setVisible(form == shown);
     setFocusProxy(shown->firstInput());
@@ -303,7 +400,7 @@ InspectorForm* InspectorPanel::formInUse() const
 void InspectorPanel::showTitle()
 {
     QString title = tr("Scenario");
-    QString subtitle = tr("Select something on the map to edit it.");
+    QString subtitle = tr("Select an object on the map to edit it.");
     if (formInUse() == m_assetForm) {
         title = tr("Asset");
         subtitle.clear();
@@ -316,14 +413,14 @@ void InspectorPanel::showTitle()
     } else if (!m_icebergs.empty()) {
         const auto count = static_cast<int>(m_icebergs.size());
         title = count == 1 ? tr("Iceberg") : tr("%n icebergs", nullptr, count);
-        subtitle = m_uavs.empty() ? QString() : tr("Only the icebergs selected are edited here.");
+        subtitle = m_uavs.empty() ? QString() : tr("Only the selected icebergs are edited here.");
         if (m_uavs.empty() && count > 1)
-            subtitle = tr("What is entered here goes to all of them.");
+            subtitle = tr("Edits apply to all of them.");
     } else if (!m_uavs.empty()) {
         const auto count = static_cast<int>(m_uavs.size());
         title = count == 1 ? tr("UAV %1").arg(QString::fromStdString(m_uavs.front()))
                            : tr("%n UAVs", nullptr, count);
-        subtitle = count > 1 ? tr("What is entered here goes to all of them.") : QString();
+        subtitle = count > 1 ? tr("Edits apply to all of them.") : QString();
     }
     m_title->setText(title);
     m_subtitle->setText(subtitle);
@@ -331,7 +428,7 @@ void InspectorPanel::showTitle()
     showChip();
 }
 
-/** The colour that the UAV has on the map. */
+/** Shows the colour that the UAV has on the map. */
 void InspectorPanel::showChip()
 {
     const std::vector<Uav>& uavs = m_document.scenario().uavs;
@@ -353,13 +450,14 @@ void InspectorPanel::showIssues()
     for (const Issue& issue : m_document.issues())
         if (isConcerned(issue))
             texts << issueText(issue);
-    texts.removeDuplicates(); // the same of several icebergs
+    texts.removeDuplicates(); // several icebergs may have the same finding
     m_issues.text->setText(texts.join(u'\n'));
-    m_issues.text->setToolTip(m_issues.text->text()); // of which there may be more than room
+    m_issues.text->setToolTip(m_issues.text->text()); // the panel may not have room for all of them
     m_issues.row->setVisible(!texts.isEmpty());
+    showNotices();
 }
 
-/** Whether the finding is about what is shown; those of asset and area are the scenario's too. */
+/** Returns whether the finding concerns what is shown; asset and area are part of the scenario. */
 bool InspectorPanel::isConcerned(const Issue& issue) const
 {
     const Scenario& scenario = m_document.scenario();
@@ -372,7 +470,7 @@ bool InspectorPanel::isConcerned(const Issue& issue) const
         return issue.field.starts_with("asset");
     if (shown == m_areaForm)
         return issue.field.starts_with("area_m");
-    if (shown == m_noFlyForm) // of the list as a whole each of them is to be told
+    if (shown == m_noFlyForm) // findings about the whole list are shown for each area
         return issue.field == "no_fly" ||
                issueIndex(issue, "no_fly") == static_cast<int>(*noFlyPlace(m_noFly));
     return issueIndex(issue, "icebergs") < 0 && issueIndex(issue, "uavs") < 0;
@@ -384,12 +482,12 @@ QString InspectorPanel::whyTaken(const QString& id) const
     const std::vector<std::string> ids{id.toStdString()};
     if (idsAmong(scenario.icebergs, ids).empty() && idsAmong(scenario.uavs, ids).empty())
         return {};
-    return tr("The id \"%1\" is taken. Every iceberg and UAV needs one of its own.").arg(id);
+    return tr("The id \"%1\" is taken. Each iceberg and UAV needs a unique id.").arg(id);
 }
 
 void InspectorPanel::rename(const std::string& before, const std::string& after)
 {
-    // Both are selected while the document changes, so that the selection is never empty between.
+    // Both ids are selected while the document changes, so that the selection is never empty.
     m_selection.set({before, after});
     m_document.edit(tr("Change id"),
                     [&](Scenario& scenario) { renameObject(scenario, before, after); });

@@ -6,6 +6,11 @@
 
 #include <QWidget>
 
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
 class QLabel;
 class QVBoxLayout;
 
@@ -16,41 +21,57 @@ class EntryField;
 class InspectorForm;
 
 /**
- * The numbers of what is selected: icebergs, UAVs, asset, area, or the scenario when nothing is.
- * Edits go to the document, one undo step for each gesture; of things of several kinds selected
- * together those that come first in this list are shown. What is being typed belongs to what was
- * selected when it was typed.
+ * Editor of the selection: icebergs, UAVs, asset, area, or the scenario without a selection. Edits
+ * go to the document, one undo step for each gesture. If objects of several kinds are selected, the
+ * first kind in this list is shown. Unfinished typing is applied to the objects selected when it
+ * was typed.
  */
 class InspectorPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    /** Both are borrowed and must outlive the panel. */
+    /** Borrows both, which must outlive the panel. */
     InspectorPanel(ScenarioDocument& document, Selection& selection, QWidget* parent = nullptr);
     ~InspectorPanel() override;
 
     void setTheme(const Theme& theme);
-    /** In flight: values can be read but not changed. */
+    /** Locks the values in flight, when they can be read but not changed. */
     void setLocked(bool locked);
-    /** Takes what is being typed as if Return had been pressed, e.g. before saving. */
+    /** Accepts typed text as if Return had been pressed, e.g. before saving. */
     void finishTyping();
 
-    /** Keys of the groups of rows that are folded away. */
+    /** Returns the keys of the folded groups of rows. */
     [[nodiscard]] QStringList foldedGroups() const;
     void foldGroups(const QStringList& keys);
 
+    /** An input, for the search box. */
+    struct Field
+    {
+        QString key;
+        QString label;
+        QString of; ///< kind of object it belongs to: "UAV"
+    };
+    /**
+     * Returns the inputs of the scenario and of the first selected iceberg and UAV, or of the first
+     * ones.
+     */
+    [[nodiscard]] std::vector<Field> fields() const;
+    /** Selects an object with the input and focuses the input. */
+    void goToField(const QString& key);
+
 signals:
-    /** A group of rows was folded or opened by the user. */
+    /** Emitted when the user folded or opened a group of rows. */
     void folded();
-    /** Esc, where nothing is being typed. */
+    /** Emitted by Esc while nothing is being typed. */
     void left();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /** A row of a mark and a text that may wrap. */
+    /** An icon and a text that may wrap. */
     struct Notice
     {
         QWidget* row = nullptr;
@@ -58,8 +79,17 @@ private:
         QLabel* text = nullptr;
     };
 
+    struct Fielded
+    {
+        InspectorForm* form;
+        std::optional<std::string> id; ///< object whose numbers it shows; nullopt if there is none
+        QString name;
+    };
+    [[nodiscard]] std::array<Fielded, 3> fielded() const;
     [[nodiscard]] QVBoxLayout* addScrollArea();
+    void addNotices(QVBoxLayout& rows);
     [[nodiscard]] Notice addNotice(QVBoxLayout& column, const QString& name);
+    void showNotices();
     void addForms(QVBoxLayout& column);
     void lockInputs();
     void changeSelection();
@@ -81,6 +111,8 @@ private:
     QLabel* m_chip = nullptr; ///< colour of the UAV
     QLabel* m_title = nullptr;
     CaptionLabel* m_subtitle = nullptr;
+    QWidget* m_notices = nullptr; ///< below the rows
+    QWidget* m_room = nullptr;    ///< empty space at the end of the rows
     Notice m_lock;
     Notice m_issues;
     InspectorForm* m_icebergForm = nullptr;
@@ -89,12 +121,12 @@ private:
     InspectorForm* m_areaForm = nullptr;
     InspectorForm* m_noFlyForm = nullptr;
     InspectorForm* m_scenarioForm = nullptr;
-    std::vector<InspectorForm*> m_forms; ///< all of them
+    std::vector<InspectorForm*> m_forms; ///< all forms
     EntryField* m_icebergId = nullptr;
     EntryField* m_uavId = nullptr;
-    std::vector<std::string> m_icebergs; ///< selected, in the scenario
+    std::vector<std::string> m_icebergs; ///< selected icebergs of the scenario
     std::vector<std::string> m_uavs;
-    std::string m_noFly; ///< key of the first one selected; empty: none
+    std::string m_noFly; ///< key of the first selected no-fly area; may be empty
     bool m_locked = false;
 };
 

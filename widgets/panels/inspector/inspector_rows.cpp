@@ -2,7 +2,7 @@
 #include "core/base/geodesy.h"
 #include "widgets/model/places.h"
 #include "widgets/model/scenario_edits.h"
-#include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/panels/inspector/field_inputs.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <cmath>
@@ -14,14 +14,13 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kPositionArrowStep_m = 10;
-constexpr int kMoreDecimals = 3; ///< of nautical miles than of metres
+constexpr int kMoreDecimals = 3; ///< additional decimals of nautical miles over metres
 constexpr double kHalfTurn_deg = 180;
-constexpr double kBearingStep_deg = 5; ///< beyond north on either side the arrows go round
-constexpr double kKnotSteps = 2;       ///< as large a step as in m/s, about
-constexpr double kFootSteps = 5;       ///< of 10 m: 50 ft
+constexpr double kBearingStep_deg = 5; ///< arrow keys step this far beyond north
+constexpr double kKnotSteps = 2;       ///< about as large a step as in m/s
+constexpr double kFootSteps = 5;       ///< 50 ft for 10 m
 
-/** Reads, writes and limits what is SI in a unit. */
+/** Returns a row in SI with value and limits converted to a unit. */
 NumberRow inUnit(NumberRow row, const ShownUnit& unit)
 {
     row.read = [read = std::move(row.read), unit](const Scenario& scenario, const std::string& id) {
@@ -38,7 +37,7 @@ NumberRow inUnit(NumberRow row, const ShownUnit& unit)
     return row;
 }
 
-/** A half of the place on the globe. */
+/** Returns the row of latitude or longitude. */
 template <class Object>
 EntryRow angleRow(const RowWords& words, PlaceHalf half)
 {
@@ -53,13 +52,13 @@ EntryRow angleRow(const RowWords& words, PlaceHalf half)
                                ? latitudeText(at.latitude_deg, kPlaceDecimals, locale)
                                : longitudeText(at.longitude_deg, kPlaceDecimals, locale);
                 },
-            .take =
+            .apply =
                 [half](Scenario& scenario, const std::string& id, const QString& text,
                        const QLocale& locale) {
                     Object* object = objectIn<Object>(scenario, id);
-                    return object == nullptr
-                               ? QString()
-                               : takePlace(object->position_m, text, half, scenario.origin, locale);
+                    return object == nullptr ? QString()
+                                             : applyTypedPlace(object->position_m, text, half,
+                                                               scenario.origin, locale);
                 },
             .faultForSeveral = [half](const QString& text) { return faultForSeveral(text, half); }};
 }
@@ -67,56 +66,72 @@ EntryRow angleRow(const RowWords& words, PlaceHalf half)
 } // namespace
 
 template <class Object>
-TextRow nameRow(const QString& key)
+std::vector<InspectorRow> positionRows(const QString& kind, const char* path)
 {
-    return textRow({.key = key,
-                    .label = InspectorRows::tr("Name"),
-                    .toolTip = InspectorRows::tr("Shown on the map in place of the id."),
-                    .undoText = InspectorRows::tr("Change name")},
-                   memberOf<Object>(&Object::name));
+    const QString change = InspectorRows::tr("Change position");
+    const QString help = InspectorRows::tr("Any form; a whole coordinate sets both.");
+    const FieldInputs<Object> inputs(path);
+    return {angleRow<Object>({.key = kind + u"Latitude"_s,
+                              .label = InspectorRows::tr("Latitude"),
+                              .toolTip = help,
+                              .undoText = change},
+                             PlaceHalf::Latitude),
+            angleRow<Object>({.key = kind + u"Longitude"_s,
+                              .label = InspectorRows::tr("Longitude"),
+                              .toolTip = help,
+                              .undoText = change},
+                             PlaceHalf::Longitude),
+            named(inputs.number("position_m", 0), kind + u"East"_s, change),
+            named(inputs.number("position_m", 1), kind + u"North"_s, change)};
 }
 
-template <class Object>
-std::vector<InspectorRow> positionRows(const QString& kind)
+template std::vector<InspectorRow> positionRows<Iceberg>(const QString& kind, const char* path);
+template std::vector<InspectorRow> positionRows<Uav>(const QString& kind, const char* path);
+template std::vector<InspectorRow> positionRows<Asset>(const QString& kind, const char* path);
+
+QString changeText(const QString& label)
 {
-    const auto row = [&](const QString& key, const QString& label, const QString& toolTip,
-                         auto number) {
-        return asDistance(objectRow<Object>({.key = kind + key,
-                                             .label = label,
-                                             .toolTip = toolTip,
-                                             .undoText = InspectorRows::tr("Change position")},
-                                            {}, number, limits::kCoordinate_m,
-                                            kPositionArrowStep_m));
-    };
-    return {angleRow<Object>(
-                {.key = kind + u"Latitude"_s,
-                 .label = InspectorRows::tr("Latitude"),
-                 .toolTip = InspectorRows::tr("In any form; a whole coordinate sets both."),
-                 .undoText = InspectorRows::tr("Change position")},
-                PlaceHalf::Latitude),
-            angleRow<Object>(
-                {.key = kind + u"Longitude"_s,
-                 .label = InspectorRows::tr("Longitude"),
-                 .toolTip = InspectorRows::tr("In any form; a whole coordinate sets both."),
-                 .undoText = InspectorRows::tr("Change position")},
-                PlaceHalf::Longitude),
-            row(
-                u"East"_s, InspectorRows::tr("East"),
-                InspectorRows::tr("Position at the start, east of the scenario's origin."),
-                [](auto& object) -> auto& { return object.position_m.x(); }),
-            row(
-                u"North"_s, InspectorRows::tr("North"),
-                InspectorRows::tr("Position at the start, north of the scenario's origin."),
-                [](auto& object) -> auto& { return object.position_m.y(); })};
+    const bool isWord = label.size() < 2 || label[1].isLower(); // keeps abbreviations
+    return InspectorRows::tr("Change %1")
+        .arg(isWord ? label.left(1).toLower() + label.mid(1) : label);
 }
 
-template TextRow nameRow<Iceberg>(const QString& key);
-template TextRow nameRow<Uav>(const QString& key);
-template TextRow nameRow<Asset>(const QString& key);
-template TextRow nameRow<NoFlyArea>(const QString& key);
-template std::vector<InspectorRow> positionRows<Iceberg>(const QString& kind);
-template std::vector<InspectorRow> positionRows<Uav>(const QString& kind);
-template std::vector<InspectorRow> positionRows<Asset>(const QString& kind);
+QString siUnitText(Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::Text:
+    case Quantity::Utc:
+    case Quantity::Number:
+    case Quantity::Distance:
+    case Quantity::Height:
+    case Quantity::Speed:
+        break;
+    case Quantity::Metres:
+        return u" m"_s;
+    case Quantity::Seconds:
+        return u" s"_s;
+    case Quantity::Degrees:
+        return u"°"_s;
+    case Quantity::Percent:
+        return u" %"_s;
+    case Quantity::Celsius:
+        return u" °C"_s;
+    case Quantity::Variance:
+        return u" m²"_s;
+    case Quantity::Growth:
+        return u" m²/s"_s;
+    }
+    return {};
+}
+
+NumberRow inUserUnit(NumberRow row, Quantity quantity)
+{
+    if (quantity == Quantity::Distance)
+        return asDistance(std::move(row));
+    if (quantity == Quantity::Height)
+        return asHeight(std::move(row));
+    return quantity == Quantity::Speed ? asSpeed(std::move(row)) : row;
+}
 
 Limits shownLimits(const Limits& limits, const ShownUnit& unit, int decimals)
 {
@@ -149,7 +164,7 @@ std::vector<InspectorRow> velocityRows(const VelocityRows& given)
                                                    given.componentLimit_mps);
         const Point written_mps =
             given.finest_mps > 0 ? roundedTo(velocity_mps, given.finest_mps) : velocity_mps;
-        given.east.write(scenario, id, written_mps.x() + 0.0); // no -0 in files
+        given.east.write(scenario, id, written_mps.x() + 0.0); // avoids -0 in files
         given.north.write(scenario, id, written_mps.y() + 0.0);
     };
     NumberRow speed = given.east;
@@ -160,7 +175,8 @@ std::vector<InspectorRow> velocityRows(const VelocityRows& given)
     speed.read = [read](const Scenario& scenario, const std::string& id) {
         return read(scenario, id).norm();
     };
-    // By scenario and id: what is stopped, if only while a number is typed, goes on where it went.
+    // By scenario and id: an object that stops, even only while a number is typed, keeps its
+    // direction.
     const auto last_deg = std::make_shared<std::map<std::string, double>>();
     speed.write = [write, read, direction_deg, last_deg](Scenario& scenario, const std::string& id,
                                                          double speed_mps) {
@@ -224,7 +240,7 @@ QString towardsText(const Point& velocity_mps, const QLocale& locale)
 {
     const double speed_mps = velocity_mps.norm();
     if (speed_mps == 0)
-        return InspectorRows::tr("stands still");
+        return InspectorRows::tr("stationary");
     const double psi_rad = std::atan2(velocity_mps.y(), velocity_mps.x());
     const int heading_deg = static_cast<int>(std::lround(headingFromPsi(psi_rad))) % 360;
     return InspectorRows::tr("%1 towards %2°")

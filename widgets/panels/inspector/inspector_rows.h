@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/scenario/checks.h"
 #include "core/scenario/scenario.h"
+#include "core/scenario/text_checks.h"
 #include "widgets/panels/fields/number_field.h"
 
 #include <QLocale>
@@ -17,17 +17,19 @@ namespace berg {
 
 class ScenarioDocument;
 
-// What the inspector lets one edit, as data. `id` is the iceberg's or the UAV's; rows of what there
-// is once ignore it. `key` names the input and the gesture that edits it.
+// Editable values of the Inspector, as data. `id` is the id of the object; rows about the scenario
+// ignore it. `key` names the input and the gesture of its edits.
 
-/** What every row has. */
+/** Texts common to all rows. */
 struct RowWords
 {
     QString key;
     QString label;
     QString toolTip;
     QString undoText;
-    /** Where the row matters; null: everywhere. Of several objects it is there when it is for one.
+    /**
+     * Returns whether the row matters to the object; null means always. With several objects it is
+     * shown if it matters to one.
      */
     std::function<bool(const Scenario&, const std::string& id)> isShown{};
 };
@@ -42,9 +44,9 @@ struct NumberRow
     double step = 1;
     std::function<double(const Scenario&, const std::string& id)> read;
     std::function<void(Scenario&, const std::string& id, double)> write;
-    /** Closed range, inside the one `validate` allows while all else stays as it is. */
+    /** Closed range within which `validate` accepts the number, other values unchanged. */
     std::function<Limits(const Scenario&)> range;
-    QString lowestText; ///< in place of the lowest value; empty: the number
+    QString lowestText; ///< shown in place of the lowest value; empty shows the number
 };
 
 struct TextRow
@@ -55,27 +57,27 @@ struct TextRow
     std::function<void(Scenario&, const std::string& id, const std::string&)> write;
 };
 
-/** A text with a grammar of its own, taken when typing ends. */
+/** A text with a syntax of its own, checked when typing ends. */
 struct EntryRow
 {
     RowWords words;
     ReadText read;
-    /** Takes the text, or changes nothing and says why not. */
+    /** Applies the text, or changes nothing and returns the reason. */
     std::function<QString(Scenario&, const std::string& id, const QString& text, const QLocale&)>
-        take;
-    /** Why several objects do not take the same text; null: they do. */
+        apply;
+    /** Returns why several objects cannot have the same text; null if they can. */
     std::function<QString(const QString& text)> faultForSeveral{};
-    QString placeholder{}; ///< in an empty line
+    QString placeholder{}; ///< shown in an empty line
 };
 
 struct FlagRow
 {
     RowWords words;
-    std::function<bool(const Scenario&)> read;
-    std::function<void(Scenario&, bool)> write;
+    std::function<bool(const Scenario&, const std::string& id)> read;
+    std::function<void(Scenario&, const std::string& id, bool)> write;
 };
 
-/** One of several that depend on the scenario; of objects that differ none is shown. */
+/** A choice from a list that depends on the scenario; objects that differ show no choice. */
 struct PickRow
 {
     struct Option
@@ -88,40 +90,42 @@ struct PickRow
     std::function<std::vector<Option>(const Scenario&)> options;
     std::function<std::string(const Scenario&, const std::string& id)> read;
     std::function<void(Scenario&, const std::string& id, const std::string&)> write;
-    /** Called when the user has chosen; null: nothing else depends on the choice. */
+    /** Called when the user has chosen; may be null. */
     std::function<void(ScenarioDocument&, const std::string&)> chosen{};
 };
 
 /** A button. */
 struct ActionRow
 {
-    RowWords words; ///< `undoText` is written on it
+    RowWords words; ///< `undoText` is the text of the button
     std::function<void(Scenario&)> act;
 };
 
-/** Something that an object may have: what it is, and a button that takes it away. */
+/** An optional part of an object: a text about it, and a button that removes it. */
 struct PartRow
 {
     RowWords words;
-    QString removeText; ///< on the button
-    /** Empty: the object has none; when no object has one the row is hidden. */
+    QString removeText; ///< text of the button
+    /**
+     * Returns an empty text if the object has no such part; the row is hidden if no object has one.
+     */
     ReadText text;
     std::function<void(Scenario&, const std::string& id)> remove;
 };
 
-/** A value that follows from the rows above, for reading. */
+/** A read-only value derived from the rows above. */
 struct InfoRow
 {
     QString key;
     ReadText text;
 };
 
-/** Heads the rows that follow, until the next one. */
+/** Heading of the rows up to the next one. */
 struct GroupRow
 {
     QString key;
     QString title;
-    bool isFolded = false; ///< at first: what is rarely changed
+    bool isFolded = false; ///< initial state; for rarely changed values
 };
 
 using InspectorRow = std::variant<NumberRow, TextRow, EntryRow, FlagRow, PickRow, ActionRow,
@@ -131,12 +135,14 @@ using InspectorRow = std::variant<NumberRow, TextRow, EntryRow, FlagRow, PickRow
 [[nodiscard]] std::vector<InspectorRow> uavRows();
 [[nodiscard]] std::vector<InspectorRow> assetRows();
 [[nodiscard]] std::vector<InspectorRow> areaRows();
-/** Of a no-fly area; `id` is its key in the selection. */
+/** Returns the rows of a no-fly area; `id` is its selection key. */
 [[nodiscard]] std::vector<InspectorRow> noFlyRows();
 [[nodiscard]] std::vector<InspectorRow> scenarioRows();
-/** How the icebergs are observed; part of `scenarioRows`. */
+/** Returns the rows of the observer; part of `scenarioRows`. */
 [[nodiscard]] std::vector<InspectorRow> observerRows();
-/** Settings of the planner that the trade-off panel does not have; they end `scenarioRows`. */
+/**
+ * Returns the planner settings that the trade-off panel does not have; the end of `scenarioRows`.
+ */
 [[nodiscard]] std::vector<InspectorRow> plannerRows();
 
 } // namespace berg

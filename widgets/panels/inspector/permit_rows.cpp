@@ -1,8 +1,8 @@
-// What an application for a permit is made of: the operation volume and what people fill in.
+// Data for an application for a permit: the operation volume and the fields people fill in.
 
 #include "core/scenario/airspace.h"
 #include "core/scenario/operation.h"
-#include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/panels/inspector/field_inputs.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/issue_text.h"
 
@@ -16,92 +16,7 @@ bool hasOperation(const Scenario& scenario, const std::string& /*id*/)
     return scenario.operation.has_value();
 }
 
-struct NumberWords
-{
-    QString label;
-    QString toolTip;
-    QString unit;
-};
-
-/** By their order in `kOperationNumbers`. */
-std::array<NumberWords, kOperationNumbers.size()> numberWords()
-{
-    return {
-        {{InspectorRows::tr("Margin"),
-          InspectorRows::tr("Round all places that a plan may lead to, for turns and changes "
-                            "of the plan. With a geofence it is not used."),
-          u" m"_s},
-         {InspectorRows::tr("UAV size"),
-          InspectorRows::tr("Largest dimension of a UAV, half of it widens the ground-risk "
-                            "buffer."),
-          u" m"_s},
-         {InspectorRows::tr("Satellite position error"),
-          InspectorRows::tr("Part of the width of the contingency volume. Source: Digisky "
-                            "3.3.0, after the guide of the Swiss FOCA: 3 m."),
-          u" m"_s},
-         {InspectorRows::tr("Path-keeping error"),
-          InspectorRows::tr("Of the autopilot, likewise. Same source: 3 m."), u" m"_s},
-         {InspectorRows::tr("Map error"), InspectorRows::tr("Likewise. Same source: 1 m."),
-          u" m"_s},
-         {InspectorRows::tr("Reaction time"),
-          InspectorRows::tr("At full speed until something is done. Same source: 1 s."), u" s"_s},
-         {InspectorRows::tr("Bank of the turn back"),
-          InspectorRows::tr("Radius v²/(g tan bank). Same source: 30°."), u"°"_s},
-         {InspectorRows::tr("Height error"),
-          InspectorRows::tr("Part of the height of the contingency volume. Same source: 4 m."),
-          u" m"_s},
-         {InspectorRows::tr("Climb part"),
-          InspectorRows::tr("Part of the speed that leads upwards during the reaction time. "
-                            "Same source: 0.707, a climb of 45°."),
-          {}},
-         {InspectorRows::tr("Pull-up part"),
-          InspectorRows::tr("Part of v²/g that levelling out takes. Same source: 0.3."),
-          {}},
-         {InspectorRows::tr("Buffer ratio"),
-          InspectorRows::tr("Width of the ground-risk buffer by the height of the contingency "
-                            "volume. Same source: 1, the rule 1:1."),
-          {}},
-         {InspectorRows::tr("Adjacent area, time"),
-          InspectorRows::tr("Of flight at full speed. Same source: 180 s."), u" s"_s},
-         {InspectorRows::tr("Adjacent area, least"), InspectorRows::tr("Same source: 5 km."),
-          u" m"_s},
-         {InspectorRows::tr("Adjacent area, most"), InspectorRows::tr("Same source: 35 km."),
-          u" m"_s}}};
-}
-
-struct TextWords
-{
-    QString label;
-    QString toolTip;
-    bool isLong = false;
-};
-
-/** By their order in `kOperationTexts`. */
-std::array<TextWords, kOperationTexts.size()> textWords()
-{
-    return {
-        {{InspectorRows::tr("Crew"),
-          InspectorRows::tr("Who flies, printed in the flight brief; empty: a blank line."), true},
-         {InspectorRows::tr("Call sign"), InspectorRows::tr("Likewise.")},
-         {InspectorRows::tr("Contacts"),
-          InspectorRows::tr("Ship, air traffic service, rescue: names, numbers, frequencies."),
-          true},
-         {InspectorRows::tr("Command link"),
-          InspectorRows::tr("How the UAVs are commanded, and what they do without it."), true},
-         {InspectorRows::tr("Checklist"),
-          InspectorRows::tr("One line for each item, printed with a box to tick."), true}}};
-}
-
-RowWords rowWords(std::string_view name, const QString& label, const QString& toolTip)
-{
-    return {.key = u"operation_"_s + QLatin1StringView(name.data(), qsizetype(name.size())),
-            .label = label,
-            .toolTip = toolTip,
-            .undoText = InspectorRows::tr("Change operation"),
-            .isShown = hasOperation};
-}
-
-/** What is only told of becomes what is kept out of, as far as the operation enters it. */
+/** Converts airspace that the operation may enter into no-fly areas. */
 void closeEnteredAirspace(Scenario& scenario)
 {
     std::vector<AirspaceArea> left;
@@ -126,22 +41,23 @@ std::vector<InspectorRow> airspaceActions()
     const auto hasAirspace = [](const Scenario& scenario, const std::string& /*id*/) {
         return !scenario.airspace.empty();
     };
-    return {ActionRow{.words = {.key = u"airspaceClose"_s,
-                                .toolTip = InspectorRows::tr(
-                                    "Airspace that the operation may enter becomes no-fly areas: "
-                                    "then the UAVs keep out of it."),
-                                .undoText = InspectorRows::tr("Make entered airspace no-fly areas"),
-                                .isShown =
-                                    [](const Scenario& scenario, const std::string& /*id*/) {
-                                        return !scenario.uavs.empty() &&
-                                               !airspaceIssues(scenario).empty();
-                                    }},
-                      .act = &closeEnteredAirspace},
-            ActionRow{.words = {.key = u"airspaceRemove"_s,
-                                .toolTip = InspectorRows::tr("All of it; undo brings it back."),
-                                .undoText = InspectorRows::tr("Remove airspace"),
-                                .isShown = hasAirspace},
-                      .act = [](Scenario& scenario) { scenario.airspace.clear(); }}};
+    return {
+        ActionRow{.words = {.key = u"airspaceClose"_s,
+                            .toolTip =
+                                InspectorRows::tr("Makes airspace that the operation may enter "
+                                                  "no-fly areas, so that the UAVs stay out of it."),
+                            .undoText = InspectorRows::tr("Make entered airspace no-fly areas"),
+                            .isShown =
+                                [](const Scenario& scenario, const std::string& /*id*/) {
+                                    return !scenario.uavs.empty() &&
+                                           !airspaceIssues(scenario).empty();
+                                }},
+                  .act = &closeEnteredAirspace},
+        ActionRow{.words = {.key = u"airspaceRemove"_s,
+                            .toolTip = InspectorRows::tr("Removes all airspace. Undo restores it."),
+                            .undoText = InspectorRows::tr("Remove airspace"),
+                            .isShown = hasAirspace},
+                  .act = [](Scenario& scenario) { scenario.airspace.clear(); }}};
 }
 
 } // namespace
@@ -152,13 +68,13 @@ std::vector<InspectorRow> permitRows()
         FlagRow{.words = {.key = u"scenarioOperation"_s,
                           .label = InspectorRows::tr("Operation volume"),
                           .toolTip = InspectorRows::tr(
-                              "Proposal for an application for a permit, to be checked with your "
-                              "authority: on the map, in KML and GeoJSON, and as a second page of "
-                              "the flight brief."),
+                              "Proposed volume for a permit application; check it with your "
+                              "authority. Shown on the map, in KML and GeoJSON, and on a second "
+                              "page of the flight brief."),
                           .undoText = InspectorRows::tr("Change operation")},
-                .read = [](const Scenario& scenario) { return scenario.operation.has_value(); },
+                .read = hasOperation,
                 .write =
-                    [](Scenario& scenario, bool on) {
+                    [](Scenario& scenario, const std::string&, bool on) {
                         scenario.operation = on ? std::optional(Operation()) : std::nullopt;
                     }},
         InfoRow{.key = u"operationWidths"_s,
@@ -174,23 +90,7 @@ std::vector<InspectorRow> permitRows()
                         .arg(metres(volume.outside_m), heightText(volume.ceiling_m, locale),
                              metres(volume.buffer_m), metres(volume.adjacent_m));
                 }}};
-    const auto numbers = numberWords();
-    for (std::size_t i = 0; i < kOperationNumbers.size(); ++i) {
-        const auto& [name, member, limits] = kOperationNumbers[i];
-        NumberRow row =
-            numberRow(rowWords(name, numbers[i].label, numbers[i].toolTip), numbers[i].unit,
-                      ofPart(&Scenario::operation, member), always(limits));
-        row.decimals = {.least = 0, .most = 3};
-        rows.emplace_back(row);
-    }
-    const auto texts = textWords();
-    for (std::size_t i = 0; i < kOperationTexts.size(); ++i) {
-        const auto& [name, member] = kOperationTexts[i];
-        TextRow row = textRow(rowWords(name, texts[i].label, texts[i].toolTip),
-                              ofPart(&Scenario::operation, member));
-        row.multiLine = texts[i].isLong;
-        rows.emplace_back(row);
-    }
+    append(rows, FieldInputs<Operation>("operation.", hasOperation).rows("margin_m", "checklist"));
     rows.emplace_back(
         InfoRow{.key = u"scenarioAirspace"_s,
                 .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) {

@@ -20,12 +20,41 @@ constexpr double kDiskRadius_px = 10;
 constexpr int kSwatch_px = 10;
 constexpr int kSwatchMargin_px = 5;
 constexpr int kPin_px = 14;
-constexpr double kHighlight = 0.18; ///< part of the plan's colour in the ground of a row
-constexpr double kUavGround = 0.08; ///< part of the text's colour in that of a UAV
-constexpr double kDrop = 0.3;       ///< part of the UAV's colour in the ground while one drags
+constexpr double kHighlight = 0.18; ///< share of the plan's colour in the ground of a row
+constexpr double kUavGround = 0.08; ///< share of the text's colour in the ground of a UAV's line
+constexpr double kDrop = 0.3;       ///< share of the UAV's colour in the ground while dragging
 constexpr int kBar_px = 3;
 
+int belowHeight_px(const Theme& theme)
+{
+    return QFontMetrics(theme.small()).height();
+}
+
 } // namespace
+
+void PlanDelegate::setBelow(bool course, bool groundSpeed)
+{
+    m_hasCourseBelow = course;
+    m_hasSpeedBelow = groundSpeed;
+}
+
+int PlanDelegate::rowHeight_px(int row_px) const
+{
+    return row_px + (m_hasCourseBelow || m_hasSpeedBelow ? belowHeight_px(m_theme) : 0);
+}
+
+QString PlanDelegate::textBelow(const QModelIndex& index) const
+{
+    const bool isCourse = m_hasCourseBelow && index.column() == PlanModel::Name;
+    const bool isSpeed = m_hasSpeedBelow && index.column() == PlanModel::Leg;
+    if ((!isCourse && !isSpeed) || index.data(PlanModel::NumberRole).toInt() == 0)
+        return {};
+    const QString text =
+        index.siblingAtColumn(isCourse ? PlanModel::Course : PlanModel::GroundSpeed)
+            .data()
+            .toString();
+    return text == missingValueText() ? QString() : text;
+}
 
 int PlanDelegate::swatchWidth()
 {
@@ -35,7 +64,9 @@ int PlanDelegate::swatchWidth()
 void PlanDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const
 {
     QStyledItemDelegate::initStyleOption(option, index);
-    if (index.column() != PlanModel::Name || !index.data(PlanModel::KeptRole).toBool())
+    if (index.data(PlanModel::LaterRole).toBool())
+        option->palette.setColor(QPalette::Text, m_theme.mutedText);
+    if (index.column() != PlanModel::Name || !index.data(PlanModel::AssignedRole).toBool())
         return;
     option->features |= QStyleOptionViewItem::HasDecoration;
     option->decorationPosition = QStyleOptionViewItem::Right;
@@ -47,7 +78,7 @@ void PlanDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
                          const QModelIndex& index) const
 {
     QStyleOptionViewItem option = given;
-    option.state.setFlag(QStyle::State_HasFocus, false); // rows are chosen, not cells
+    option.state.setFlag(QStyle::State_HasFocus, false); // rows are selected, not cells
     paintGround(*painter, option, index);
     if (index.column() == PlanModel::Number) {
         paintMark(*painter, option, index);
@@ -56,6 +87,12 @@ void PlanDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
     if (index.data(PlanModel::NumberRole).toInt() == 0) {
         paintUav(*painter, option, index);
         return;
+    }
+    if (const QString below = textBelow(index); !below.isEmpty()) {
+        paintEmpty(*painter, option, index);
+        paintBelow(*painter, option, below,
+                   index.column() == PlanModel::Name ? Qt::AlignLeft : Qt::AlignRight);
+        option.rect.setBottom(option.rect.bottom() - belowHeight_px(m_theme));
     }
     QStyledItemDelegate::paint(painter, option, index);
     if (const QVariant sigma_m2 = index.data(PlanModel::SigmaRole); sigma_m2.isValid())
@@ -67,7 +104,8 @@ void PlanDelegate::paintGround(QPainter& painter, const QStyleOptionViewItem& op
 {
     const auto paint = [&](const QColor& colour, double share, bool hasBar) {
         painter.fillRect(option.rect, mixed(option.palette.color(QPalette::Base), colour, share));
-        if (hasBar && index.column() == PlanModel::Number) // not by colour alone
+        // A bar, so that colour is not the only sign.
+        if (hasBar && index.column() == PlanModel::Number)
             painter.fillRect(QStyle::visualRect(option.direction, option.rect,
                                                 QRect(option.rect.topLeft(),
                                                       QSize(kBar_px, option.rect.height()))),
@@ -91,7 +129,7 @@ void PlanDelegate::paintEmpty(QPainter& painter, const QStyleOptionViewItem& opt
     view->style()->drawControl(QStyle::CE_ItemViewItem, &ground, &painter, view);
 }
 
-/** What the line begins with: the place in the order, or the colour of the UAV. */
+/** Paints the start of a line: the place in the order, or the colour of the UAV. */
 void PlanDelegate::paintMark(QPainter& painter, const QStyleOptionViewItem& option,
                              const QModelIndex& index) const
 {
@@ -108,7 +146,7 @@ QString PlanDelegate::uavFigures(const QModelIndex& index, int room_px) const
     QStringList parts;
     for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::Leg, PlanModel::Arrival})
         if (const QString text = index.siblingAtColumn(column).data().toString();
-            text != noFigure())
+            text != missingValueText())
             parts << text;
     const QFontMetrics metrics(m_theme.small());
     while (parts.size() > 1 && metrics.horizontalAdvance(parts.join(u", "_s)) > room_px)
@@ -116,7 +154,7 @@ QString PlanDelegate::uavFigures(const QModelIndex& index, int room_px) const
     return parts.join(u", "_s);
 }
 
-/** Its name and, where the columns of the icebergs are, what it is to fly; in one cell. */
+/** Paints the name of the UAV and the figures of its path, in one cell. */
 void PlanDelegate::paintUav(QPainter& painter, const QStyleOptionViewItem& option,
                             const QModelIndex& index) const
 {
@@ -150,7 +188,7 @@ void PlanDelegate::paintChip(QPainter& painter, const QRect& cell, int uav) cons
     chip.moveCenter(QRectF(cell).center());
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(m_theme.chart, 1.5)); // parts it from the ground of a chosen row
+    painter.setPen(QPen(m_theme.chart, 1.5)); // separates it from the ground of a selected row
     painter.setBrush(uavColour(m_theme, uav));
     painter.drawRoundedRect(chip, 3, 3);
     painter.restore();
@@ -165,6 +203,20 @@ void PlanDelegate::paintNumber(QPainter& painter, const QRect& cell, int number,
     painter.restore();
 }
 
+void PlanDelegate::paintBelow(QPainter& painter, const QStyleOptionViewItem& option,
+                              const QString& text, Qt::Alignment side) const
+{
+    constexpr int kMargin_px = 4;
+    const bool isChosen = option.state.testFlag(QStyle::State_Selected);
+    const QRect cell = option.rect.adjusted(kMargin_px, 0, -kMargin_px, -1);
+    painter.save();
+    painter.setFont(m_theme.small());
+    painter.setPen(isChosen ? m_theme.planText : m_theme.mutedText);
+    painter.drawText(cell, static_cast<int>(side | Qt::AlignBottom),
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, cell.width()));
+    painter.restore();
+}
+
 void PlanDelegate::paintSwatch(QPainter& painter, const QStyleOptionViewItem& option,
                                double sigma_m2) const
 {
@@ -173,7 +225,7 @@ void PlanDelegate::paintSwatch(QPainter& painter, const QStyleOptionViewItem& op
         QStyle::visualRect(option.direction, cell,
                            QRect(cell.left() + kSwatchMargin_px,
                                  cell.center().y() + 1 - kSwatch_px / 2, kSwatch_px, kSwatch_px));
-    // On the ground of a chosen row the scale does not stand out by itself.
+    // On a selected row the scale lacks contrast.
     const bool chosen = option.state.testFlag(QStyle::State_Selected);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);

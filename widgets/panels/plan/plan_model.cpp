@@ -15,7 +15,7 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-/** "99 %" is said of less. */
+/** Lower chances are at most "99 %". */
 constexpr double kSurelySeen = 0.995;
 
 constexpr auto kIcebergType = "application/x-bergwatch-planned-iceberg"_L1;
@@ -25,7 +25,7 @@ bool isSigmaFirst()
     return shownUnits().uncertainty == UncertaintyForm::Sigma;
 }
 
-/** Without the unit of sigma, which is in the title; both are in the tool tip. */
+/** Returns sigma or its radius without a unit, which is in the title; the tool tip has both. */
 QString firstUncertainty(double sigma_m2, const QLocale& locale)
 {
     return isSigmaFirst() ? significantText(sigma_m2, 3, locale) : radius95Text(sigma_m2, locale);
@@ -76,7 +76,7 @@ void PlanModel::setLines(std::vector<PlanLine> lines, const TimesAhead& times)
     const int before = rowCount();
     const int after = static_cast<int>(lines.size());
 
-    // Lines come and go at the end, so that the ones above stay where the view has them.
+    // Lines are added and removed at the end, so that the ones above keep their place in the view.
     if (after < before) {
         beginRemoveRows({}, after, before - 1);
         m_lines.resize(static_cast<std::size_t>(after));
@@ -87,23 +87,24 @@ void PlanModel::setLines(std::vector<PlanLine> lines, const TimesAhead& times)
         endInsertRows();
     }
     m_lines = std::move(lines);
-    acceptLooks(std::min(before, after));
+    updateContents(std::min(before, after));
 }
 
-/** Tells which of the first `kept` lines look otherwise than before, as one span. */
-void PlanModel::acceptLooks(int kept)
+/** Reports the changed ones of the first `kept` lines as one span. */
+void PlanModel::updateContents(int kept)
 {
-    const std::vector<Look> before = std::exchange(m_looks, {});
-    m_looks.reserve(m_lines.size());
+    const std::vector<LineContent> before = std::exchange(m_contents, {});
+    m_contents.reserve(m_lines.size());
     int first = kept;
     int last = -1;
     for (int row = 0; row < rowCount(); ++row) {
-        Look& look = m_looks.emplace_back();
-        look.uav = line(row).uav;
-        look.isAssigned = line(row).row.isAssigned;
+        LineContent& content = m_contents.emplace_back();
+        content.uav = line(row).uav;
+        content.isAssigned = line(row).row.isAssigned;
         for (int column = 0; column < ColumnCount; ++column)
-            look.texts[static_cast<std::size_t>(column)] = text(row, static_cast<Column>(column));
-        if (row < kept && look != before[static_cast<std::size_t>(row)]) {
+            content.texts[static_cast<std::size_t>(column)] =
+                text(row, static_cast<Column>(column));
+        if (row < kept && content != before[static_cast<std::size_t>(row)]) {
             first = std::min(first, row);
             last = row;
         }
@@ -139,6 +140,12 @@ bool PlanModel::mayMiss() const
     });
 }
 
+bool PlanModel::isPatrol() const
+{
+    return std::ranges::any_of(m_lines,
+                               [](const PlanLine& line) { return line.row.again_s.has_value(); });
+}
+
 QString PlanModel::widestText(Column column) const
 {
     constexpr double kWidest_mps = 88.8;
@@ -165,7 +172,9 @@ int PlanModel::rowOf(const std::string& id) const
     return it == m_lines.end() ? -1 : static_cast<int>(it - m_lines.begin());
 }
 
-/** The line of the UAV that visits it, itself if it is one; of a fleet only. */
+/**
+ * Returns the line of the UAV that visits the iceberg, or the line itself for a UAV; fleets only.
+ */
 const PlanLine& PlanModel::uavOf(int row) const
 {
     while (!line(row).isUav())
@@ -189,31 +198,34 @@ QString PlanModel::text(int row, Column column) const
         return uavText(line(row), column);
     const PlanRow& planned = line(row).row;
     if (!planned.isSeen && column == Arrival)
-        return tr("later");
+        return planned.again_s ? m_times.text(*planned.again_s) : tr("later");
     if (!planned.isSeen && (column == Leg || column == ArrivalSigma || column == Chance))
-        return noFigure();
+        return missingValueText();
     if ((column == Course || column == GroundSpeed) && !planned.course)
-        return noFigure();
+        return missingValueText();
     switch (column) {
     case Number:
         return line(row).number > 0 ? fixedText(line(row).number, 0, m_locale) : QString();
     case Name:
         return planned.searches.empty() ? planned.name : tr("%1 (search)").arg(planned.name);
     case Leg:
-        // Planned as one point with the one above: there is no way between the two.
-        return planned.leg_m > 0 ? distanceText(planned.leg_m, m_locale) : noFigure();
+        // It is planned as one point with the iceberg above, so there is no leg between the two.
+        return planned.leg_m > 0 ? distanceText(planned.leg_m, m_locale) : missingValueText();
     case Course:
         return courseText(planned.course->true_deg, planned.course->declination_deg);
     case GroundSpeed:
         return speedText(planned.course->groundSpeed_mps, m_locale, 3);
     case Arrival:
         return m_times.text(planned.arrival_s);
+    case Again:
+        return planned.again_s && planned.isSeen ? m_times.text(*planned.again_s)
+                                                 : missingValueText();
     case Sigma:
         return firstUncertainty(planned.sigma_m2, m_locale);
     case ArrivalSigma:
         return firstUncertainty(planned.arrivalSigma_m2, m_locale);
     case Chance:
-        return planned.chance ? chanceText(*planned.chance, m_locale) : noFigure();
+        return planned.chance ? chanceText(*planned.chance, m_locale) : missingValueText();
     case ColumnCount:
         break;
     }
@@ -226,16 +238,17 @@ QString PlanModel::uavText(const PlanLine& line, Column column) const
     case Name:
         return line.row.name;
     case Leg:
-        return !line.isIdle ? distanceText(line.row.leg_m, m_locale) : noFigure();
+        return !line.isIdle ? distanceText(line.row.leg_m, m_locale) : missingValueText();
     case Arrival:
         if (!line.row.isSeen)
             return modeText(line.mode);
-        return !line.isIdle ? m_times.text(line.row.arrival_s) : noFigure();
+        return !line.isIdle ? m_times.text(line.row.arrival_s) : missingValueText();
     case Sigma:
-        return line.row.isSeen ? tr("%n visits", nullptr, line.visits) : noFigure();
+        return line.row.isSeen ? tr("%n visits", nullptr, line.visits) : missingValueText();
     case Number:
     case Course:
     case GroundSpeed:
+    case Again:
     case ArrivalSigma:
     case Chance:
     case ColumnCount:
@@ -260,7 +273,7 @@ QString PlanModel::modeText(FlightMode mode)
     case FlightMode::Search:
         break;
     }
-    return noFigure();
+    return missingValueText();
 }
 
 QString PlanModel::uavToolTip(const PlanLine& line) const
@@ -268,10 +281,10 @@ QString PlanModel::uavToolTip(const PlanLine& line) const
     const QString name = tr("%1 (id %2)").arg(line.row.name, QString::fromStdString(line.row.id));
     if (!line.row.isSeen)
         return name + u'\n' +
-               tr("It is on its way home, on the ground or holding: it is planned again at "
-                  "take-off or when it resumes.");
+               tr("No plan while the UAV returns, is on the ground or holds. A new one is made "
+                  "when it resumes.");
     if (line.isIdle)
-        return name + u'\n' + tr("There is nothing for it to visit.");
+        return name + u'\n' + tr("It has no iceberg to visit.");
     return name + u'\n' +
            (m_times.clock.isUtc() ? tr("%1, flown by %2", "length and end of a path, UTC")
                                   : tr("%1, flown %2", "length and end of a way"))
@@ -292,6 +305,12 @@ QString PlanModel::toolTip(int row, Column column) const
     }
     if (column == Chance && !planned.searches.empty())
         return searchesText(planned.searches);
+    const bool isLater = planned.isLater || (!planned.isSeen && planned.again_s);
+    if (isLater && column != Sigma && column != ArrivalSigma && column != Again)
+        return tr("A later visit of the patrol, %1. Its path is planned when its turn comes.")
+            .arg(m_times.text(planned.isSeen ? planned.arrival_s : *planned.again_s));
+    if (column == Again)
+        return planned.again_s ? m_times.toolTip(*planned.again_s) : QString();
     if (!planned.isSeen && column != Sigma)
         return tr("The plan ends before this iceberg is seen.");
     if (column == Arrival)
@@ -341,8 +360,10 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const
         return line.uav;
     case NumberRole:
         return line.number;
-    case KeptRole:
+    case AssignedRole:
         return line.row.isAssigned;
+    case LaterRole:
+        return !line.isUav() && (!line.row.isSeen || line.row.isLater);
     case DropRole:
         return line.uav >= 0 && line.uav == m_dropUav;
     default:
@@ -367,22 +388,25 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
     case Name:
         return isText ? tr("Iceberg") : tr("Name of the iceberg");
     case Leg:
-        return isText ? tr("Leg") : tr("Distance from the one before, the first from the UAV");
+        return isText ? tr("Leg") : tr("Distance from the previous iceberg, or from the UAV");
     case Course:
         return isText ? tr("Course") : tr("Course over ground at the start of the leg");
     case GroundSpeed:
-        return isText ? tr("Speed", "over ground") : tr("Speed over ground in the wind of now");
+        return isText ? tr("Speed", "over ground") : tr("Ground speed in the present wind");
     case Arrival:
-        return isText ? tr("Arrival") : tr("When the UAV is there");
+        return isText ? tr("Arrival") : tr("Arrival of the UAV");
+    case Again:
+        return isText ? tr("Again") : tr("When the patrol comes back to the iceberg");
     case Sigma:
         return isText ? isSigmaFirst() ? tr("σ now") : tr("95 % now")
                       : tr("Uncertainty of the position now");
     case ArrivalSigma:
         return isText ? isSigmaFirst() ? u"σ, m²"_s : u"95 %"_s
-                      : tr("Uncertainty of the position when the UAV is there");
+                      : tr("Uncertainty of the position on arrival");
     case Chance:
         return isText ? tr("In view")
-                      : tr("Chance that the iceberg is in view when the UAV is over its estimate");
+                      : tr("Probability that the iceberg is in view when the UAV reaches its "
+                           "estimate");
     case ColumnCount:
         break;
     }
@@ -393,8 +417,9 @@ Qt::ItemFlags PlanModel::flags(const QModelIndex& index) const
 {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
     if (m_lines.empty() || m_lines.front().uav < 0)
-        return flags;               // there is no other UAV to assign an iceberg to
-    flags |= Qt::ItemIsDropEnabled; // of the root as well: else a view without an indicator refuses
+        return flags; // there is no other UAV to assign an iceberg to
+    // Also on the root, else a view without an indicator refuses drops.
+    flags |= Qt::ItemIsDropEnabled;
     flags.setFlag(Qt::ItemIsDragEnabled, index.isValid() && !line(index.row()).isUav());
     return flags;
 }
@@ -408,7 +433,7 @@ QMimeData* PlanModel::mimeData(const QModelIndexList& indexes) const
 {
     if (indexes.isEmpty())
         return nullptr;
-    auto* data = new QMimeData; // the caller's
+    auto* data = new QMimeData; // owned by the caller
     data->setData(kIcebergType, QByteArray::fromStdString(idOf(indexes.front().row())));
     return data;
 }
@@ -419,7 +444,7 @@ bool PlanModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int /
     if (action != Qt::MoveAction || !parent.isValid() || line(parent.row()).uav < 0 ||
         data == nullptr || !data->hasFormat(kIcebergType))
         return false;
-    emit handedOver(data->data(kIcebergType).toStdString(), uavOf(parent.row()).row.id);
+    emit assignRequested(data->data(kIcebergType).toStdString(), uavOf(parent.row()).row.id);
     return true;
 }
 

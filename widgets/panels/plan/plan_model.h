@@ -10,23 +10,23 @@
 
 namespace berg {
 
-/** One line of the table: an iceberg, or the UAV that the icebergs below it are visited by. */
+/** A line of the table: an iceberg, or a UAV above the icebergs that it visits. */
 struct PlanLine
 {
-    PlanRow row;    ///< of a UAV: its id and name, the whole way and the last arrival
-    int uav = -1;   ///< place of the UAV in the scenario; -1: there is but one, it has no line
-    int number = 0; ///< place in the order of the UAV, from 1; 0: it is the UAV; -1: none
-    int visits = 0; ///< of a UAV
-    FlightMode mode = FlightMode::Idle; ///< of a UAV that is not planned
-    bool isIdle = true;                 ///< of a UAV: it neither visits nor searches
+    PlanRow row; ///< for a UAV: id, name, length of its path and last arrival
+    int uav = -1; ///< index of the UAV in the scenario; −1 if it is the only one, which has no line
+    int number = 0; ///< place in the UAV's order, from 1; 0 for the UAV itself, −1 for none
+    int visits = 0; ///< visits of a UAV
+    FlightMode mode = FlightMode::Idle; ///< mode of a UAV without a plan
+    bool isIdle = true;                 ///< whether a UAV neither visits nor searches
     bool operator==(const PlanLine&) const = default;
 
     [[nodiscard]] bool isUav() const { return number == 0; }
 };
 
 /**
- * The plan as a table, of several UAVs with a line for each above its icebergs, to which icebergs
- * can be dragged. Tells of the lines that look otherwise than before, as one span.
+ * The plan as a table. With several UAVs, each has a line above its icebergs, onto which icebergs
+ * can be dragged. Changed lines are reported as one span.
  */
 class PlanModel : public QAbstractTableModel
 {
@@ -41,6 +41,7 @@ public:
         Course,
         GroundSpeed,
         Arrival,
+        Again,
         Sigma,
         ArrivalSigma,
         Chance,
@@ -48,26 +49,27 @@ public:
     };
     enum Role
     {
-        SigmaRole = Qt::UserRole, ///< double, m^2, in the columns of sigma where it is known
+        SigmaRole = Qt::UserRole, ///< double, m^2, in the columns of sigma if it is known
         HighlightRole,            ///< bool
         UavRole,                  ///< int, `PlanLine::uav`
         NumberRole,               ///< int, `PlanLine::number`
-        KeptRole,                 ///< bool, for that UAV alone
-        DropRole                  ///< bool, of the UAV an iceberg is about to be given to
+        LaterRole,                ///< bool: beyond the planned path
+        AssignedRole,             ///< bool: assigned to that UAV alone
+        DropRole                  ///< bool: an iceberg is being dragged onto this UAV
     };
 
     explicit PlanModel(const QLocale& locale, QObject* parent = nullptr);
 
-    /** Arrivals are written by `times`. */
+    /** Sets the plan; `times` formats arrivals. */
     void setPlan(const std::vector<PlanSection>& sections, const TimesAhead& times = {});
     void setHighlight(const std::string& id);
-    /** The UAV whose lines show that an iceberg is about to be given to it; -1: none. */
+    /** Sets the UAV whose lines show that an iceberg is dragged onto it; −1 for none. */
     void setDropUav(int uav);
 
-    /** Of an iceberg or a UAV. */
+    /** Returns the id of the iceberg or UAV of a row. */
     [[nodiscard]] const std::string& idOf(int row) const;
     [[nodiscard]] const PlanLine& line(int row) const;
-    /** -1: not in the plan. */
+    /** Returns the row, or −1 if the id is not in the plan. */
     [[nodiscard]] int rowOf(const std::string& id) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -82,33 +84,38 @@ public:
     bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
                       const QModelIndex& parent) override;
 
-    /** As wide as usual texts of the course or the ground speed of a leg. */
+    /** Returns a text as wide as usual texts of the course or ground speed of a leg. */
     [[nodiscard]] QString widestText(Column column) const;
 
-    /** The chance that one of the icebergs is not in view on arrival is worth telling. */
+    /**
+     * Returns whether an iceberg may be out of view on arrival, so that chances are worth showing.
+     */
     [[nodiscard]] bool mayMiss() const;
 
+    /** Whether the plan is a patrol, which comes back to icebergs. */
+    [[nodiscard]] bool isPatrol() const;
+
 signals:
-    /** An iceberg was dragged onto the lines of this UAV. */
-    void handedOver(const std::string& iceberg, const std::string& uav);
+    /** Emitted when an iceberg was dragged onto the lines of this UAV. */
+    void assignRequested(const std::string& iceberg, const std::string& uav);
 
 private:
-    /** Of one line. */
-    struct Look
+    /** Displayed content of a line, for detecting changes. */
+    struct LineContent
     {
         std::array<QString, ColumnCount> texts;
         int uav = -1;
         bool isAssigned = false;
-        bool operator==(const Look&) const = default;
+        bool operator==(const LineContent&) const = default;
     };
 
     void setLines(std::vector<PlanLine> lines, const TimesAhead& times);
-    void acceptLooks(int kept);
+    void updateContents(int kept);
     [[nodiscard]] QString text(int row, Column column) const;
     [[nodiscard]] QString uavText(const PlanLine& line, Column column) const;
     [[nodiscard]] QString toolTip(int row, Column column) const;
     [[nodiscard]] QString searchesText(const std::vector<PlannedSearch>& searches) const;
-    /** Why the UAV is not planned. */
+    /** Returns why the UAV is not planned. */
     [[nodiscard]] static QString modeText(FlightMode mode);
     [[nodiscard]] QString uavToolTip(const PlanLine& line) const;
     [[nodiscard]] const PlanLine& uavOf(int row) const;
@@ -116,7 +123,7 @@ private:
     QLocale m_locale;
     TimesAhead m_times;
     std::vector<PlanLine> m_lines;
-    std::vector<Look> m_looks; ///< of them, as they were last told of
+    std::vector<LineContent> m_contents; ///< content of the lines as last reported
     std::string m_highlight;
     int m_dropUav = -1;
 };

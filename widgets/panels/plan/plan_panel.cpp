@@ -31,16 +31,11 @@ constexpr int kRow_px = 24;
 constexpr int kNumberColumn_px = 30;
 constexpr int kCellMargins_px = 10;
 constexpr int kSummaryMargin_px = 4;
-constexpr int kNameRoom_px = 85; // that a name and a scroll bar have beside the last column
+constexpr int kNameRoom_px = 85; // room of a name and a scroll bar beside the last column
 
 QString signedText(double value, const QString& size)
 {
     return (value < 0 ? u"−"_s : u"+"_s) + size;
-}
-
-bool hasRows(const std::vector<PlanSection>& sections)
-{
-    return std::ranges::any_of(sections, [](const PlanSection& s) { return !s.rows.empty(); });
 }
 
 } // namespace
@@ -57,7 +52,7 @@ PlanPanel::PlanPanel(QWidget* parent)
     m_summary->setObjectName(u"planSummary"_s);
     m_summary->setContentsMargins(kCellMargins_px, kSummaryMargin_px, kCellMargins_px,
                                   kSummaryMargin_px);
-    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // elided, never in the way
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // elided, does not widen
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -70,14 +65,14 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(m_table, &QTableView::viewportEntered, this, [this] { setHovered({}); });
     connect(m_table, &QTableView::clicked, this, [this](const QModelIndex& index) {
         if (m_selected != std::vector{m_model->idOf(index.row())})
-            choose(index); // else it became the current one by the same click
+            choose(index); // otherwise the same click has made it the current row
     });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& current) {
                 if (!m_isSelecting)
                     choose(current);
             });
-    connect(m_model, &PlanModel::handedOver, this, &PlanPanel::handedOver);
+    connect(m_model, &PlanModel::assignRequested, this, &PlanPanel::assignRequested);
     setTheme(Theme::light());
     showPlan({});
 }
@@ -92,9 +87,9 @@ void PlanPanel::setUpTable()
     m_table->setTextElideMode(Qt::ElideMiddle); // ids differ at their ends
     m_table->setMouseTracking(true);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    m_table->setDragDropMode(QAbstractItemView::DragDrop); // the model says what can be dragged
-    m_table->setDragDropOverwriteMode(true);               // onto lines, not between them
-    m_table->setDropIndicatorShown(false);                 // all lines of the UAV show it
+    m_table->setDragDropMode(QAbstractItemView::DragDrop); // the model decides what is dragged
+    m_table->setDragDropOverwriteMode(true);               // drops onto lines, not between them
+    m_table->setDropIndicatorShown(false); // all lines of the UAV are marked instead
     QHeaderView* header = m_table->horizontalHeader();
     header->setSectionsClickable(false);
     header->setSectionResizeMode(QHeaderView::Fixed);
@@ -114,7 +109,7 @@ void PlanPanel::setTheme(const Theme& theme)
     m_table->viewport()->update();
 }
 
-/** As wide as the longest usual texts, not the present ones: columns stand still in flight. */
+/** Sizes columns for the longest usual texts, so that they keep their width in flight. */
 void PlanPanel::setColumnWidths()
 {
     const QFontMetrics metrics(m_table->font());
@@ -134,7 +129,8 @@ void PlanPanel::setColumnWidths()
              0);
     for (const PlanModel::Column column : {PlanModel::Course, PlanModel::GroundSpeed})
         setWidth(column, m_model->widestText(column), 0);
-    setWidth(PlanModel::Arrival, m_widestArrival, 0);
+    for (const PlanModel::Column column : {PlanModel::Arrival, PlanModel::Again})
+        setWidth(column, m_widestArrival, 0);
     const QString sigma = shownUnits().uncertainty == UncertaintyForm::Sigma
                               ? widestSigmaText(m_sigmaFull_m2, locale())
                               : u"88.8 km"_s;
@@ -144,7 +140,7 @@ void PlanPanel::setColumnWidths()
     chooseColumns();
 }
 
-/** That tells all names apart, beside the scroll bar where there is one; long ones are cut. */
+/** Returns the room that distinguishes all names, plus the scroll bar; longer names are cut. */
 int PlanPanel::nameRoom_px() const
 {
     const QFontMetrics metrics(m_table->font());
@@ -152,14 +148,15 @@ int PlanPanel::nameRoom_px() const
     for (const PlanSection& section : m_sections)
         for (const PlanRow& row : section.rows)
             widest_px = std::max(widest_px, metrics.horizontalAdvance(row.name));
-    const bool scrolls = m_model->rowCount() * kRow_px > m_table->viewport()->height();
+    const bool scrolls = m_model->rowCount() * m_table->verticalHeader()->defaultSectionSize() >
+                         m_table->viewport()->height();
     const int bar_px = scrolls ? m_table->verticalScrollBar()->sizeHint().width() : 0;
     return std::min(kNameRoom_px, widest_px + kCellMargins_px + bar_px);
 }
 
-/** Both sigmas are there when the names have room beside them; the chance of being in view, when an
- * iceberg may be missed, in the place of sigma at arrival where there is no other; course and
- * ground speed where all others leave room. Their values are in tool tips too. */
+// Both sigmas are shown if the names have room beside them; the chance of being in view if an
+// iceberg may be missed, in place of sigma at arrival if room is short; course and ground speed if
+// all others leave room, else below. Tool tips have all values.
 void PlanPanel::chooseColumns()
 {
     const auto room_px = [this] {
@@ -171,12 +168,14 @@ void PlanPanel::chooseColumns()
     };
     const bool mayMiss = m_model->mayMiss();
     const int names_px = nameRoom_px();
-    m_columnsFor = {mayMiss, names_px};
+    const bool isPatrol = m_model->isPatrol();
+    m_columnsFor = {mayMiss, isPatrol, names_px};
     for (const PlanModel::Column column : {PlanModel::Sigma, PlanModel::ArrivalSigma})
         m_table->setColumnHidden(column, false);
     for (const PlanModel::Column column : {PlanModel::Course, PlanModel::GroundSpeed})
         m_table->setColumnHidden(column, true); // until the others have their room
     m_table->setColumnHidden(PlanModel::Chance, !mayMiss);
+    m_table->setColumnHidden(PlanModel::Again, !isPatrol);
     m_table->setColumnHidden(PlanModel::Sigma, room_px() < kNameRoom_px);
     m_table->setColumnHidden(PlanModel::ArrivalSigma,
                              room_px() < (mayMiss ? kNameRoom_px : names_px));
@@ -184,6 +183,9 @@ void PlanPanel::chooseColumns()
         m_table->setColumnHidden(column, false);
         m_table->setColumnHidden(column, room_px() < kNameRoom_px);
     }
+    m_delegate->setBelow(m_table->isColumnHidden(PlanModel::Course),
+                         m_table->isColumnHidden(PlanModel::GroundSpeed));
+    m_table->verticalHeader()->setDefaultSectionSize(m_delegate->rowHeight_px(kRow_px));
 }
 
 void PlanPanel::updateSummary()
@@ -209,7 +211,7 @@ QString PlanPanel::flownText() const
         .arg(length, end);
 }
 
-/** How long the plan is, when it is flown, what comes of it, and that against the one before. */
+/** Returns length, end and predicted zeta of the plan, and the change from the previous plan. */
 QStringList PlanPanel::summaryLines() const
 {
     QStringList lines;
@@ -222,25 +224,28 @@ QStringList PlanPanel::summaryLines() const
     if (m_outlook->isOver)
         lines << tr("ζ at the end: %1").arg(zeta);
     else if (m_outlook->isInFlight)
-        lines << (m_outlook->until_s ? tr("ζ at %1 without another plan: %2")
+        lines << (m_outlook->until_s ? tr("Expected ζ at %1 with this plan: %2")
                                            .arg(m_times.clock.text(*m_outlook->until_s), zeta)
-                                     : tr("ζ at the end without another plan: %1").arg(zeta));
+                                     : tr("Expected ζ at the end with this plan: %1").arg(zeta));
+    if (m_outlook->longestGap_s)
+        lines << tr("Longest time unseen: %1 (%2)", "duration and iceberg")
+                     .arg(clockText(*m_outlook->longestGap_s), m_outlook->longestGapName);
     if (m_outlook->bound_m2s)
         lines << boundText(*m_outlook);
     if (const std::optional<PlanChange>& change = m_outlook->change) {
         const QString distance =
             signedText(change->distance_m, distanceText(std::abs(change->distance_m), locale(), 2));
         lines << (m_outlook->isInFlight
-                      ? tr("Against the plan before: %1, ζ %2")
+                      ? tr("Compared with the last plan: %1, ζ %2")
                             .arg(distance,
                                  signedText(change->zeta_m2s,
                                             zetaText(std::abs(change->zeta_m2s), locale(), 2)))
-                      : tr("Against the plan before: %1").arg(distance));
+                      : tr("Compared with the last plan: %1").arg(distance));
     }
     return lines;
 }
 
-/** The least margin of all UAVs, the landing order, and the longest time without contact. */
+/** Returns the least margin of the UAVs, the landing order, the longest time without contact. */
 QStringList PlanPanel::sortieLines() const
 {
     const PlannedSortie* least = nullptr;
@@ -267,7 +272,7 @@ QStringList PlanPanel::sortieLines() const
     return lines;
 }
 
-/** A bound that still grows is no figure yet. */
+/** Returns the bound, or its progress while it can still rise. */
 QString PlanPanel::boundText(const PlanOutlook& outlook) const
 {
     if (outlook.boundShare < 1)
@@ -278,12 +283,12 @@ QString PlanPanel::boundText(const PlanOutlook& outlook) const
     return tr("Lower bound on ζ: %1").arg(zetaText(*outlook.bound_m2s, locale()));
 }
 
-/** The same unabridged, the order before, and what the prediction rests on. */
+/** Returns the full summary, the previous order, and the assumptions of the prediction. */
 QString PlanPanel::summaryToolTip() const
 {
     QStringList lines = summaryLines();
     if (hasRows(m_sections))
-        lines << tr("The length of this sortie is over ground, until the run ends at most.");
+        lines << tr("The length of this sortie is over ground, up to the end of the run at most.");
     if (!m_outlook)
         return lines.join(u'\n');
     if (m_outlook->change)
@@ -291,13 +296,13 @@ QString PlanPanel::summaryToolTip() const
                      .arg(m_times.clock.text(m_outlook->changed_s), m_outlook->before);
     if (m_outlook->isInFlight && !m_outlook->isOver)
         lines << (m_outlook->isAimed
-                      ? tr("Predicted for the path on the map, with every iceberg that "
-                           "comes into view\non it, and no new plans.")
-                      : tr("Predicted for straight legs to the icebergs as they drift,\n"
-                           "with nothing seen on the way and no new plans."));
+                      ? tr("Predicted for the path on the map, with every iceberg that comes into "
+                           "view\non it, without new plans.")
+                      : tr("Predicted for straight legs to the icebergs as they drift,\nwithout "
+                           "sightings en route and without new plans."));
     if (m_outlook->bound_m2s)
-        lines << tr("That limit is proven for this scenario and the noise that it draws,\n"
-                    "whatever the policy and however tightly the UAV turns.");
+        lines << tr("The lower bound is proven for this scenario and its random drift,\nfor any "
+                    "policy and any turn radius.");
     return lines.join(u'\n');
 }
 
@@ -330,7 +335,7 @@ void PlanPanel::setSigmaFull(double full_m2)
     m_table->viewport()->update();
 }
 
-/** The line of a UAV is one cell beside its colour. */
+/** Joins the cells of a UAV's line beside its colour. */
 void PlanPanel::updateSpans()
 {
     std::vector<int> rows;
@@ -352,10 +357,10 @@ void PlanPanel::updateEmpty()
     m_empty->setText(m_isFaulty ? tr("There is no plan: see Checks.")
                      : isOver   ? tr("The run is complete.")
                      : !isPlanned
-                         ? tr("The UAV is on its way home, on the ground or holding: it is "
-                              "planned again at take-off or when it resumes.")
-                         : tr("Nothing to visit: there are no icebergs yet, or all of "
-                              "them are in view."));
+                         ? tr("No plan while the UAV returns, is on the ground or holds. A new one "
+                              "is made when it resumes.")
+                         : tr("Nothing to visit: there are no icebergs yet, all of them are in "
+                              "view, or none can be visited without using the reserve."));
     m_empty->setVisible(m_model->rowCount() == 0);
 }
 
@@ -379,19 +384,19 @@ void PlanPanel::showPlan(std::vector<PlanSection> sections, const TimesAhead& ti
     QScrollBar* bar = m_table->verticalScrollBar();
     const int scroll_px = bar->value();
     {
-        // When the current row goes, Qt makes a neighbour the current one.
+        // When the current row is removed, Qt makes a neighbour the current one.
         const QScopedValueRollback selecting(m_isSelecting, true);
         m_model->setPlan(m_sections, m_times);
     }
-    if (const QString widest = m_times.widest(planEnd_s(m_sections));
+    if (const QString widest = m_times.widest(lastTime_s(m_sections));
         std::exchange(m_widestArrival, widest) != widest)
         setColumnWidths();
-    else if (m_columnsFor != std::pair(m_model->mayMiss(), nameRoom_px()))
+    else if (m_columnsFor != std::tuple(m_model->mayMiss(), m_model->isPatrol(), nameRoom_px()))
         chooseColumns();
     updateSpans();
     updateEmpty();
     updateSummary();
-    selectRows(); // icebergs have moved in the order; the rows follow them, the view stays
+    selectRows(); // the rows follow icebergs that moved in the order; the view does not scroll
     bar->setValue(scroll_px);
 }
 

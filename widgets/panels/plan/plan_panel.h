@@ -7,7 +7,7 @@
 
 #include <QWidget>
 
-#include <utility>
+#include <tuple>
 
 class QContextMenuEvent;
 class QLabel;
@@ -19,8 +19,8 @@ class PlanModel;
 class PlanDelegate;
 
 /**
- * The present plan as a list, of several UAVs by UAV, updated in place: scroll position and chosen
- * row stay. An iceberg that is dragged to another UAV is handed over to it.
+ * The present plan as a list, grouped by UAV if there are several. Updates keep scroll position and
+ * current row. Dragging an iceberg onto another UAV requests its assignment.
  */
 class PlanPanel : public QWidget
 {
@@ -30,31 +30,37 @@ public:
     explicit PlanPanel(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** sigma at the end of the colour scale, the same as on the map; 0: the largest in the list. */
+    /** Sets sigma at the end of the colour scale, as on the map; 0 uses the largest in the list. */
     void setSigmaFull(double full_m2);
 
-    /** Instants are written by `times`. */
+    /** Shows a plan; `times` formats instants. */
     void showPlan(std::vector<PlanSection> sections, const TimesAhead& times = {});
-    /** Whether there is no plan because the scenario cannot be planned. */
+    /** Sets whether there is no plan because the scenario cannot be planned. */
     void setFaulty(bool isFaulty);
-    /** Of the plan shown; none: only its length is told. */
+    /** Shows the outlook of the plan; nullopt shows only its length. */
     void showOutlook(std::optional<PlanOutlook> outlook);
-    /** Of the plan shown, by UAV: margins at home, time without contact. */
+    /** Shows the sorties of the plan, by UAV: margins on return, time without radio contact. */
     void showSorties(std::vector<std::optional<PlannedSortie>> sorties);
-    /** The rows of what is selected elsewhere; those that come into the plan later, too. */
+    /** Selects the rows of these ids, also those that enter the plan later. */
     void showSelection(const std::vector<std::string>& ids);
-    /** Marks the row of this iceberg, e.g. while the pointer is on it on the map; empty: none. */
+    /**
+     * Highlights the row of this iceberg, e.g. while the pointer is on it on the map; an empty id
+     * clears it.
+     */
     void setHighlight(const std::string& id);
 
 signals:
-    /** The pointer is on the row of this iceberg or UAV; empty: on none any more. */
+    /**
+     * Emitted when the pointer moves to the row of this iceberg or UAV, or with an empty id when it
+     * leaves.
+     */
     void hovered(const std::string& id);
-    /** Clicked, gone to by the keys, or Return pressed. */
+    /** Emitted by a click, by moving with the keys, or by Return. */
     void activated(const std::string& id);
-    /** By the mouse or the keyboard, for this iceberg or UAV. */
+    /** Requests the context menu of this iceberg or UAV, by mouse or keyboard. */
     void menuRequested(const QPoint& globalPos, const std::string& id);
-    /** The iceberg was dragged to this UAV. */
-    void handedOver(const std::string& iceberg, const std::string& uav);
+    /** Emitted when the iceberg was dragged onto this UAV. */
+    void assignRequested(const std::string& iceberg, const std::string& uav);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -77,7 +83,7 @@ private:
     void requestMenu(const QContextMenuEvent& event);
     void updateEmpty();
     void updateSpans();
-    /** While an iceberg is dragged over the table. */
+    /** Marks the drop target while an iceberg is dragged over the table. */
     void showDropUav(const QPoint& at);
 
     PlanModel* m_model;
@@ -90,12 +96,13 @@ private:
     bool m_isFaulty = false;
     std::optional<PlanOutlook> m_outlook;
     std::vector<std::optional<PlannedSortie>> m_sorties;
-    std::vector<int> m_spannedRows; ///< lines of UAVs
+    std::vector<int> m_spannedRows; ///< rows of UAVs
     std::string m_hovered;
-    std::vector<std::string> m_selected; ///< kept while it is not in the plan
-    bool m_isSelecting = false;          ///< here, not by the user
+    std::vector<std::string> m_selected; ///< remembered while it is not in the plan
+    bool m_isSelecting = false;          ///< whether the panel, not the user, changes the selection
     double m_sigmaFull_m2 = 0;
-    std::pair<bool, int> m_columnsFor; ///< what may be missed, and room for names, px
+    /** Whether icebergs may be missed, whether the plan is a patrol, and the room for names, px. */
+    std::tuple<bool, bool, int> m_columnsFor;
     QString m_widestArrival;
 };
 

@@ -17,12 +17,12 @@ namespace {
 
 constexpr int kMark_px = 16;
 constexpr int kColumnGap_px = 12;
-constexpr int kRowGap_px = 6; ///< between a caption and the figure of the next row
+constexpr int kRowGap_px = 6; ///< gap between a caption and the figure of the next row
 
 template <class Text>
 void showFigure(FigureLabel& label, const std::optional<double>& value, const Text& text)
 {
-    showValue(label, value ? text(*value) : noFigure());
+    showValue(label, value ? text(*value) : missingValueText());
 }
 
 } // namespace
@@ -37,14 +37,14 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     grid->setColumnStretch(1, 1);
     grid->setRowMinimumHeight(2, kRowGap_px);
 
-    m_distance = addFigure(*grid, {0, 0}, u"planDistance"_s, tr("Whole order"),
-                           tr("Length of the whole order as it was planned, through the air, in "
-                              "wind the mean of both directions, and "
-                              "with its turns: what the solver weighs, as in the trade-off chart. "
-                              "The plan panel has that of this sortie over ground."));
+    m_distance = addFigure(
+        *grid, {0, 0}, u"planDistance"_s, tr("Whole order"),
+        tr("Planned length of the whole order through the air, with turns; in wind the mean of "
+           "both directions. The solver weighs this length and the trade-off chart shows it. The "
+           "plan panel shows the length of this sortie over ground."));
     m_reward = addFigure(*grid, {1, 0}, u"planReward"_s, tr("Uncertainty reward"),
-                         tr("Each iceberg's σ times the number of places after its own in the "
-                            "order: the sooner the uncertain ones come, the more."));
+                         tr("Sum of each iceberg's σ times the number of places after it in the "
+                            "order: larger if uncertain icebergs come early."));
 
     auto* stateRow = new QHBoxLayout;
     stateRow->setSpacing(6);
@@ -63,7 +63,7 @@ PlanReadoutView::PlanReadoutView(QWidget* parent) : QWidget(parent)
     showPlan({}, PolicyKind::Visitation);
 }
 
-/** What only the solver's side of the plan is about: folded until it is wanted. */
+/** Adds the solver's figures, folded by default. */
 void PlanReadoutView::addDetails(QGridLayout& grid)
 {
     QToolButton* button = m_details = new QToolButton(this);
@@ -101,7 +101,7 @@ void PlanReadoutView::setDetailsShown(bool isShown)
     m_details->setChecked(isShown);
 }
 
-/** `place`: column and row of the figure; its caption is below. */
+/** Adds a figure with its caption below. `place` is column and row of the figure. */
 FigureLabel* PlanReadoutView::addFigure(QGridLayout& grid, QPoint place, const QString& name,
                                         const QString& caption, const QString& toolTip)
 {
@@ -125,13 +125,13 @@ void PlanReadoutView::setTheme(const Theme& theme)
     for (FigureLabel* figure : {m_objective, m_mu})
         figure->setFont(theme.strong());
     m_state->setFont(theme.body());
-    m_state->setMinimumHeight(heightOfTwoLines_px(theme.body())); // it grows in flight
+    m_state->setMinimumHeight(heightOfTwoLines_px(theme.body())); // the text gets longer in flight
     drawMark();
 }
 
 void PlanReadoutView::drawMark()
 {
-    // By PlanVerdict, from Proven on.
+    // Icons by PlanVerdict, from Proven on.
     constexpr std::array kMarks{IconName::Proven, IconName::Estimate, IconName::Warning,
                                 IconName::Fault};
     if (m_verdict != PlanVerdict::None)
@@ -156,7 +156,7 @@ void PlanReadoutView::showPlan(const PlanReadout& readout, PolicyKind policy)
 
     const PlanState state = planState(readout, locale());
     const bool hasLink = state.verdict == PlanVerdict::Fault;
-    m_state->setTextInteractionFlags( // without a link there is nothing to tab to
+    m_state->setTextInteractionFlags( // without a link there is nothing to focus
         hasLink ? Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard
                 : Qt::TextInteractionFlags(Qt::NoTextInteraction));
     if (hasLink)

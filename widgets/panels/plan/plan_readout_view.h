@@ -13,7 +13,7 @@ namespace berg {
 
 class FigureLabel;
 
-/** What came of the last planning: the terms of Eq. (1) in large figures and how good it is. */
+/** Result of the last planning: the terms of Eq. (1) in large figures and the plan's quality. */
 class PlanReadoutView : public QWidget
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
     void setTheme(const Theme& theme);
     void showPlan(const PlanReadout& readout, PolicyKind policy);
 
-    /** Objective and distance weight. */
+    /** Shows or hides objective and distance weight. */
     void setDetailsShown(bool isShown);
 
 signals:
@@ -44,8 +44,8 @@ private:
     FigureLabel* m_objective = nullptr;
     FigureLabel* m_mu = nullptr;
     QToolButton* m_details = nullptr;
-    QLabel* m_mark = nullptr;  ///< shape of the verdict
-    QLabel* m_state = nullptr; ///< its words
+    QLabel* m_mark = nullptr;  ///< icon of the verdict
+    QLabel* m_state = nullptr; ///< text of the verdict
 };
 
 } // namespace berg

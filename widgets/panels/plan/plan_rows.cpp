@@ -5,6 +5,7 @@
 #include "core/scenario/daylight.h"
 #include "core/scenario/drift_advice.h"
 #include "core/sim/leg_flight.h"
+#include "core/sim/planned_visits.h"
 #include "widgets/theme/declination.h"
 #include "widgets/words/object_names.h"
 
@@ -32,7 +33,7 @@ PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
                         now.plan->clusters);
 }
 
-/** What the row says of the iceberg as it is now. */
+/** Returns the row of an iceberg with its present values. */
 PlanRow rowOf(const MissionSnapshot& now, int iceberg)
 {
     const auto index = static_cast<std::size_t>(iceberg);
@@ -42,7 +43,7 @@ PlanRow rowOf(const MissionSnapshot& now, int iceberg)
             .isAssigned = index < now.assigned.size() && now.assigned[index] >= 0};
 }
 
-/** Tells the courses of the straight legs of one scenario. */
+/** Computes the courses of straight legs of one scenario. */
 class CourseFinder
 {
 public:
@@ -84,7 +85,7 @@ std::vector<PlanRow> straightRows(const MissionSnapshot& now, const RouteForecas
     return rows;
 }
 
-/** The rows are those of the route, which begins at `from_m`. */
+/** Adds the courses to the rows of a route that begins at `from_m`. */
 void addCourses(std::vector<PlanRow>& rows, const RouteForecast& route, Point from_m,
                 const CourseFinder& finder)
 {
@@ -105,7 +106,7 @@ void leaveUnseen(PlanRow& row)
     row.course.reset();
 }
 
-/** What comes after the way home has no times yet. */
+/** Clears the times of icebergs after the return home, which belong to later sorties. */
 void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
 {
     const int flown = plan.thisSortie.value_or(static_cast<int>(rows.size()));
@@ -115,8 +116,8 @@ void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
 }
 
 /**
- * The run ends in `left_s`. Of hundreds of icebergs the last are met, in thought, days later and
- * far away, as they drift on: to add up such legs tells nothing.
+ * Ends the section with the run, in `left_s`. Legs after the end are not summed: long orders would
+ * reach their last icebergs days later, far away.
  */
 void endWithRun(PlanSection& section, double left_s)
 {
@@ -143,7 +144,8 @@ void endWithRun(PlanSection& section, double left_s)
     section.returns.reset();
 }
 
-/** A row for each lost iceberg that the plan searches for, which is in no order until it is found.
+/**
+ * Adds a row for each lost iceberg that the plan searches for; it is in no order until it is found.
  */
 void addSearches(std::vector<PlanRow>& rows, const MissionSnapshot& now, const PlanEvent& plan)
 {
@@ -155,7 +157,8 @@ void addSearches(std::vector<PlanRow>& rows, const MissionSnapshot& now, const P
         PlanRow& row =
             byIceberg.try_emplace(search.iceberg, rowOf(now, search.iceberg)).first->second;
         row.number = -1;
-        row.chance = row.chance.value_or(0) + search.chance; // it is at one of the places
+        // The iceberg is at only one of the places.
+        row.chance = row.chance.value_or(0) + search.chance;
         row.searches.push_back(search);
         row.arrival_s = row.searches.front().time_s;
         row.arrivalSigma_m2 =
@@ -165,7 +168,14 @@ void addSearches(std::vector<PlanRow>& rows, const MissionSnapshot& now, const P
         rows.push_back(std::move(row));
 }
 
-/** By time; those that the plan does not see last. */
+/** Returns whether the paths end before that time, with a margin for rounding. */
+bool isBeyond(const std::vector<AimedPath>& paths, double time_s)
+{
+    constexpr double kRounding_s = 0.5;
+    return !paths.empty() && time_s > paths.back().points.back().time_s + kRounding_s;
+}
+
+/** Returns the rows by time; icebergs that the plan does not see come last. */
 std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan)
 {
     const std::vector<AimedPath> paths = pathsAhead(now, plan.uav);
@@ -179,11 +189,14 @@ std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan
         row.isSeen = k < sightings_s.size();
         if (!row.isSeen)
             continue;
-        const double path_m = lengthUntil_m(paths, sightings_s[k]);
         const Track& track = now.world.tracks[static_cast<std::size_t>(iceberg)];
-        row.leg_m = path_m - std::exchange(before_m, path_m);
         row.arrival_s = std::max(0.0, sightings_s[k] - now.time_s);
         row.arrivalSigma_m2 = track.sigmaAfter_m2(row.arrival_s);
+        row.isLater = isBeyond(paths, sightings_s[k]) && !plan.laterVisits.empty();
+        if (row.isLater)
+            continue; // its leg is not planned yet
+        const double path_m = lengthUntil_m(paths, sightings_s[k]);
+        row.leg_m = path_m - std::exchange(before_m, path_m);
     }
     addSearches(rows, now, plan);
     std::ranges::stable_sort(rows, {}, [](const PlanRow& row) {
@@ -192,7 +205,26 @@ std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan
     return rows;
 }
 
-/** As exports end: at home where the endurance is limited, at the start of a closed route. */
+/** Rows beyond the aimed legs have the first visit of the patrol. */
+void addLaterVisits(std::vector<PlanRow>& rows, const MissionSnapshot& now,
+                    std::span<const std::vector<double>> visits)
+{
+    for (PlanRow& row : rows) {
+        const auto iceberg = std::ranges::find(now.icebergs, row.id, &Iceberg::id);
+        if (iceberg == now.icebergs.end())
+            continue;
+        const double after_s = now.time_s + (row.isSeen ? row.arrival_s : 0);
+        const auto& times_s = visits[static_cast<std::size_t>(iceberg - now.icebergs.begin())];
+        const auto next = std::upper_bound(times_s.begin(), times_s.end(), after_s);
+        if (next != times_s.end())
+            row.again_s = *next - now.time_s;
+    }
+}
+
+/**
+ * Returns the last leg as in exports: to home with a limited endurance, to the start of a closed
+ * route.
+ */
 std::optional<ReturnLeg> returnOf(const MissionSnapshot& now, const Uav& uav, const PlanEvent& plan)
 {
     const auto seen = static_cast<std::size_t>(
@@ -204,8 +236,8 @@ std::optional<ReturnLeg> returnOf(const MissionSnapshot& now, const Uav& uav, co
         return std::nullopt;
     const auto place = static_cast<std::size_t>(plan.uav);
     LegFlight flight =
-        flownAhead(forecastStart(now), place,
-                   std::span(plan.order).first(std::min(seen, plan.order.size())), plan.clusters);
+        flyAhead(forecastStart(now), place,
+                 std::span(plan.order).first(std::min(seen, plan.order.size())), plan.clusters);
     const Point from_m = flight.position_m();
     flight.flyTo(isLimited ? uav.home_m.value_or(uav.position_m)
                            : now.world.uavs[place].pose.position_m,
@@ -215,17 +247,22 @@ std::optional<ReturnLeg> returnOf(const MissionSnapshot& now, const Uav& uav, co
 
 PlanOutlook aimedOutlook(const MissionSnapshot& shown, const Scenario& scenario)
 {
-    constexpr double kRounding_s = 1e-6; // times are whole steps
+    constexpr double kRounding_s = 1e-6; // times are multiples of the step
     const AimedOutlook& aimed = *shown.plan->outlook;
     PlanOutlook outlook{.zeta_m2s = shown.plan->zeta_m2s + aimed.zeta_m2s, .isAimed = true};
+    if (const std::optional<RevisitGap> gap = longestGap(
+            plannedVisits(shown.plans, shown.icebergs.size(), shown.time_s), shown.world.tracks)) {
+        outlook.longestGap_s = gap->gap_s;
+        outlook.longestGapName = shownName(shown.icebergs[static_cast<std::size_t>(gap->iceberg)]);
+    }
     if (aimed.until_s < scenario.duration_s - kRounding_s)
         outlook.until_s = aimed.until_s;
     else if (shown.time_s > aimed.until_s - kRounding_s)
-        outlook.zeta_m2s = shown.metrics.zeta_m2s; // flown
+        outlook.zeta_m2s = shown.metrics.zeta_m2s; // already flown
     return outlook;
 }
 
-/** Beside a prediction for a time before the end only when the whole curve is known. */
+/** Adds the bound; for a time before the end it needs the complete curve. */
 void addBound(PlanOutlook& outlook, const KnownBound& bound)
 {
     if (bound.zeta_m2s <= 0 || (outlook.until_s && !bound.whole))
@@ -242,7 +279,7 @@ QString namesOf(const std::vector<int>& order, const std::vector<Iceberg>& icebe
     return names.join(u", "_s);
 }
 
-/** The latest one; of several UAVs whose plans it changed, in sum. */
+/** Adds the latest change; changes of several UAVs are summed. */
 void addChange(PlanOutlook& outlook, const FlightRecord& record)
 {
     const std::vector<Uav>& uavs = record.scenario.uavs;
@@ -252,7 +289,7 @@ void addChange(PlanOutlook& outlook, const FlightRecord& record)
         if (!change || (outlook.change && change->time_s < outlook.changed_s))
             continue;
         if (!change->paths.empty()) {
-            outlook.change.reset(); // straight legs are no measure of the plan before
+            outlook.change.reset(); // straight legs do not measure a former plan with paths
             return;
         }
         QString names = namesOf(change->change.before, record.shown().icebergs);
@@ -278,7 +315,7 @@ std::optional<PlanOutlook> predictedOutlook(const FlightRecord& record)
     if (shown.plan->outlook)
         return aimedOutlook(shown, record.scenario);
     if (std::ranges::any_of(shown.plans, [](const PlanEvent& plan) { return !plan.legs.empty(); }))
-        return std::nullopt; // straight legs would foretell too much
+        return std::nullopt; // straight legs would predict too high a zeta
     PlanOutlook outlook{.zeta_m2s =
                             shown.metrics.zeta_m2s + forecastOf(shown, record.scenario).zeta_m2s};
     addChange(outlook, record);
@@ -303,7 +340,7 @@ double PlanSection::lastArrival_s() const
     if (unfinished)
         last_s = unfinished->arrival_s;
     for (const PlanRow& row : rows)
-        last_s = std::max(last_s, row.arrival_s); // 0 of those that are not seen
+        last_s = std::max(last_s, row.arrival_s); // 0 for icebergs that are not seen
     return last_s;
 }
 
@@ -313,6 +350,8 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
     const PlanForecast forecast =
         now.plan && !scenario.uavs.empty() ? forecastOf(now, scenario) : PlanForecast{};
     const CourseFinder finder(scenario);
+    const std::vector<std::vector<double>> visits =
+        plannedVisits(now.plans, now.icebergs.size(), now.time_s);
     const std::size_t uavs = std::min(scenario.uavs.size(), now.world.uavs.size());
     for (std::size_t u = 0; u < uavs; ++u) {
         const int place = static_cast<int>(u);
@@ -334,6 +373,7 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
         if (!plan->outlook)
             addCourses(section.rows, forecast.uavs[u], now.world.uavs[u].pose.position_m, finder);
         leaveForNextSortie(section.rows, *plan);
+        addLaterVisits(section.rows, now, visits);
         if (plan->outlook)
             continue; // it ends with the run
         section.returns = returnOf(now, scenario.uavs[u], *plan);
@@ -384,6 +424,20 @@ double planEnd_s(const std::vector<PlanSection>& sections)
     for (const PlanSection& section : sections)
         last_s = std::max(last_s, section.lastArrival_s());
     return last_s;
+}
+
+double lastTime_s(const std::vector<PlanSection>& sections)
+{
+    double last_s = planEnd_s(sections);
+    for (const PlanSection& section : sections)
+        for (const PlanRow& row : section.rows)
+            last_s = std::max(last_s, row.again_s.value_or(0));
+    return last_s;
+}
+
+bool hasRows(const std::vector<PlanSection>& sections)
+{
+    return std::ranges::any_of(sections, [](const PlanSection& s) { return !s.rows.empty(); });
 }
 
 bool comesHome(const std::vector<PlanSection>& sections)

@@ -9,96 +9,111 @@
 
 namespace berg {
 
-/** How a straight leg is flown. */
+/** Course and speed on a straight leg. */
 struct LegCourse
 {
-    double true_deg = 0; ///< over ground, at the leg's start
-    /** At the leg's start, positive east; nullopt if courses are shown by true north alone. */
+    double true_deg = 0; ///< true course over ground at the leg's start
+    /** Declination at the leg's start, positive east; nullopt if only true courses are shown. */
     std::optional<double> declination_deg = {};
     double groundSpeed_mps = 0;
     bool operator==(const LegCourse&) const = default;
 };
 
-/** One iceberg of the plan, in visiting order. */
+/** An iceberg of the plan, in visiting order. */
 struct PlanRow
 {
     std::string id;
-    QString name;                         ///< never empty: the id where there is no name
-    double leg_m = 0;                     ///< over ground, from the one before or the UAV
-    std::optional<LegCourse> course = {}; ///< of that leg; nullopt if it is not straight
-    double arrival_s = 0;                 ///< from now
-    double sigma_m2 = 0;                  ///< now
-    double arrivalSigma_m2 = 0;           ///< when the UAV is there, unless it is seen on the way
-    std::optional<double> chance = {};    ///< of being in view on arrival; none: depends on the aim
-    std::vector<PlannedSearch> searches = {}; ///< places where the lost iceberg is looked for
-    int number = 0;          ///< in the order, from 1; 0: as the rows are; -1: searched for
-    bool isSeen = true;      ///< false: plan or run end before, legs and arrivals are not known
-    bool isAssigned = false; ///< of several UAVs this one alone is to visit it
+    QString name;     ///< name, or the id if there is none
+    double leg_m = 0; ///< length over ground from the iceberg before, or from the UAV
+    std::optional<LegCourse> course = {}; ///< course of that leg; nullopt if it is not straight
+    double arrival_s = 0;                 ///< time from now
+    double sigma_m2 = 0;                  ///< present value
+    double arrivalSigma_m2 = 0;           ///< value on arrival, unless the iceberg is seen before
+    /** Chance of being in view on arrival; nullopt if it depends on the aim. */
+    std::optional<double> chance = {};
+    std::vector<PlannedSearch> searches = {}; ///< places where a lost iceberg is searched for
+    int number = 0;          ///< place in the order, from 1; 0 means the row's place, −1 a search
+    bool isSeen = true;      ///< if false, plan or run ends before, and leg and arrival are unknown
+    bool isAssigned = false; ///< whether it is assigned to this one of several UAVs
+    /** Time from now to the next visit of a patrol after `arrival_s`; nullopt if there is none. */
+    std::optional<double> again_s = {};
+    bool isLater = false; ///< whether a patrol visits it beyond the path that is planned
     bool operator==(const PlanRow&) const = default;
 };
 
-/** A leg that ends at none of the rows. */
+/** A leg that does not end at an iceberg of the rows. */
 struct ReturnLeg
 {
     double leg_m = 0;
-    double arrival_s = 0; ///< from now
+    double arrival_s = 0; ///< time from now
 };
 
-/** What one UAV is to visit. */
+/** The plan of one UAV. */
 struct PlanSection
 {
-    std::string uav;                    ///< id
-    QString name;                       ///< empty: it is the only one
-    int place = 0;                      ///< in the scenario: it gives the colour
+    std::string uav;                    ///< id of the UAV
+    QString name;                       ///< empty for a single UAV
+    int place = 0;                      ///< index in the scenario, for its colour
     bool isOver = false;                ///< the run has ended: nothing is left to fly
-    bool isPlanned = true;              ///< not on its way home, on the ground or holding
-    FlightMode mode = FlightMode::Idle; ///< then which of them
+    bool isPlanned = true;              ///< false while it returns, holds or is on the ground
+    FlightMode mode = FlightMode::Idle; ///< mode while it is not planned
     std::vector<PlanRow> rows;
-    /** After the rows that are seen: back home, or to the start of a closed route. */
+    /** Leg after the rows that are seen: to home, or to the start of a closed route. */
     std::optional<ReturnLeg> returns;
-    std::optional<ReturnLeg> unfinished; ///< in their place: what the run leaves of a leg
+    std::optional<ReturnLeg> unfinished; ///< cut leg at the end of the run, in place of `returns`
 
-    /** Of all legs that are known, the return among them, until the end of the run. */
+    /** Returns the length of all known legs with the return, until the end of the run, m. */
     [[nodiscard]] double length_m() const;
-    /** At the end of what is known, from now; 0 without any. */
+    /** Returns the time of the last known arrival from now, s; 0 without any. */
     [[nodiscard]] double lastArrival_s() const;
 };
 
 /**
- * The present plan as it is forecast from this instant (`forecastPlan`), a section for each UAV; of
- * plans with aim points the sightings that they predict, and the ways to them.
+ * Returns the forecast of the present plan (`forecastPlan`), a section for each UAV; for plans with
+ * aim points the predicted sightings and the paths to them.
  */
 [[nodiscard]] std::vector<PlanSection> planSections(const MissionSnapshot& now,
                                                     const Scenario& scenario);
-/** Warnings about flights of the plan, before take-off, that begin or end in the dark; empty
- * without a start in UTC. */
+/**
+ * Returns warnings about flights that begin or end in the dark, before take-off; empty without a
+ * start in UTC.
+ */
 [[nodiscard]] std::vector<Issue> darkFlights(const MissionSnapshot& now, const Scenario& scenario,
                                              const std::vector<PlanSection>& sections);
-/** Of all sections. */
+/** Returns the length of all sections, m. */
 [[nodiscard]] double planLength_m(const std::vector<PlanSection>& sections);
-/** The last arrival of all, from now; 0 without rows. */
+/** Returns the last arrival of all sections from now, s; 0 without rows. */
 [[nodiscard]] double planEnd_s(const std::vector<PlanSection>& sections);
-/** Whether one of them ends at home. */
+/** Returns the last time in the rows, from now: arrivals and later visits; 0 without rows. */
+[[nodiscard]] double lastTime_s(const std::vector<PlanSection>& sections);
+/** Returns true if a UAV has something to visit or to search for. */
+[[nodiscard]] bool hasRows(const std::vector<PlanSection>& sections);
+/** Returns whether a section ends at home. */
 [[nodiscard]] bool comesHome(const std::vector<PlanSection>& sections);
 
-/** What is told of the plan as a whole. */
+/** Summary of the whole plan. */
 struct PlanOutlook
 {
-    double zeta_m2s =
-        0; ///< at the end of the mission: what it is and what is predicted to be added
-    bool isInFlight =
-        false;           ///< else zeta is told with the policy alone: of the flight, not the plan
-    bool isOver = false; ///< zeta is that of the whole flight
-    std::optional<double> until_s;    ///< the zeta is that of this time, before the end
-    bool isAimed = false;             ///< predicted for legs with aim points
-    std::optional<PlanChange> change; ///< what the plan shown changed, of all UAVs
-    double changed_s = 0;             ///< when
-    QString before;                   ///< icebergs left in the order before, of each UAV changed
-    std::optional<double> bound_m2s;  ///< zeta of no flight is below, at the same time
-    double boundShare = 1;            ///< of the work for the bound that is done
+    double zeta_m2s = 0; ///< zeta at the end of the mission: present value plus predicted increase
+    /** If false, zeta is shown only with the policy: it is of the flight, not of the plan. */
+    bool isInFlight = false;
+    bool isOver = false;              ///< whether zeta is that of the complete flight
+    std::optional<double> until_s;    ///< time of zeta, if before the end
+    bool isAimed = false;             ///< whether zeta is predicted for legs with aim points
+    std::optional<PlanChange> change; ///< change by the plan shown, all UAVs together
+    double changed_s = 0;             ///< time of the change, s
+    QString before;                  ///< remaining icebergs of the former order of each changed UAV
+    std::optional<double> bound_m2s; ///< lower bound on zeta of any flight, at the same time
+    double boundShare = 1;           ///< share of the work for the bound that is done
+    /** Longest time that a patrol leaves an iceberg unseen; nullopt if the plan is no patrol. */
+    std::optional<double> longestGap_s = {};
+    QString longestGapName = {}; ///< name of that iceberg
 };
 
-/** Of the instant shown; none without a plan, or with one that has aim points and is being made. */
+/**
+ * Returns the summary at the instant shown; nullopt without a plan, or while a plan with aim points
+ * is being made.
+ */
 [[nodiscard]] std::optional<PlanOutlook> planOutlook(const FlightRecord& record);
 
 } // namespace berg

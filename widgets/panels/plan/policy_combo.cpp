@@ -69,7 +69,7 @@ void PolicyDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
     painter->restore();
 }
 
-/** In words in a rounded box of the pen's colour. */
+/** Paints a text in a rounded box of the pen's colour. */
 void PolicyDelegate::paintPill(QPainter& painter, const QString& text, const QRect& row,
                                int from_px) const
 {
@@ -170,7 +170,7 @@ bool PolicyCombo::isComplete() const
     });
 }
 
-/** Those that cannot be set beside the others, once these are known. */
+/** Returns the policies that cannot be compared, once the others are known. */
 std::vector<PolicyKind> PolicyCombo::tooSlow() const
 {
     std::vector<PolicyKind> policies;
@@ -180,7 +180,9 @@ std::vector<PolicyKind> PolicyCombo::tooSlow() const
     return policies;
 }
 
-/** Of its mean zeta against that of the policy chosen. */
+/**
+ * Returns the relative change of its mean zeta from the chosen policy; nullopt if it is unknown.
+ */
 std::optional<double> PolicyCombo::changeTo(PolicyKind policy) const
 {
     const std::optional<ZetaPrediction> to = predictionOf(policy);
@@ -190,20 +192,26 @@ std::optional<double> PolicyCombo::changeTo(PolicyKind policy) const
     return to->mean_m2s / from->mean_m2s - 1;
 }
 
-/** "65 120 to 80 330": of 20 flights all but the one or two at each end. Empty: not known. */
+/**
+ * Returns "65 120 to 80 330", the range of 20 flights without the extreme one or two at each end;
+ * empty if it is unknown.
+ */
 QString PolicyCombo::spreadOf(PolicyKind policy) const
 {
     const std::optional<ZetaPrediction> prediction = predictionOf(policy);
     if (!prediction || prediction->most_m2s <= 0)
         return {};
-    const ShownUnit unit = zetaUnit(prediction->mean_m2s); // in which the mean before it is
+    const ShownUnit unit = zetaUnit(prediction->mean_m2s); // the unit of the mean before it
     return tr("%1 to %2")
         .arg(significantText(unit.fromSi(prediction->least_m2s), 4, locale()),
              significantText(unit.fromSi(prediction->most_m2s), 4, locale()));
 }
 
-/** The policy that is surely the lowest in the same worlds, of several that are the one chosen;
- * nullopt while some are still to come, if one is too slow, or without a clear winner. */
+/**
+ * Returns the policy with the surely lowest zeta in the same worlds; if several share it, the
+ * chosen one. Returns nullopt while forecasts are missing, if one is too slow, or without a clear
+ * winner.
+ */
 std::optional<PolicyKind> PolicyCombo::recommended() const
 {
     if (!isComplete() || !tooSlow().empty())
@@ -234,10 +242,10 @@ QString PolicyCombo::figureOf(PolicyKind policy) const
     case ForecastState::Known:
         return predictionOf(policy)->mean_m2s > 0
                    ? u"ζ "_s + zetaText(predictionOf(policy)->mean_m2s, locale())
-                   : noFigure();
+                   : missingValueText();
     case ForecastState::TooLong:
     case ForecastState::Impossible:
-        return noFigure();
+        return missingValueText();
     }
     return {};
 }
@@ -269,7 +277,9 @@ QString PolicyCombo::toolTipOf(PolicyKind policy) const
                    .arg(kDrawnFlights)
                    .arg(durationText(PolicyForecasts::kLimit_ms / 1000.0, locale()));
     if (forecast->state == ForecastState::Impossible)
-        return forecast->whyNot.isEmpty() ? text : text + u"\n\n"_s + forecast->whyNot;
+        return forecast->unsupportedReason.isEmpty()
+                   ? text
+                   : text + u"\n\n"_s + forecast->unsupportedReason;
     return text + u"\n\n"_s + explanation();
 }
 
@@ -285,7 +295,7 @@ QString PolicyCombo::explanation()
         .arg(kDrawnFlights);
 }
 
-/** What there is instead of a figure. */
+/** Returns the text in place of a missing figure. */
 QString PolicyCombo::waitingText(const PolicyForecast& forecast) const
 {
     if (forecast.state == ForecastState::TooLong)
@@ -312,21 +322,21 @@ QString PolicyCombo::summary() const
         u"%1 (%2)"_s.arg(zetaText(prediction->mean_m2s, locale()), spreadOf(policy));
     if (m_inFlight)
         return tr("Predicted before take-off: ζ %1").arg(figure);
-    QString told = tr("Predicted ζ %1").arg(figure);
+    QString text = tr("Predicted ζ %1").arg(figure);
     if (!isComplete())
-        return told;
+        return text;
     if (const std::vector<PolicyKind> slow = tooSlow(); !slow.empty()) {
         QStringList names;
         for (const PolicyKind left : slow)
             names << policyName(left);
-        return tr("%1; too slow to compare: %2").arg(told, names.join(u", "_s));
+        return tr("%1; too slow to compare: %2").arg(text, names.join(u", "_s));
     }
     const std::optional<PolicyKind> best = recommended();
     if (!best)
-        return tr("%1; no policy is a clear winner").arg(told);
+        return tr("%1; no policy is a clear winner").arg(text);
     if (best == policy)
-        return tr("%1; recommended").arg(told);
-    return tr("%1; recommended: %2").arg(told, policyName(*best));
+        return tr("%1; recommended").arg(text);
+    return tr("%1; recommended: %2").arg(text, policyName(*best));
 }
 
 void PolicyCombo::updateOffers()
@@ -351,10 +361,10 @@ void PolicyCombo::updateOffers()
     }
 }
 
-/** Styles cut what is too long without a sign of it. */
+/** Elides long texts, which styles would cut. */
 void PolicyCombo::initStyleOption(QStyleOptionComboBox* option) const
 {
-    constexpr int kMargins_px = 2; // of the text in the room for it
+    constexpr int kMargins_px = 2; // margins of the text in its room
     QComboBox::initStyleOption(option);
     const QRect room =
         style()->subControlRect(QStyle::CC_ComboBox, option, QStyle::SC_ComboBoxEditField, this);
@@ -362,7 +372,7 @@ void PolicyCombo::initStyleOption(QStyleOptionComboBox* option) const
         fontMetrics().elidedText(option->currentText, Qt::ElideRight, room.width() - kMargins_px);
 }
 
-/** Wider than the panel when the texts are: Qt keeps the list on the screen. */
+/** Makes the list wider than the panel for long texts; Qt keeps it on the screen. */
 void PolicyCombo::showPopup()
 {
     view()->setMinimumWidth(m_delegate->widthFor(*model()));

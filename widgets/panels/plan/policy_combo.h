@@ -8,7 +8,7 @@
 
 namespace berg {
 
-/** Draws an offer of `PolicyCombo` in its list: name, sentence and what it is predicted to give. */
+/** Draws an entry of `PolicyCombo`: name, sentence and prediction. */
 class PolicyDelegate : public QStyledItemDelegate
 {
     Q_OBJECT
@@ -19,8 +19,8 @@ public:
         SentenceRole = Qt::UserRole + 1,
         FigureRole,      ///< right of the name
         RemarkRole,      ///< below the figure
-        RecommendedRole, ///< "Recommended" of the one that is
-        PresentRole,     ///< bool: the figure is of the flight to come
+        RecommendedRole, ///< "Recommended" for the recommended policy
+        PresentRole,     ///< bool: the figure is of the present policy
     };
 
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -30,7 +30,7 @@ public:
                const QModelIndex& index) const override;
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
                                  const QModelIndex& index) const override;
-    /** Of the list, so that no text of these offers is cut. */
+    /** Returns a width of the list in which no text of these entries is cut. */
     [[nodiscard]] int widthFor(const QAbstractItemModel& offers) const;
 
 private:
@@ -40,8 +40,8 @@ private:
 };
 
 /**
- * The choice of the policy: each is offered with what it does and the zeta that it is predicted to
- * come to, set against the one that is chosen. A line of that is `summary`. Shows what it is given.
+ * Choice of the policy. Each entry has a description and its predicted zeta compared with that of
+ * the chosen policy; `summary` is one line of it. Shows what it is given.
  */
 class PolicyCombo : public QComboBox
 {
@@ -53,13 +53,15 @@ public:
     void setTheme(const Theme& theme);
     void showPolicy(PolicyKind policy);
     void showForecasts(const PolicyForecastList& forecasts);
-    /** In flight the forecasts are of the time before take-off. */
+    /** Marks the forecasts as made before take-off. */
     void setInFlight(bool inFlight);
 
-    /** Of the policy shown, e.g. "Predicted ζ 72 410 m² s (65 120 to 80 330); recommended: Least
-     * waiting time". */
+    /**
+     * Returns the forecast of the policy shown, e.g. "Predicted ζ 72 410 m² s (65 120 to 80 330);
+     * recommended: Least waiting time".
+     */
     [[nodiscard]] QString summary() const;
-    /** What the forecasts are. */
+    /** Returns an explanation of the forecasts. */
     [[nodiscard]] static QString explanation();
 
     void showPopup() override;

@@ -17,15 +17,15 @@ namespace {
 
 constexpr double kEnd = 5; ///< tau at the right end
 constexpr int kHeight_px = 16;
-constexpr double kInset_px = 8; ///< when there is no slider to align with
+constexpr double kInset_px = 8; ///< inset without a slider to align with
 constexpr double kBand_px = 8;
-constexpr double kTickOut_px = 2; ///< beyond the band, above and below
+constexpr double kTickOut_px = 2; ///< length of ticks beyond the band, above and below
 constexpr double kPresent_px = 12;
-constexpr double kNarrowest_px = 5; ///< the present plan stays visible
+constexpr double kNarrowest_px = 5; ///< keeps the present plan visible
 constexpr double kCorner_px = 2;
-constexpr double kHatch_px = 5; ///< between lines
+constexpr double kHatch_px = 5; ///< distance between lines
 
-/** Diagonal lines over `area`, at the same places whatever the area. */
+/** Fills `area` with diagonal lines whose position does not depend on the area. */
 void hatch(QPainter& painter, const QRectF& area, const QColor& colour)
 {
     painter.save();
@@ -78,7 +78,7 @@ void TauStrip::setTau(double tau)
     update();
 }
 
-/** For those who cannot see the strip. */
+/** Updates the accessible description. */
 void TauStrip::describe()
 {
     const CurveInterval* present = interval(presentInterval(m_curve, m_tau));
@@ -213,7 +213,7 @@ void TauStrip::paintBand(QPainter& painter, const QRectF& band) const
 void TauStrip::paintTicks(QPainter& painter, const QRectF& band) const
 {
     painter.save();
-    // Crisp lines on any scale: each tick on whole pixels of the device, no two on the same.
+    // Crisp lines on any scale: each tick on whole device pixels, no two on the same.
     const double pixel = 1 / devicePixelRatioF();
     const double width_px = std::max(1.0, std::round(devicePixelRatioF())) * pixel;
     const int present = presentInterval(m_curve, m_tau);
@@ -240,7 +240,7 @@ void TauStrip::paintPresent(QPainter& painter, const QRectF& band) const
         return;
     const QRectF shown = bar(*present);
     painter.save();
-    painter.setPen(QPen(m_theme.panel, 1)); // apart from the ticks beside it
+    painter.setPen(QPen(m_theme.panel, 1)); // separates it from the ticks beside it
     painter.setBrush(m_theme.plan);
     painter.drawRoundedRect(shown, kCorner_px, kCorner_px);
     if (!present->proven)

@@ -13,9 +13,9 @@ class QSlider;
 namespace berg {
 
 /**
- * The plans along the trade-off, to be placed below its slider: a tick where the plan changes, the
- * present plan filled, hatched where nothing is proven (yet). A click or an arrow key chooses
- * another plan. Covers tau 0 to 5; holds nothing of its own.
+ * The plans along the trade-off, below its slider: a tick where the plan changes, the present plan
+ * filled, unproven ones hatched. A click or an arrow key chooses another plan. Covers tau 0 to 5;
+ * stores nothing of its own.
  */
 class TauStrip : public QWidget
 {
@@ -25,18 +25,18 @@ public:
     explicit TauStrip(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** Maps tau as this slider does, whose range stands for tau 0 to 5. */
+    /** Aligns tau with this slider, whose range stands for tau 0 to 5. */
     void alignWith(const QSlider* slider);
 
     void setCurve(const TauCurve& curve);
     void setTau(double tau);
 
-    /** Tau to jump to for the plan before the present one (more uncertain first), if any. */
+    /** Returns tau of the previous plan (more uncertain first), if any. */
     [[nodiscard]] std::optional<double> previousPlan() const;
-    /** Tau to jump to for the plan after the present one (shorter way), if any. */
+    /** Returns tau of the next plan (shorter path), if any. */
     [[nodiscard]] std::optional<double> nextPlan() const;
 
-    // Device-independent pixels from the left edge.
+    // Conversions to and from device-independent pixels from the left edge.
     [[nodiscard]] double xOf(double tau) const;
     [[nodiscard]] double tauAt(double x_px) const;
 
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
-    /** The user wants the plan that is best for this tau. */
+    /** Emitted when the user chooses the plan that is best for this tau. */
     void tauChosen(double tau);
 
 protected:
@@ -62,7 +62,7 @@ private:
     };
     [[nodiscard]] Span scale() const;
     [[nodiscard]] QRectF bar(const CurveInterval& interval) const;
-    /** Interval below a place, -1: none. */
+    /** Returns the interval below a position, or −1 if there is none. */
     [[nodiscard]] int intervalNear(double x_px) const;
     [[nodiscard]] const CurveInterval* interval(int index) const;
     void setHovered(int index);

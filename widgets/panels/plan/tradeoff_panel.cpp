@@ -32,7 +32,7 @@ constexpr int kMargin_px = 10;
 constexpr int kGroupGap_px = 6;
 constexpr int kForecastGap_px = 2;
 
-/** A slider that jumps to where it is pressed, as one expects of a trade-off. */
+/** A slider that jumps to the position that is pressed. */
 class JumpSlider final : public QSlider
 {
 public:
@@ -55,7 +55,7 @@ protected:
                 minimum(), maximum(), at.x() - groove.left() - handle.width() / 2,
                 groove.width() - handle.width(), option.upsideDown));
         }
-        QSlider::mousePressEvent(event); // takes hold of the handle, now under the pointer
+        QSlider::mousePressEvent(event); // grabs the handle, now below the pointer
     }
 };
 
@@ -69,26 +69,26 @@ void addCombo(QComboBox* combo, QGridLayout& grid, int row, int column, int colu
 {
     combo->setObjectName(name);
     combo->setAccessibleName(label);
-    // Long words must not widen the panel; the list itself is as wide as they are.
+    // Long texts must not widen the panel; the list itself is as wide as they are.
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     combo->setMinimumContentsLength(8);
     combo->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     guardWheel(*combo);
-    combo->setFocusPolicy(Qt::TabFocus); // a choice by mouse leaves the keys where they were
+    combo->setFocusPolicy(Qt::TabFocus); // a choice by mouse leaves the keyboard where it was
     auto* caption = new CaptionLabel(label);
     caption->setBuddy(combo);
     grid.addWidget(caption, row, column, 1, columns);
     grid.addWidget(combo, row + 1, column, 1, columns);
 }
 
-/** Adds a choice; with a reason it can be shown but not chosen. */
-void offer(QComboBox& combo, int value, const QString& text, const QString& whyNot)
+/** Adds a choice; one with a reason can be shown but not chosen. */
+void offer(QComboBox& combo, int value, const QString& text, const QString& reason)
 {
     combo.addItem(text, value);
-    if (whyNot.isEmpty())
+    if (reason.isEmpty())
         return;
     const int row = combo.count() - 1;
-    combo.setItemData(row, whyNot, Qt::ToolTipRole);
+    combo.setItemData(row, reason, Qt::ToolTipRole);
     if (auto* model = qobject_cast<QStandardItemModel*>(combo.model()))
         model->item(row)->setEnabled(false);
 }
@@ -141,7 +141,7 @@ TradeoffPanel::TradeoffPanel(QWidget* parent) : QWidget(parent)
 
 TradeoffPanel::~TradeoffPanel()
 {
-    m_tau->disconnect(this); // it takes what is being typed when it is hidden, after this body
+    m_tau->disconnect(this); // the field accepts typed text when it is hidden, after this body
 }
 
 void TradeoffPanel::addTau()
@@ -207,15 +207,16 @@ void TradeoffPanel::addChoices()
     for (const Backend backend : {Backend::Auto, Backend::Exact, Backend::Cbc, Backend::Heuristic})
         offer(*m_backend, static_cast<int>(backend), backendName(backend),
               hasBackend(backend) ? QString()
-                                  : tr("This build of Bergwatch was made without this solver."));
+                                  : tr("This build of Bergwatch does not include this solver."));
     for (const Route route : {Route::Open, Route::Closed})
         offer(*m_route, static_cast<int>(route), routeName(route), {});
 }
 
 void TradeoffPanel::connectChoices()
 {
-    // `activated` comes from the user only, also for the choice there was.
-    const auto told = [this](QComboBox& combo, auto PlannerSettings::*setting, auto signal) {
+    // `activated` is emitted for choices by the user only, also for the present one.
+    const auto connectChoice = [this](QComboBox& combo, auto PlannerSettings::*setting,
+                                      auto signal) {
         connect(&combo, &QComboBox::activated, this, [this, &combo, setting, signal](int row) {
             using Choice = std::remove_reference_t<decltype(m_settings.*setting)>;
             const auto choice = static_cast<Choice>(combo.itemData(row).toInt());
@@ -226,16 +227,16 @@ void TradeoffPanel::connectChoices()
             emit(this->*signal)(choice);
         });
     };
-    told(*m_policy, &PlannerSettings::policy, &TradeoffPanel::policyEdited);
-    told(*m_backend, &PlannerSettings::backend, &TradeoffPanel::backendEdited);
-    told(*m_route, &PlannerSettings::route, &TradeoffPanel::routeEdited);
+    connectChoice(*m_policy, &PlannerSettings::policy, &TradeoffPanel::policyEdited);
+    connectChoice(*m_backend, &PlannerSettings::backend, &TradeoffPanel::backendEdited);
+    connectChoice(*m_route, &PlannerSettings::route, &TradeoffPanel::routeEdited);
 }
 
 void TradeoffPanel::connectTau()
 {
     connect(m_slider, &QSlider::valueChanged, this, [this](int position) {
         if (position != sliderPosition(m_settings.tau))
-            editTau(position / 100.0); // the double nearest to the number one reads
+            editTau(position / 100.0); // the double nearest to the number shown
     });
     connect(m_tau, &NumberField::edited, this, &TradeoffPanel::editTau);
     connect(m_strip, &TauStrip::tauChosen, this, &TradeoffPanel::chooseTau);
@@ -286,7 +287,7 @@ void TradeoffPanel::stepPlan(int direction)
         chooseTau(*tau);
 }
 
-/** Texts wrap: the height the panel needs follows from its width, which docks do not ask for. */
+/** Texts wrap, so the needed height depends on the width, which docks do not consider. */
 bool TradeoffPanel::event(QEvent* event)
 {
     if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
@@ -324,7 +325,7 @@ void TradeoffPanel::showTau()
 void TradeoffPanel::setTheme(const Theme& theme)
 {
     setCaptionTheme(*this, theme);
-    m_forecast->setMinimumHeight(heightOfTwoLines_px(theme.small())); // with a range
+    m_forecast->setMinimumHeight(heightOfTwoLines_px(theme.small())); // room for a range
     m_policy->setTheme(theme);
     m_strip->setTheme(theme);
     m_result->setTheme(theme);
@@ -333,7 +334,7 @@ void TradeoffPanel::setTheme(const Theme& theme)
 void TradeoffPanel::showSettings(const PlannerSettings& settings)
 {
     PlannerSettings shown = settings;
-    // A picture of the flight from before the edit must not pull the slider from under the hand.
+    // A snapshot from before the edit must not move the slider while it is dragged.
     if (m_tauEditing)
         shown.tau = m_settings.tau;
     if (shown == m_settings)
@@ -367,7 +368,7 @@ void TradeoffPanel::setLookingBack(bool looksBack)
         return;
     m_looksBack = looksBack;
     if (looksBack)
-        finishTyping(); // of the flight as it is now
+        finishTyping(); // typed text belongs to the newest instant
     updateEnabled();
 }
 
@@ -375,23 +376,24 @@ void TradeoffPanel::updateEnabled()
 {
     const bool usesTau = traitsOf(m_settings.policy).usesTau;
     const bool usesSolver = traitsOf(m_settings.policy).solves();
-    const QString noUse = tr("The policy chosen does not use this.");
+    const QString noUse = tr("The chosen policy does not use this.");
     const QString locked = tr("Locked in flight. Stop the flight to change this.");
 
-    const auto set = [](QWidget& input, const QString& whyNot, const QString& toolTip) {
-        input.setEnabled(whyNot.isEmpty());
-        input.setToolTip(whyNot.isEmpty() ? toolTip : whyNot);
+    const auto set = [](QWidget& input, const QString& reason, const QString& toolTip) {
+        input.setEnabled(reason.isEmpty());
+        input.setToolTip(reason.isEmpty() ? toolTip : reason);
     };
-    const QString tauWhyNot = m_looksBack ? lookingBackText() : usesTau ? QString() : noUse;
-    set(*m_slider, tauWhyNot,
-        tr("Small: icebergs of great uncertainty come first. Large: the route gets short. Arrow "
-           "keys change τ by 0.01, Page keys by 0.25."));
-    set(*m_tau, tauWhyNot, tr("Trade-off τ from 0 to 100."));
-    m_strip->setEnabled(tauWhyNot.isEmpty()); // its tool tips are its own
+    const QString tauReason = m_looksBack ? lookingBackText() : usesTau ? QString() : noUse;
+    set(*m_slider, tauReason,
+        tr("Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys "
+           "change τ by 0.01, Page keys by 0.25."));
+    set(*m_tau, tauReason, tr("Trade-off τ from 0 to 100."));
+    m_strip->setEnabled(tauReason.isEmpty()); // it has tool tips of its own
     m_policy->setEnabled(!m_looksBack);
     updateForecast();
     set(*m_backend, m_inFlight ? locked : (usesSolver ? QString() : noUse),
-        tr("What makes the plan. Automatic proves small problems and searches in large ones."));
+        tr("Solver of the plan. Automatic proves small problems optimal and searches in large "
+           "ones."));
     set(*m_route, m_inFlight ? locked : (usesTau ? QString() : noUse),
         tr("A one-way plan ends at the last iceberg; a round trip includes the return."));
 }

@@ -20,9 +20,9 @@ class TauStrip;
 struct TauCurve;
 
 /**
- * The trade-off tau, the choices of planning and what came of them. Holds nothing of its own:
- * shows what it is given and tells what the user wants. tau 0 is "most uncertain first", large is
- * "shortest path", Eq. (14); the slider covers 0 to 5, the field all of 0 to 100.
+ * Panel of the trade-off tau, the planning choices and their result. Stores nothing of its own:
+ * shows what it is given and emits the user's edits. tau 0 is "most uncertain first", a large tau
+ * is "shortest path", Eq. (14); the slider covers 0 to 5, the field 0 to 100.
  */
 class TradeoffPanel : public QWidget
 {
@@ -34,28 +34,30 @@ public:
 
     void setTheme(const Theme& theme);
 
-    /** Emits nothing. While the user is changing tau, the panel shows the user's. */
+    /** Shows settings and emits nothing. While the user is changing tau, the user's value stays. */
     void showSettings(const PlannerSettings& settings);
     /** In flight only tau and policy can be changed. */
     void setInFlight(bool inFlight);
-    /** At an instant before the latest nothing can be changed. */
+    /** While looking back nothing can be changed. */
     void setLookingBack(bool looksBack);
     void showPlan(const PlanReadout& readout);
-    /** Objective and distance weight of the plan. */
+    /** Shows or hides objective and distance weight of the plan. */
     void setDetailsShown(bool isShown);
-    /** What each policy is predicted to come to, beside its name and below the one chosen. */
+    /** Shows the forecast of each policy, beside its name and below the chosen one. */
     void showForecasts(const PolicyForecastList& forecasts);
-    /** The plans along the trade-off, below the slider. */
+    /** Shows the plans along the trade-off, below the slider. */
     void showCurve(const TauCurve& curve);
-    /** To the neighbouring plan: +1 towards shorter ways, -1 towards most uncertain first. */
+    /**
+     * Moves to the neighbouring plan: +1 towards shorter paths, −1 towards most uncertain first.
+     */
     void stepPlan(int direction);
-    /** No higher than what is in it: what is below has use for the room. */
+    /** Limits the height to the contents, so that panels below get the rest. */
     void setHeightLimited(bool isLimited);
-    /** Takes what is typed as if Return had been pressed. */
+    /** Accepts typed text as if Return had been pressed. */
     void finishTyping();
-    /** The change of tau that is under way ends: what is in force may be shown. */
+    /** Ends the current change of tau, so that the value in force may be shown. */
     void finishTau();
-    /** As if the user had set tau to this. */
+    /** Sets tau as if by the user. */
     void chooseTau(double tau);
 
 protected:
@@ -63,12 +65,14 @@ protected:
 
 signals:
     void tauEdited(double tau);
-    /** The last `tauEdited` of a row: slider let go, typing or stepping ended. */
+    /**
+     * Emitted after the last `tauEdited` of a series: slider released, typing or stepping ended.
+     */
     void tauEditFinished();
     void policyEdited(berg::PolicyKind policy);
     void backendEdited(berg::Backend backend);
     void routeEdited(berg::Route route);
-    /** What stands in the way of planning is to be shown. */
+    /** Requests to show the findings that prevent planning. */
     void checksRequested();
     void detailsToggled(bool isShown);
 
@@ -93,13 +97,13 @@ private:
     QComboBox* m_backend = nullptr;
     QComboBox* m_route = nullptr;
     PlanReadoutView* m_result = nullptr;
-    PlannerSettings m_settings; ///< shown
+    PlannerSettings m_settings; ///< the settings shown
     PlanReadout m_readout;
     bool m_inFlight = false;
     bool m_looksBack = false;
     bool m_isHeightLimited = false;
     bool m_tauEditing = false;
-    QTimer m_tauRest; ///< ends a row of keys or wheel turns, which have no end of their own
+    QTimer m_tauRest; ///< ends a series of keys or wheel turns, which have no end of their own
 };
 
 } // namespace berg

@@ -23,10 +23,11 @@ constexpr int kMargin_px = 8;
 constexpr int kGap_px = 6;
 constexpr int kCellMargins_px = 10;
 constexpr int kBar_px = 6;
-constexpr int kLowestTable_px = 44; ///< a row and the header: a dock may come from side to foot
+/** A row and the header: docks may move from the side to the bottom. */
+constexpr int kLowestTable_px = 44;
 constexpr int kBarSteps = 1000;
-constexpr int kLowFrom_px = 125;    ///< wider than high by so much: list and tables side by side
-constexpr int kBesideFrom_px = 640; ///< where both have room for their columns, else tabs
+constexpr int kLowFrom_px = 125;    ///< list and tables are side by side if wider than high by this
+constexpr int kBesideFrom_px = 640; ///< width with room for the columns of both, else tabs
 
 bool isTour(const ComparedRun& run)
 {
@@ -133,10 +134,10 @@ void ComparisonPanel::addActions()
     m_open->setAutoRaise(true);
     m_remove = new QPushButton(tr("Remove"));
     m_remove->setObjectName(u"removeComparedRun"_s);
-    m_remove->setToolTip(tr("Takes the chosen run off the list."));
+    m_remove->setToolTip(tr("Removes the chosen run from the list."));
     for (QPushButton* button : {m_fly, m_remove}) {
         const int text_px = button->fontMetrics().horizontalAdvance(button->text());
-        button->setMinimumWidth(1); // the style's least width is for dialogs
+        button->setMinimumWidth(1); // the style's minimum width is for dialogs
         button->setMaximumWidth(text_px + 3 * kCellMargins_px);
     }
     auto* row = new QHBoxLayout;
@@ -262,7 +263,7 @@ void ComparisonPanel::updateEnabled()
     const bool isTourAlready = beside && isTour(*reference);
     m_flight->setCurrentIndex(flying ? 1 : 0);
     for (QWidget* part : std::initializer_list<QWidget*>{m_tauLabel, m_tau, m_fly})
-        part->setVisible(!flying); // their room is for the progress
+        part->setVisible(!flying); // their room is used for the progress
     m_tour->setEnabled(hasWorld && !isTourAlready);
     m_tour->setToolTip(
         isTourAlready ? tr("The reference A is the tour itself: choose another one as A.")
@@ -274,7 +275,7 @@ void ComparisonPanel::updateEnabled()
     m_remove->setEnabled(m_runs->currentRow() >= 0);
 }
 
-/** Side by side or on tabs in a low dock, one below the other in a narrow one. */
+/** Arranges side by side or on tabs in a low dock, one below the other in a narrow one. */
 void ComparisonPanel::arrange()
 {
     const bool isLow = width() > height() + kLowFrom_px;
@@ -301,11 +302,11 @@ void ComparisonPanel::placeRuns(bool onTab)
     }
 }
 
-/** On one line where the button has room there. */
+/** Arranges the actions on one line if the button has room there. */
 void ComparisonPanel::arrangeActions()
 {
     if (m_list.isFlying())
-        return; // some are hidden now
+        return; // some buttons are hidden now
     const int needed_px = m_tour->fontMetrics().horizontalAdvance(m_tour->text()) + kCellMargins_px;
     const int beside_px =
         width() - 2 * kMargin_px - kGap_px - m_actions->itemAt(1)->sizeHint().width();

@@ -22,9 +22,9 @@ class NumberField;
 class RunTable;
 
 /**
- * The runs there are, which two of them are set beside each other (A the reference, B the other)
- * and how they differ; flies further ones. Made for a narrow dock at the side and a low one at the
- * foot. Shows and steers a list that it borrows.
+ * List of runs, the two that are compared (A the reference, B the other) and their differences;
+ * flies further runs. Made for a narrow dock at the side and a low one at the bottom. Shows and
+ * controls a list that it borrows.
  */
 class ComparisonPanel : public QWidget
 {
@@ -34,13 +34,13 @@ public:
     explicit ComparisonPanel(RunList& list, QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** What the window works on: flown for comparison when no reference is of its world. */
+    /** Sets the window's scenario, which is flown for comparison if no reference has its world. */
     void setScenario(const Scenario& scenario);
 
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:
-    /** The user wants to choose a run file. */
+    /** Requests the choice of a run file. */
     void openRunRequested();
 
 protected:
@@ -71,7 +71,7 @@ private:
     ComparisonTable* m_unseen = nullptr;
     QLabel* m_state = nullptr; ///< why the last flight failed
     QBoxLayout* m_actions = nullptr;
-    QStackedWidget* m_flight = nullptr; ///< the button, or progress while something is flown
+    QStackedWidget* m_flight = nullptr; ///< the button, or progress during a flight
     QPushButton* m_tour = nullptr;
     QLabel* m_progressText = nullptr;
     QProgressBar* m_bar = nullptr;

@@ -39,7 +39,7 @@ QString signedText(double value, const QString& magnitude)
     return value == 0 ? magnitude : (value < 0 ? u"−"_s : u"+"_s) + magnitude;
 }
 
-/** What of a quantity is good. */
+/** Which values of a quantity are better. */
 enum class Good
 {
     Less,
@@ -54,7 +54,7 @@ Better betterOf(double reference, double other, Good good)
     return (other < reference) == (good == Good::Less) ? Better::Other : Better::Reference;
 }
 
-/** Builds rows of one quantity at the common time; without another run its columns stay empty. */
+/** Builds rows of quantities at the common time; without another run its columns stay empty. */
 struct RowMaker
 {
     RowMaker(const ComparedRun& referenceRun, const ComparedRun* otherRun)
@@ -67,7 +67,7 @@ struct RowMaker
         reference = figuresAt(referenceRun, until_s);
     }
 
-    /** `text` of a value, `difference` of value and reference. */
+    /** Adds a row; `text` formats a value, `difference` a value and its reference. */
     template <class Value, class Text, class Difference>
     void add(const QString& label, const Value& value, Good good, const Text& text,
              const Difference& difference, const QString& toolTip)
@@ -97,7 +97,7 @@ QString clockDifference(double other_s, double reference_s)
 QString icebergName(const ComparedRun& run, int iceberg)
 {
     if (iceberg < 0)
-        return noFigure();
+        return missingValueText();
     return shownName(run.icebergs[static_cast<std::size_t>(iceberg)]);
 }
 
@@ -118,7 +118,7 @@ double longest_s(const RunFigures& figures)
 QString percentText(double value, double reference, const QLocale& locale)
 {
     if (reference == 0)
-        return noFigure();
+        return missingValueText();
     return changeText(value / reference - 1, locale);
 }
 
@@ -139,13 +139,13 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
     maker.add(
         ComparisonText::tr("Mean Σσ, m²"), [](const RunFigures& f) { return f.meanSigmaSum_m2; },
         Good::Less, significant, percent,
-        ComparisonText::tr("Zeta over time: how uncertain all icebergs were together on average."));
+        ComparisonText::tr("Mean total uncertainty of all icebergs: ζ divided by the flown time."));
     maker.add(
         ComparisonText::tr("Visits"), [](const RunFigures& f) { return f.visits; }, Good::More,
-        whole, wholeDifference, ComparisonText::tr("Icebergs that were targets and were reached."));
+        whole, wholeDifference, ComparisonText::tr("Icebergs reached as targets."));
     maker.add(
         ComparisonText::tr("Plans"), [](const RunFigures& f) { return f.plans; }, Good::Neither,
-        whole, wholeDifference, ComparisonText::tr("Times the visiting order was planned."));
+        whole, wholeDifference, ComparisonText::tr("Number of plans made."));
     const QString unit = longDistanceUnit().name;
     const auto distance = [&](double value) { return significantText(value, 3, locale); };
     const auto distanceDifference = [&](double value, double of) {
@@ -157,11 +157,11 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
         [](const RunFigures& f) { return longDistanceUnit().fromSi(f.flown_m); }, Good::Neither,
         distance, distanceDifference, ComparisonText::tr("Distance flown through the air."));
     maker.add(
-        ComparisonText::tr("Unseen up to"), longest_s, Good::Less,
+        ComparisonText::tr("Longest unseen"), longest_s, Good::Less,
         [](double value) { return clockText(value); }, clockDifference,
         ComparisonText::tr("Longest time for which an iceberg was out of view."));
     maker.rows.push_back(
-        {.label = ComparisonText::tr("which was"),
+        {.label = ComparisonText::tr("Iceberg"),
          .reference = icebergName(reference, maker.reference.longestUnseen),
          .other = other ? icebergName(*other, maker.other->longestUnseen) : QString(),
          .toolTip = ComparisonText::tr("The iceberg that was out of view for the "
@@ -170,7 +170,7 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
     for (std::size_t i = 0; i < uavs.size(); ++i) {
         const QString name = nameInFleet(uavs, static_cast<int>(i));
         if (name.isEmpty())
-            break; // its figures are those of the flight
+            break; // a single UAV's figures are those of the flight
         maker.add(
             ComparisonText::tr("%1, visits").arg(name),
             [i](const RunFigures& f) { return totalsOf(f, i).visits; }, Good::Neither, whole,
@@ -179,7 +179,7 @@ std::vector<ComparisonRow> figureRows(const ComparedRun& reference, const Compar
             u"%1, %2"_s.arg(name, unit),
             [i](const RunFigures& f) { return longDistanceUnit().fromSi(totalsOf(f, i).flown_m); },
             Good::Neither, distance, distanceDifference,
-            ComparisonText::tr("What %1 has flown through the air.").arg(name));
+            ComparisonText::tr("Distance that %1 has flown through the air.").arg(name));
     }
     return maker.rows;
 }
@@ -193,7 +193,7 @@ std::vector<ComparisonRow> unseenRows(const ComparedRun& reference, const Compar
             icebergName(reference, static_cast<int>(i)),
             [i](const RunFigures& f) { return i < f.unseen.size() ? f.unseen[i].longest_s : 0; },
             Good::Less, [](double value) { return clockText(value); }, clockDifference,
-            ComparisonText::tr("Unseen for %1 in all in A.")
+            ComparisonText::tr("Unseen for %1 in total in A.")
                 .arg(durationText(std::round(maker.reference.unseen[i].total_s), locale)));
     return maker.rows;
 }
@@ -255,7 +255,7 @@ void ComparisonTable::showRows(const std::vector<ComparisonRow>& rows)
     setColumnWidths();
 }
 
-/** Numbers take what they need, as long as the names keep a quarter. */
+/** Numbers take the width they need, up to a quarter of the table each. */
 void ComparisonTable::setColumnWidths()
 {
     QFont bold = font();

@@ -10,7 +10,7 @@
 
 namespace berg {
 
-/** Which of the two runs is better off. */
+/** Which of the two runs has the better value. */
 enum class Better
 {
     Neither,
@@ -24,22 +24,28 @@ struct ComparisonRow
     QString label;
     QString reference;
     QString other{};
-    QString difference{}; ///< other less reference
+    QString difference{}; ///< other minus reference
     Better better = Better::Neither;
     QString toolTip;
 };
 
-/** zeta, visits, way and so on at the common time; `other` null: of the reference alone. */
+/**
+ * Returns zeta, visits, distance and other quantities at the common time; if `other` is null, of
+ * the reference alone.
+ */
 [[nodiscard]] std::vector<ComparisonRow>
 figureRows(const ComparedRun& reference, const ComparedRun* other, const QLocale& locale);
-/** Longest time out of view of each iceberg. */
+/** Returns the longest time out of view of each iceberg. */
 [[nodiscard]] std::vector<ComparisonRow>
 unseenRows(const ComparedRun& reference, const ComparedRun* other, const QLocale& locale);
 
-/** "+8.0 %", "−0.4 %"; of nothing: a dash. */
+/** Returns the relative difference, "+8.0 %" or "−0.4 %", or a dash for a reference of 0. */
 [[nodiscard]] QString percentText(double value, double reference, const QLocale& locale);
 
-/** A quantity a row, columns for the two runs and their difference; the better number is bold. */
+/**
+ * Table with a quantity a row, columns for the two runs and their difference; the better value is
+ * bold.
+ */
 class ComparisonTable : public QTableWidget
 {
     Q_OBJECT
@@ -56,7 +62,7 @@ private:
     void setColumnWidths();
 };
 
-/** What all tables of the panel have in common. */
+/** Applies the settings common to all tables of the panel. */
 void setUpComparisonTable(QTableWidget& table, const QString& name, const QString& title);
 
 } // namespace berg

@@ -22,9 +22,9 @@ namespace {
 constexpr int kMarkColumn_px = 26;
 constexpr int kCellMargins_px = 10;
 constexpr int kZetaFrom_px = 250; ///< width from which there is room for zeta
-constexpr double kMark_px = 8.5;  ///< radius
+constexpr double kMark_px = 8.5;  ///< radius of a disk
 
-/** Not all of them have the same number of UAVs. */
+/** Returns whether the runs have different numbers of UAVs. */
 bool fleetsDiffer(const std::vector<RunPointer>& runs)
 {
     return std::ranges::any_of(runs, [&](const RunPointer& run) {
@@ -32,7 +32,7 @@ bool fleetsDiffer(const std::vector<RunPointer>& runs)
     });
 }
 
-/** Not all of them are of a scenario of one name. */
+/** Returns whether the runs have scenarios of different names. */
 bool scenariosDiffer(const std::vector<RunPointer>& runs)
 {
     return std::ranges::any_of(runs, [&](const RunPointer& run) {
@@ -63,16 +63,16 @@ RunTable::RunTable(RunList& list, QWidget* parent)
     for (const int number : {RunZeta, RunDifference})
         horizontalHeaderItem(number)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     horizontalHeader()->setSectionResizeMode(RunName, QHeaderView::Stretch);
-    setTextElideMode(Qt::ElideMiddle); // what tells runs apart may come last: "..., to 05:00"
+    setTextElideMode(Qt::ElideMiddle); // runs may differ at the end: "..., to 05:00"
     connect(this, &QTableWidget::cellClicked, this, &RunTable::choose);
     connect(this, &QTableWidget::cellDoubleClicked, this, [this](int row, int column) {
-        if (column >= RunName) // a circle has had its click
+        if (column >= RunName) // the first click has already chosen a circle
             choose(row, RunOther);
     });
 
     m_empty = newTableNote(*this, u"comparisonEmpty"_s, kCellMargins_px);
-    m_empty->setText(tr("Runs you have flown come here. The button below flies this scenario "
-                        "along the shortest round tour beside your own settings."));
+    m_empty->setText(tr("Flown runs are listed here. The button below flies this scenario along "
+                        "the shortest round tour for comparison."));
 }
 
 void RunTable::setTheme(const Theme& theme)
@@ -125,7 +125,7 @@ void RunTable::showRun(int row)
     if (!run->file.isEmpty())
         toolTip += u'\n' + QFileInfo(run->file).fileName();
     if (reference && !comparable)
-        toolTip += u'\n' + tr("Another scenario than that of A: they cannot be compared.");
+        toolTip += u'\n' + tr("Its scenario differs from that of A: they cannot be compared.");
     const auto mark = [](bool chosen, bool can) {
         return static_cast<int>(chosen ? RunMark::Chosen : can ? RunMark::Choice : RunMark::None);
     };
@@ -189,7 +189,7 @@ void RunTable::renameCurrent()
 
 void RunTable::commitData(QWidget* editor)
 {
-    // Not the current row: that may have changed while one typed.
+    // The current row may have changed during typing, so the row is found by the editor's position.
     const QTableWidgetItem* cell = itemAt(editor->geometry().center());
     if (cell == nullptr)
         return;
@@ -225,7 +225,7 @@ void RunTable::contextMenuEvent(QContextMenuEvent* event)
 
 void RunTable::keyPressEvent(QKeyEvent* event)
 {
-    if (state() == EditingState) // Return ends that
+    if (state() == EditingState) // Return ends editing
         return QTableWidget::keyPressEvent(event);
     switch (event->key()) {
     case Qt::Key_Delete:
@@ -251,7 +251,7 @@ void RunMarkDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
                             const QModelIndex& index) const
 {
     QStyleOptionViewItem option = given;
-    option.state.setFlag(QStyle::State_HasFocus, false); // rows are chosen, not cells
+    option.state.setFlag(QStyle::State_HasFocus, false); // rows are selected, not cells
     if (index.column() > RunOther) {
         QStyledItemDelegate::paint(painter, option, index);
         return;

@@ -21,15 +21,15 @@ enum RunColumn
     RunColumnCount
 };
 
-/** How a cell of the first two columns stands: `Qt::UserRole`. */
+/** State of a cell in the first two columns: `Qt::UserRole`. */
 enum class RunMark
 {
     None,   ///< cannot be chosen
-    Choice, ///< can be
+    Choice, ///< can be chosen
     Chosen
 };
 
-/** The disks A and B with which the list of runs says what is compared. */
+/** Draws the disks A and B that mark the compared runs. */
 class RunMarkDelegate : public QStyledItemDelegate
 {
     Q_OBJECT
@@ -45,8 +45,8 @@ private:
 };
 
 /**
- * The runs there are, with the circles by which A and B are chosen; keys A, B and Delete do the
- * same, F2 renames. Shows and steers a list that it borrows.
+ * List of runs, with circles that choose A and B; keys A, B and Delete do the same, F2 renames.
+ * Shows and controls a list that it borrows.
  */
 class RunTable : public QTableWidget
 {
@@ -58,7 +58,7 @@ public:
     void setTheme(const Theme& theme);
     void showRuns();
     void removeCurrent();
-    /** Columns as they suit this width; zeta only where there is room for it. */
+    /** Sizes the columns for this width; zeta is shown only if there is room. */
     void arrange(int width_px);
 
 protected:

@@ -27,7 +27,7 @@ constexpr int kBar_px = 6;
 constexpr double kLargest = 40;
 constexpr double kRepeat = 5;
 constexpr double kBudget_s = 30;
-constexpr int kDot_px = 10; ///< colour of a line beside its name
+constexpr int kDot_px = 10; ///< coloured dot of a line beside its name
 
 QIcon lineIcon(const BenchmarkSolver& solver, const Theme& theme)
 {
@@ -44,23 +44,23 @@ QString solverToolTip(const BenchmarkSolver& solver)
     case Backend::Auto:
         return {};
     case Backend::Exact:
-        return SolveTimePanel::tr("Proves the optimum, by dynamic programming or by the bound of "
-                                  "our own engine.");
+        return SolveTimePanel::tr(
+            "Proves the optimum by dynamic programming or by the bound of Bergwatch's engine.");
     case Backend::Heuristic:
-        return SolveTimePanel::tr("Searches, and proves as far as about a second's work goes.");
+        return SolveTimePanel::tr("Searches, and proves as much as about a second of work allows.");
     case Backend::Cbc:
         break;
     }
     switch (solver.formulation) {
     case Formulation::Position:
         return SolveTimePanel::tr("COIN-OR CBC on a MILP with a variable for each leg and "
-                                  "position. Uses nothing of our own engine.");
+                                  "position. Independent of Bergwatch's engine.");
     case Formulation::Printed:
         return SolveTimePanel::tr("COIN-OR CBC on the MILP as the paper prints it. Slow beyond 8 "
                                   "icebergs.");
     case Formulation::Reduced:
-        return SolveTimePanel::tr("COIN-OR CBC on the few legs that the bound of our engine "
-                                  "leaves.");
+        return SolveTimePanel::tr(
+            "COIN-OR CBC on the few legs that the bound of Bergwatch's engine leaves.");
     }
     return {};
 }
@@ -89,7 +89,7 @@ SolveTimePanel::SolveTimePanel(BenchmarkRunner& runner, QWidget* parent)
     connect(&m_runner, &BenchmarkRunner::finished, this, &SolveTimePanel::showEnd);
     setTheme(Theme::light());
     showRows();
-    if (m_runner.isRunning()) // another window began it
+    if (m_runner.isRunning()) // started by another window
         m_second.start();
 }
 
@@ -121,8 +121,8 @@ void SolveTimePanel::addSettings()
     m_largest->setToolTip(tr("Largest number of icebergs. The paper went to 20."));
     m_repeat = number(u"repeat"_s, tr("Problems of each size"), 1, 100, kRepeat, {});
     m_repeat->setToolTip(tr("Random problems as in Table 1 of the paper, the same at every run."));
-    m_budget = number(u"budget"_s, tr("Time for everything"), 1, 3600, kBudget_s, u" s"_s);
-    m_budget->setToolTip(tr("A solver that does not finish a size is not given a larger one."));
+    m_budget = number(u"budget"_s, tr("Total time limit"), 1, 3600, kBudget_s, u" s"_s);
+    m_budget->setToolTip(tr("A solver that does not finish a size skips the larger ones."));
     row->addStretch();
 
     auto* solvers = new QHBoxLayout;
@@ -213,7 +213,7 @@ void SolveTimePanel::startOrCancel()
     m_cancelled = m_runner.isRunning();
     if (m_cancelled) {
         m_runner.cancel();
-        m_start->setEnabled(false); // until it has ended
+        m_start->setEnabled(false); // until the measurement has ended
         return;
     }
     emit startRequested();
@@ -239,7 +239,7 @@ void SolveTimePanel::showTimeLeft()
 {
     if (!m_runner.isRunning())
         return;
-    // Never more than the budget leaves; sooner when the sizes so far were quick.
+    // At most what the budget leaves, less if the sizes so far were fast.
     const double elapsed_s = m_runner.elapsed_s();
     const double budget_s = std::max(0.0, m_budget->value() - elapsed_s);
     const double left_s =
@@ -252,8 +252,8 @@ void SolveTimePanel::showRows()
     m_chart->setRows(m_runner.rows());
     updateEnabled();
     if (!m_runner.isRunning() && m_runner.rows().empty())
-        m_state->setText(
-            tr("Start measures this machine beside the paper's, with the paper's problems."));
+        m_state->setText(tr("Start measures this machine on the problems of the paper, for "
+                            "comparison with the paper's times."));
 }
 
 void SolveTimePanel::showEnd(const QString& failure)
@@ -265,7 +265,7 @@ void SolveTimePanel::showEnd(const QString& failure)
     if (!failure.isEmpty())
         m_state->setText(failure);
     else if (m_cancelled)
-        m_state->setText(tr("Stopped. What was measured is kept."));
+        m_state->setText(tr("Stopped. The times measured so far are kept."));
     else
         m_state->setText(tr("Measured in %1.").arg(clockText(m_runner.elapsed_s())));
     m_cancelled = false;

@@ -17,8 +17,8 @@ class NumberField;
 class SolveTimeChart;
 
 /**
- * Solution times of this machine beside those of the paper: what to measure, start and cancel, the
- * chart that grows as rows come in. Shows and steers a runner that it borrows.
+ * Solution times of this machine beside those of the paper: settings, start and stop, and a chart
+ * that grows as rows arrive. Shows and controls a runner that it borrows.
  */
 class SolveTimePanel : public QWidget
 {
@@ -29,16 +29,16 @@ public:
 
     void setTheme(const Theme& theme);
 
-    /** Fills in the fields; nothing while something is measured. */
+    /** Fills in the fields; ignored during a measurement. */
     void showSpec(const BenchmarkSpec& spec);
-    /** What Start would measure. */
+    /** Returns the benchmark that Start would measure. */
     [[nodiscard]] BenchmarkSpec spec() const;
-    /** Measures that; what was measured before is given up. */
+    /** Starts the measurement and discards the previous one. */
     void start();
 
 signals:
     void startRequested();
-    /** The table that the runner has is to be saved. */
+    /** Requests to save the runner's table. */
     void saveRequested();
 
 private:
@@ -61,9 +61,9 @@ private:
     QPushButton* m_save = nullptr;
     QProgressBar* m_bar = nullptr;
     QLabel* m_state = nullptr;
-    double m_done = 0; ///< share of the instances
+    double m_done = 0; ///< share of the instances that are done
     bool m_cancelled = false;
-    QTimer m_second; ///< keeps the time left going while a single solve takes long
+    QTimer m_second; ///< updates the remaining time while a single solve takes long
 };
 
 } // namespace berg

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMargin_px = 10;
 constexpr int kGap_px = 6;
-constexpr int kColumns_px = 14; ///< between setup and results
+constexpr int kColumns_px = 14; ///< gap between setup and results
 constexpr int kSection_px = 10;
 constexpr QSize kBest_px(1140, 690);
 
@@ -151,7 +151,7 @@ void StudyPanel::showAs(const StudyPanel& other)
     m_comparesThen = other.m_comparesThen;
 }
 
-/** The tau of lowest zeta is that of Figure 4, which is flown first unless it has been. */
+/** Figure 5 uses the tau of lowest zeta in Figure 4, which is flown first if needed. */
 void StudyPanel::startFigure5()
 {
     const StudyPointer& result = m_runner.result();

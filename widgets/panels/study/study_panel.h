@@ -15,9 +15,9 @@ class StudyRunBar;
 class StudySetup;
 
 /**
- * zeta against tau and policy over many flights: what to fly, the figures of the paper at one
- * click, start, cancel and carry on, results that grow meanwhile, and the way from a point to its
- * flights. Shows and steers a runner that it borrows.
+ * zeta against tau and policy over many flights: settings, the figures of the paper at one click,
+ * start, stop and continue, results that grow meanwhile, and access to the flights of each point.
+ * Shows and controls a runner that it borrows.
  */
 class StudyPanel : public QWidget
 {
@@ -27,24 +27,24 @@ public:
     explicit StudyPanel(StudyRunner& runner, QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** What the window works on. */
+    /** Sets the window's scenario. */
     void setScenario(const Scenario& scenario);
-    /** What became of a file, where one looks for it. */
+    /** Shows a note about a file. */
     void showNote(const QString& text);
     [[nodiscard]] const StudyResults& results() const { return *m_results; }
-    /** Flies it in place of the study there is; with `compares`, Figure 5 follows. */
+    /** Flies a study in place of the present one; with `compares`, Figure 5 follows. */
     void start(const StudySpec& spec, bool compares);
-    /** The fields, and what is awaited, as in another one. */
+    /** Copies the fields and a pending Figure 5 from another panel. */
     void showAs(const StudyPanel& other);
 
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:
-    /** This is wanted in place of the study there is, which may be unsaved: `start` follows. */
+    /** Requests to replace the present study, which may be unsaved; `start` follows. */
     void startRequested(const berg::StudySpec& spec, bool compares);
-    /** The solution times of Figure 3 are wanted. */
+    /** Requests the solution times of Figure 3. */
     void solveTimesRequested();
-    /** Figure 5: both flights of this scenario, one beside the other. */
+    /** Requests Figure 5: both flights of this scenario side by side. */
     void comparisonRequested(const berg::Scenario& scenario, const berg::PlannerSettings& best,
                              const berg::PlannerSettings& tsp);
 
@@ -62,7 +62,7 @@ private:
     StudySetup* m_setup = nullptr;
     StudyRunBar* m_run = nullptr;
     StudyResults* m_results = nullptr;
-    bool m_comparesThen = false; ///< Figure 5 waits for Figure 4, which is being flown
+    bool m_comparesThen = false; ///< whether Figure 5 follows the Figure 4 that is being flown
 };
 
 } // namespace berg

@@ -27,9 +27,10 @@ namespace {
 constexpr int kGap_px = 6;
 constexpr int kRow_px = 22;
 constexpr int kLeastColumn_px = 60;
-constexpr int kMeasuredRows = 60; ///< for the widths of columns: large tables stay quick
+/** Rows measured for column widths, so that large tables stay fast. */
+constexpr int kMeasuredRows = 60;
 constexpr int kReference_px = 130;
-constexpr QSize kPage_px(1120, 490); ///< of an exported picture
+constexpr QSize kPage_px(1120, 490); ///< size of an exported image
 
 } // namespace
 
@@ -88,7 +89,7 @@ void StudyResults::addHeader(QBoxLayout& column)
     connect(m_openStudy, &QToolButton::clicked, this, &StudyResults::openRequested);
     m_exports = {
         addButton(*row, "saveStudy", tr("Save…"),
-                  tr("Saves the study with all that was flown, also while it is being flown.")),
+                  tr("Saves the study with all flights so far, also while it is running.")),
         addButton(*row, "reportStudy", tr("Report…"),
                   tr("Writes a page with pictures, scenarios, seeds, version and machine.")),
         addButton(*row, "tableStudy", tr("Table…"),
@@ -133,14 +134,14 @@ QWidget* StudyResults::makePictures()
     return m_pictures;
 }
 
-void StudyResults::connectPicture(StudyPicture& picture)
+void StudyResults::connectPicture(StudyFigure& picture)
 {
     connect(&picture, &FigureView::itemChosen, this,
             [this](std::size_t setting) { choose(setting); });
     connect(&picture, &FigureView::itemActivated, this, &StudyResults::drillDown);
 }
 
-QTableView* StudyResults::makeTable(const char* name, const QString& title, StudyTableModel& model)
+QTableView* StudyResults::makeTable(const char* name, const QString& title, CellModel& model)
 {
     auto* table = new QTableView;
     table->setObjectName(QLatin1String(name));
@@ -158,17 +159,17 @@ QTableView* StudyResults::makeTable(const char* name, const QString& title, Stud
 
 QWidget* StudyResults::makeTables()
 {
-    m_settingsModel = new StudySettingsModel(locale(), this);
-    m_casesModel = new StudyCasesModel(locale(), this);
+    m_settingsModel = new CellModel(this);
+    m_casesModel = new CellModel(this);
     m_settingsTable = makeTable("studySettings", tr("Settings of the study"), *m_settingsModel);
     m_casesTable = makeTable("studyCases", tr("Cases of the setting chosen"), *m_casesModel);
     connect(m_settingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& index) {
                 if (index.isValid())
-                    choose(m_settingsModel->settingAt(index.row()));
+                    choose(settingAt(index.row()));
             });
     connect(m_settingsTable, &QTableView::activated, this, [this](const QModelIndex& index) {
-        if (const auto setting = m_settingsModel->settingAt(index.row()))
+        if (const auto setting = settingAt(index.row()))
             drillDown(*setting);
     });
     connect(m_casesTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -204,7 +205,7 @@ void StudyResults::setTheme(const Theme& theme)
 {
     m_chart->setTheme(theme);
     m_differences->setTheme(theme);
-    m_settingsModel->setTheme(theme);
+    showSettings();
     for (QTableView* table : {m_settingsTable, m_casesTable})
         setDockTableTheme(*table, theme);
 }
@@ -216,14 +217,14 @@ void StudyResults::showResult()
         m_setting.reset();
     m_chart->setResult(result);
     m_differences->setResult(result);
-    m_settingsModel->setResult(result);
+    showSettings();
     showRecommendation();
     showReferences();
     choose(m_setting);
     showCases();
 }
 
-/** "τ 1.50, Round tour and 3 more": those that may be the best. */
+/** Returns "τ 1.50, Round tour and 3 more": the settings that may be the best. */
 QString StudyResults::contendersText(const StudySummary& summary) const
 {
     constexpr std::size_t kMost = 4;
@@ -236,7 +237,10 @@ QString StudyResults::contendersText(const StudySummary& summary) const
                                     : tr("%1 and %2 more").arg(text).arg(settings.size() - kMost);
 }
 
-/** The setting that the button takes over: the one recommended, or the lowest of a single case. */
+/**
+ * Returns the setting that the button takes over: the recommended one, or the lowest of a single
+ * case.
+ */
 std::optional<std::size_t> StudyResults::offeredSetting() const
 {
     const StudyPointer& result = m_runner.result();
@@ -271,7 +275,7 @@ void StudyResults::showRecommendation()
     m_useBest->setText(tr("Use %1").arg(name(*offered)));
     m_useBest->setToolTip(tr("Plans the scenario on the map with this setting."));
     m_recommendation->setText(
-        cases == 1 ? tr("Lowest ζ: %1. One case recommends no policy: fly more of them.")
+        cases == 1 ? tr("Lowest ζ: %1. One case is too few for a recommendation: fly more of them.")
                          .arg(name(*offered))
                    : tr("Recommended: %1. Its ζ is %2 (95 %: %3 to %4) against %5, the closest "
                         "other setting, over %n cases.",
@@ -299,7 +303,7 @@ void StudyResults::showReferences()
         m_reference->setCurrentIndex(static_cast<int>(result->summary.reference));
 }
 
-/** The same setting in pictures and tables; the last row of the table is none. */
+/** Chooses a setting in charts and tables; the last row of the table is none. */
 void StudyResults::choose(std::optional<std::size_t> setting)
 {
     const bool isNew = setting != m_setting;
@@ -307,23 +311,41 @@ void StudyResults::choose(std::optional<std::size_t> setting)
     m_chart->setChosen(setting);
     m_differences->setChosen(setting);
     if (setting)
-        if (const int row = m_settingsModel->rowOf(*setting);
+        if (const int row = m_settingsModel->shownRow(static_cast<int>(*setting));
             row >= 0 && row != m_settingsTable->currentIndex().row())
             m_settingsTable->setCurrentIndex(m_settingsModel->index(row, 0));
     if (isNew)
         showCases();
 }
 
+void StudyResults::showSettings()
+{
+    m_settingsModel->setSheet(studySettings(m_runner.result(), m_chart->theme(), locale()));
+}
+
+std::optional<std::size_t> StudyResults::settingAt(int row) const
+{
+    const auto setting = static_cast<std::size_t>(m_settingsModel->sourceRow(row));
+    return setting < m_runner.result()->summary.settings.size() ? std::optional(setting)
+                                                                : std::nullopt;
+}
+
+std::size_t StudyResults::caseAt(int row) const
+{
+    return m_shown->summary.cases[static_cast<std::size_t>(m_casesModel->sourceRow(row))];
+}
+
 void StudyResults::showCases()
 {
     const StudyPointer& result = m_runner.result();
     const int chosen = m_casesTable->currentIndex().row();
-    const std::size_t before = chosen >= 0 ? m_casesModel->caseAt(chosen) : 0;
-    m_casesModel->setCases(result, m_setting);
+    const std::size_t before = chosen >= 0 ? caseAt(chosen) : 0;
+    m_shown = result;
+    m_casesModel->setSheet(studyCases(result, m_setting, locale()));
     const int rows = m_casesModel->rowCount();
     if (rows > 0 && m_casesTable->currentIndex().row() < 0) {
         int row = chosen >= 0 ? rows - 1 : 0;
-        while (row > 0 && m_casesModel->caseAt(row) != before)
+        while (row > 0 && caseAt(row) != before)
             --row;
         m_casesTable->setCurrentIndex(m_casesModel->index(row, 0));
     }
@@ -351,7 +373,7 @@ std::optional<Scenario> StudyResults::chosenMission() const
     const bool isOnly = m_casesModel->rowCount() == 1;
     if (row < 0 || (!isOnly && m_tables->currentWidget() != m_casesTable))
         return std::nullopt;
-    return scenarioOf(result->study.spec, m_casesModel->caseAt(row),
+    return scenarioOf(result->study.spec, caseAt(row),
                       result->summary.settings[*m_setting].setting);
 }
 
@@ -366,7 +388,7 @@ void StudyResults::updateEnabled()
     const StudyPointer& result = m_runner.result();
     const bool hasCases = result && !result->summary.cases.empty();
     m_reference->setEnabled(hasCases);
-    m_openStudy->setEnabled(!m_runner.isRunning()); // it would take the place
+    m_openStudy->setEnabled(!m_runner.isRunning()); // opening would replace the study
     for (QToolButton* button : m_exports)
         button->setEnabled(hasCases);
     m_tables->setTabEnabled(1, m_casesModel->rowCount() > 0);
@@ -379,14 +401,14 @@ void StudyResults::updateEnabled()
                                          : tr("Choose a point of the picture or a setting."));
     const bool canOpen = chosenMission().has_value();
     m_open->setEnabled(canOpen);
-    m_open->setToolTip(canOpen ? tr("Flies this case again, the same in every number, and shows "
-                                    "it on the map and the time line.")
-                               : tr("Choose a point of the picture or a setting, then a case."));
+    m_open->setToolTip(
+        canOpen ? tr("Repeats this case exactly and shows it on the map and the time line.")
+                : tr("Choose a point of the picture or a setting, then a case."));
 }
 
-StudyPicture* StudyResults::front() const
+StudyFigure* StudyResults::front() const
 {
-    return qobject_cast<StudyPicture*>(m_pictures->currentWidget());
+    return qobject_cast<StudyFigure*>(m_pictures->currentWidget());
 }
 
 QString StudyResults::pictureName() const
@@ -396,8 +418,8 @@ QString StudyResults::pictureName() const
 
 void StudyResults::writePicture(const QString& path) const
 {
-    // One of its own, so that what is chosen and pointed at is not on it.
-    const auto write = [&](StudyPicture& picture) {
+    // A separate chart, so that selection and pointer are not in the image.
+    const auto write = [&](StudyFigure& picture) {
         picture.resize(kPage_px);
         picture.setTitleShown(true);
         picture.setResult(m_runner.result());

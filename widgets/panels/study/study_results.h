@@ -18,16 +18,14 @@ class QToolButton;
 
 namespace berg {
 
+class CellModel;
 class DifferenceChart;
-class StudyCasesModel;
 class StudyChart;
-class StudyPicture;
-class StudySettingsModel;
-class StudyTableModel;
+class StudyFigure;
 
 /**
- * What a study has come to: zeta against tau, differences, a table of the settings, and the cases
- * of the one chosen, each of which can be opened. Shows and steers a runner that it borrows.
+ * Results of a study: zeta against tau, differences, a table of the settings, and the cases of the
+ * chosen one, each of which can be opened. Shows and controls a runner that it borrows.
  */
 class StudyResults : public QWidget
 {
@@ -38,17 +36,17 @@ public:
 
     void setTheme(const Theme& theme);
     /**
-     * Writes the picture in front as the end of `path` names (.png, .svg, .pdf). Throws `Error`:
-     * Unsupported for another end, FileUnwritable.
+     * Writes the front chart in the format of the extension of `path` (.png, .svg, .pdf). Throws
+     * `Error`: Unsupported for another extension, FileUnwritable.
      */
     void writePicture(const QString& path) const;
-    /** Name for a file of the picture in front. */
+    /** Returns a file name for the front chart. */
     [[nodiscard]] QString pictureName() const;
 
 signals:
-    /** The user wants to see this flight: its scenario exactly as the study flew it. */
+    /** Requests to show a flight; its scenario is exactly as in the study. */
     void openRunRequested(const berg::Scenario& scenario);
-    /** The user wants to plan with these settings. */
+    /** Requests to plan with these settings. */
     void settingRequested(const berg::StudySetting& setting);
     void openRequested();
     void saveRequested();
@@ -62,36 +60,41 @@ private:
                            const QString& toolTip);
     [[nodiscard]] QWidget* makePictures();
     [[nodiscard]] QWidget* makeTables();
-    [[nodiscard]] QTableView* makeTable(const char* name, const QString& title,
-                                        StudyTableModel& model);
-    void connectPicture(StudyPicture& picture);
+    [[nodiscard]] QTableView* makeTable(const char* name, const QString& title, CellModel& model);
+    void connectPicture(StudyFigure& picture);
     void showResult();
     [[nodiscard]] QString contendersText(const StudySummary& summary) const;
     [[nodiscard]] std::optional<std::size_t> offeredSetting() const;
     void showRecommendation();
     void showReferences();
+    void showSettings();
     void showCases();
+    /** Returns the setting of a row; nullopt for the row "best tau of each case". */
+    [[nodiscard]] std::optional<std::size_t> settingAt(int row) const;
+    /** Returns the index in the study of a case in the table. */
+    [[nodiscard]] std::size_t caseAt(int row) const;
     void updateEnabled();
     void choose(std::optional<std::size_t> setting);
     void drillDown(std::size_t setting);
-    /** That of the case in front, or of the only case there is. */
+    /** Returns the scenario of the current case, or of the only case. */
     [[nodiscard]] std::optional<Scenario> chosenMission() const;
     void openRun();
-    [[nodiscard]] StudyPicture* front() const;
+    [[nodiscard]] StudyFigure* front() const;
 
     StudyRunner& m_runner;
-    std::optional<std::size_t> m_setting; ///< chosen
+    StudyPointer m_shown;                 ///< result whose cases are in the table
+    std::optional<std::size_t> m_setting; ///< chosen setting
     QComboBox* m_reference = nullptr;
     QLabel* m_recommendation = nullptr;
-    QPushButton* m_useBest = nullptr; ///< the setting that is named there
+    QPushButton* m_useBest = nullptr; ///< takes over the setting that is named there
     QToolButton* m_openStudy = nullptr;
     std::array<QToolButton*, 4> m_exports{};
     QTabWidget* m_pictures = nullptr;
     StudyChart* m_chart = nullptr;
     DifferenceChart* m_differences = nullptr;
     QTabWidget* m_tables = nullptr;
-    StudySettingsModel* m_settingsModel = nullptr;
-    StudyCasesModel* m_casesModel = nullptr;
+    CellModel* m_settingsModel = nullptr;
+    CellModel* m_casesModel = nullptr;
     QTableView* m_settingsTable = nullptr;
     QTableView* m_casesTable = nullptr;
     QPushButton* m_open = nullptr;

@@ -44,9 +44,9 @@ StudyRunBar::StudyRunBar(StudyRunner& runner, QWidget* parent) : QWidget(parent)
     m_estimate->setWordWrap(true);
     m_start = new QPushButton;
     m_start->setObjectName(u"startStudy"_s);
-    m_carryOn = new QPushButton(tr("Carry on"));
+    m_carryOn = new QPushButton(tr("Continue"));
     m_carryOn->setObjectName(u"carryOnStudy"_s);
-    m_carryOn->setToolTip(tr("Flies what is missing of the study shown."));
+    m_carryOn->setToolTip(tr("Flies the missing missions of the study shown."));
     m_bar = new QProgressBar;
     m_bar->setObjectName(u"studyProgress"_s);
     m_bar->setAccessibleName(tr("Progress of the study"));
@@ -156,7 +156,7 @@ void StudyRunBar::showState()
         m_second.stop();
     }
     m_start->setText(running ? tr("Stop") : tr("Start study"));
-    m_start->setToolTip(running ? tr("What has been flown is kept.") : m_fault);
+    m_start->setToolTip(running ? tr("The flights so far are kept.") : m_fault);
     m_start->setEnabled(running ? !m_cancelled : m_fault.isEmpty());
     m_carryOn->setVisible(!running && m_runner.count() > 0 && !m_runner.isComplete());
     showProgress();

@@ -13,8 +13,8 @@ class QPushButton;
 namespace berg {
 
 /**
- * Start, Cancel and Carry on of a study, how much it is and how long it takes, and how far it has
- * come. Shows and steers a runner that it borrows.
+ * Start, Stop and Continue of a study, its size and expected duration, and its progress. Shows and
+ * controls a runner that it borrows.
  */
 class StudyRunBar : public QWidget
 {
@@ -24,9 +24,9 @@ public:
     explicit StudyRunBar(StudyRunner& runner, QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** What Start would fly, and why it cannot; empty: it can. */
+    /** Sets the study that Start would fly; `fault` is why it cannot be flown, or empty. */
     void setSpec(const StudySpec& spec, const QString& fault);
-    /** What else there is to say, until the next flight. */
+    /** Shows a note until the next flight. */
     void showNote(const QString& text);
 
 signals:
@@ -41,18 +41,18 @@ private:
 
     StudyRunner& m_runner;
     QString m_fault;
-    QString m_failure; ///< of the last flight
-    QString m_note;    ///< since then
+    QString m_failure; ///< failure of the last flight
+    QString m_note;    ///< note since the last flight
     QLabel* m_estimate = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_carryOn = nullptr;
     QProgressBar* m_bar = nullptr;
     QLabel* m_state = nullptr;
     bool m_cancelled = false;
-    QTimer m_second; ///< keeps the time left going while single missions take long
+    QTimer m_second; ///< updates the remaining time while single missions take long
 };
 
-/** "under a second", "about 12 s", "about 3 min": a time that is not known well. */
+/** Returns a rough time: "under a second", "about 12 s", "about 3 min". */
 [[nodiscard]] QString roughTimeText(double time_s, const QLocale& locale);
 
 } // namespace berg

@@ -109,10 +109,10 @@ void StudySetup::addScenarios()
     });
     auto* row = new QHBoxLayout;
     row->setSpacing(kGap_px);
-    m_count = addNumber(*row, {"studyCount", tr("How many"), 1, kMostScenarios, kRandom, 0,
+    m_count = addNumber(*row, {"studyCount", tr("Number"), 1, kMostScenarios, kRandom, 0,
                                tr("Number of random scenarios.")});
     m_seed = addNumber(*row, {"studySeed", tr("First seed"), 0, kLastSeed, 1, 0,
-                              tr("The others have the seeds that follow.")});
+                              tr("Further scenarios use the seeds that follow.")});
     m_icebergs = addNumber(*row, {"studyIcebergs", tr("Icebergs"), 1, 500, kIcebergs, 0,
                                   tr("Number of icebergs in each random scenario.")});
     column.addLayout(row);
@@ -120,8 +120,8 @@ void StudySetup::addScenarios()
     runs->setSpacing(kGap_px);
     runs->addLayout(addRegime(), 2);
     m_runs = addNumber(*runs, {"studyRuns", tr("Runs each"), 1, kMostRuns, 1, 0,
-                               tr("Flights of each scenario with other noise: the true drift is "
-                                  "drawn again, the same for every setting.")});
+                               tr("Flights of each scenario with different noise: the true drift "
+                                  "is drawn again, identically for every setting.")});
     column.addLayout(runs);
 }
 
@@ -129,8 +129,8 @@ QLayout* StudySetup::addRegime()
 {
     m_regime = new QComboBox;
     m_regime->setObjectName(u"studyRegime"_s);
-    m_regime->setToolTip(tr("What is known of the drift in random scenarios, and how icebergs are "
-                            "seen."));
+    m_regime->setToolTip(
+        tr("Knowledge of the drift in random scenarios, and how icebergs are observed."));
     const auto add = [this](FieldRegime regime, const QString& name, const QString& toolTip) {
         m_regime->addItem(name, static_cast<int>(regime));
         m_regime->setItemData(m_regime->count() - 1, toolTip, Qt::ToolTipRole);
@@ -140,9 +140,9 @@ QLayout* StudySetup::addRegime()
     add(FieldRegime::Measured, tr("Measured"),
         tr("Measurements with noise, filtered for position and velocity."));
     add(FieldRegime::UnknownVelocity, tr("Unknown velocity"),
-        tr("Measured; velocities are not known by 0.1 m/s along each axis."));
+        tr("Measured; velocities are uncertain by 0.1 m/s along each axis."));
     add(FieldRegime::FittedDrift, tr("Real drift"),
-        tr("Measured; velocities are not known and change, as those of icebergs with beacons."));
+        tr("Measured; velocities are unknown and change, as observed for icebergs with beacons."));
     connect(m_regime, &QComboBox::currentIndexChanged, this, &StudySetup::edited);
     auto* caption = new CaptionLabel(tr("Drift"));
     caption->setBuddy(m_regime);
@@ -163,14 +163,14 @@ void StudySetup::addTau()
     m_to = addNumber(*row, {"studyTauTo", tr("to", "largest tau"), 0, limits::kTau.high, 4, 3,
                             tr("Largest trade-off τ.")});
     m_step = addNumber(*row, {"studyTauStep", tr("step", "of tau"), 0.001, limits::kTau.high, 0.1,
-                              3, tr("Between two values of τ.")});
+                              3, tr("Step between two values of τ.")});
     columnOf(*this).addLayout(row);
 }
 
 void StudySetup::addPolicies()
 {
     for (const PolicyKind policy : offeredPolicies()) {
-        // Without what is said of it in brackets: there is no room for that, but in the tool tip.
+        // Without the remark in brackets, for which only the tool tip has room.
         auto* box = new QCheckBox(policyName(policy).section(u" ("_s, 0, 0));
         box->setObjectName(u"studyPolicy-"_s +
                            QString::fromStdString(nameOf(kPolicyNames, policy)));
@@ -183,7 +183,7 @@ void StudySetup::addPolicies()
         columnOf(*this).addWidget(box);
         m_policies.emplace_back(policy, box);
         if (traitsOf(policy).usesTau)
-            addTau(); // its own
+            addTau(); // the fields of this policy's tau
     }
 }
 
@@ -264,7 +264,7 @@ QString StudySetup::fault() const
         m_to->value() < m_from->value())
         return tr("The largest τ is below the smallest.");
     if (wanted.taus.size() > static_cast<std::size_t>(kMostTaus))
-        return tr("These are too many values of τ. Take a larger step.");
+        return tr("Too many values of τ. Choose a larger step.");
     if (settingsOf(wanted).empty())
         return tr("Choose at least one policy.");
     const double missions = static_cast<double>(settingsOf(wanted).size()) * wanted.runs *

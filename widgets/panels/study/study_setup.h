@@ -18,7 +18,7 @@ namespace berg {
 
 class NumberField;
 
-/** What a study is to fly: scenarios, runs, values of tau and policies, as a form. */
+/** Form of a study: scenarios, runs, values of tau and policies. */
 class StudySetup : public QWidget
 {
     Q_OBJECT
@@ -27,21 +27,21 @@ public:
     explicit StudySetup(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    /** What the window works on. */
+    /** Sets the window's scenario. */
     void setScenario(const Scenario& scenario);
     [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
 
-    /** As the fields are. */
+    /** Returns the study of the fields. */
     [[nodiscard]] StudySpec spec() const;
-    /** Fills the fields in; its own scenarios are the one of the window. */
+    /** Fills in the fields; the study's own scenarios are replaced by the window's. */
     void showSpec(const StudySpec& spec);
-    /** Why `spec` cannot be flown, in the user's words; empty: it can. */
+    /** Returns why `spec` cannot be flown, in the user's words; empty if it can. */
     [[nodiscard]] QString fault() const;
-    /** Takes what is being typed. */
+    /** Accepts typed text. */
     void finishTyping();
 
 signals:
-    /** `spec` may be another one. */
+    /** Emitted when `spec` may have changed. */
     void edited();
 
 private:
@@ -74,12 +74,12 @@ private:
     NumberField* m_from = nullptr;
     NumberField* m_to = nullptr;
     NumberField* m_step = nullptr;
-    std::vector<double>
-        m_listed; ///< values of tau that the fields cannot say, until they are edited
+    /** Values of tau that the fields cannot express, until they are edited. */
+    std::vector<double> m_listed;
     std::vector<std::pair<PolicyKind, QCheckBox*>> m_policies;
 };
 
-/** `low`, `low` + `step` .. `high`, as the decimals one reads; both ends when they are met. */
+/** Returns `low`, `low` + `step` to `high`, as the decimals shown; both ends if they are met. */
 [[nodiscard]] std::vector<double> tausBetween(double low, double high, double step);
 
 } // namespace berg

@@ -9,7 +9,7 @@ using namespace berg;
 namespace {
 
 constexpr QSize kSize(200, 200);
-const LandLook kSea{.sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
+const LandStyle kSea{.sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
 
 std::vector<LatLon> square(double middle_deg, double half_deg)
 {
@@ -25,10 +25,10 @@ LandRequest request(const MapShape& shape, double opacity = 1)
     return {.plane = LocalFrame({0, 0}),
             .view = MapViewTransform(Point::Zero(), QRectF(QPointF(), kSize).center(), 1e-3),
             .rect = QRectF(QPointF(), kSize),
-            .look = kSea,
+            .style = kSea,
             .backdrop = std::make_shared<const BackdropShapes>(BackdropShapes{shape}),
             .backdropOpacity = opacity,
-            .backdropLook = {.ink = Qt::white, .ground = Qt::black, .font = {}}};
+            .backdropStyle = {.ink = Qt::white, .ground = Qt::black, .font = {}}};
 }
 
 QImage drawn(const LandRequest& wanted)
@@ -51,7 +51,7 @@ class TestBackdrop : public QObject
     Q_OBJECT
 
 private slots:
-    /** Its own colour inside, the sea outside and in the hole. */
+    /** A polygon has its own colour inside, and the sea outside and in its hole. */
     void polygonsAreFilled()
     {
         const QImage image = drawn(request(polygon({square(0, 0.6), square(0, 0.2)})));
@@ -65,7 +65,7 @@ private slots:
         QVERIFY(hasEdge);
     }
 
-    /** One that is far larger than the map covers all of it. */
+    /** A polygon far larger than the map covers the whole map. */
     void polygonsAreCutAtTheMap()
     {
         const QImage image = drawn(request(polygon({square(0, 40)})));
@@ -94,8 +94,8 @@ private slots:
         QVERIFY(isThere);
     }
 
-    /** It belongs to one line that crosses the antimeridian, not to one round the Earth. */
-    void linesTakeTheShorterWay()
+    /** A line across the antimeridian takes the shorter direction rather than around the Earth. */
+    void linesTakeTheShorterDirection()
     {
         LandRequest wanted = request({.parts = {{{0, 179.5}, {0, -179.5}}}});
         wanted.plane = LocalFrame({0, 180});
@@ -115,7 +115,7 @@ private slots:
         QVERIFY(drawn(request(nameless)) != image);
     }
 
-    /** The layer that draws on its thread shows the same, and nothing of it any more at the end. */
+    /** The layer with its thread shows the same, and no backdrop after it was removed. */
     void layerDrawsIt()
     {
         LandLayer layer;

@@ -40,7 +40,7 @@ private slots:
                     }
             }
         QVERIFY(cells > 100);
-        QVERIFY(worst_m < 1e-3); // what the class promises
+        QVERIFY(worst_m < 1e-3); // accuracy stated by the class
     }
 };
 

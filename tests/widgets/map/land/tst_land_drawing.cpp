@@ -10,7 +10,7 @@ using namespace berg;
 
 namespace {
 
-const LandLook kLook{.sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
+const LandStyle kLook{.sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
 
 struct Place
 {
@@ -47,11 +47,11 @@ const std::vector<Place> kPlaces = {
     {"Weddell Sea", {-70, -40}, false},
     {"Southern Ocean on the antimeridian", {-60, 180}, false},
     {"Pacific off Fiji", {-20, -179}, false},
-    {"Gulf of Guinea", {0, 0}, false}, // where some data have an island,
+    {"Gulf of Guinea", {0, 0}, false}, // some data sets have an island here,
     {"Caspian Sea", {42, 50}, false},
 };
 
-/** What `side_px` square pixels about a place show. */
+/** Renders `side_px` square pixels about a place. */
 QImage around(const MapPlane& plane, LatLon place, double scale_pxpm, int side_px)
 {
     QImage image(side_px, side_px, QImage::Format_RGB32);

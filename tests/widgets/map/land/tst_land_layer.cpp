@@ -9,17 +9,17 @@ using namespace berg;
 
 namespace {
 
-const LandLook kLook{.sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
+const LandStyle kLook{.sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
 constexpr QSize kSize(320, 200);
 
-/** Disko Bay: islands and fjords all over. */
+/** Disko Bay, an area full of islands and fjords. */
 LandRequest request(double scale_pxpm = 2e-3)
 {
     return {.plane = LocalFrame({69, -52}),
             .view = MapViewTransform(Point::Zero(), QRectF(QPointF(), kSize).center(), scale_pxpm),
             .rect = QRectF(QPointF(), kSize),
             .ratio = 1,
-            .look = kLook};
+            .style = kLook};
 }
 
 QImage shown(LandLayer& layer, const LandRequest& wanted)
@@ -30,7 +30,7 @@ QImage shown(LandLayer& layer, const LandRequest& wanted)
     return image;
 }
 
-/** The same, with nothing left to do. */
+/** Shows the layer once its image is complete. */
 QImage settled(LandLayer& layer, const LandRequest& wanted)
 {
     (void)shown(layer, wanted);
@@ -42,7 +42,7 @@ QImage drawnNow(const LandRequest& wanted)
 {
     QImage image(kSize, QImage::Format_RGB32);
     QPainter painter(&image);
-    paintLand(painter, wanted.plane, wanted.view, wanted.rect, wanted.look);
+    paintLand(painter, wanted.plane, wanted.view, wanted.rect, wanted.style);
     return image;
 }
 
@@ -63,7 +63,7 @@ class TestLandLayer : public QObject
     Q_OBJECT
 
 private slots:
-    void tellsWhenThereIsMore()
+    void emitsUpdatedWhenTheImageIsReady()
     {
         LandLayer layer;
         const QSignalSpy updated(&layer, &LandLayer::updated);
@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(image, settled(layer, request()));
     }
 
-    /** Until the new image is there the old one is shown where it belongs. */
+    /** Until the new image is ready, the old one is shown at its correct place. */
     void oldImageFollowsTheView()
     {
         LandLayer layer;
@@ -128,7 +128,7 @@ private slots:
         QCOMPARE(shown(layer, other).pixelColor(100, 100), kLook.sea);
         layer.finish();
         LandRequest dark = request();
-        dark.look.land = Qt::darkGreen;
+        dark.style.land = Qt::darkGreen;
         const QImage image = settled(layer, dark);
         QCOMPARE(difference(image, drawnNow(dark)), 0.0);
     }
@@ -150,7 +150,7 @@ private slots:
         QImage expected(2 * kSize, QImage::Format_RGB32);
         expected.setDevicePixelRatio(2);
         QPainter painter(&expected);
-        paintLand(painter, wanted.plane, wanted.view, wanted.rect, wanted.look);
+        paintLand(painter, wanted.plane, wanted.view, wanted.rect, wanted.style);
         painter.end();
         QCOMPARE(difference(image, expected), 0.0);
     }

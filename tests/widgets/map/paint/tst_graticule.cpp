@@ -57,9 +57,9 @@ class TestGraticule : public QObject
     }
 
 private slots:
-    void linesAreFewAndApart_data() { addViews(); }
+    void linesAreFewAndSpaced_data() { addViews(); }
 
-    void linesAreFewAndApart()
+    void linesAreFewAndSpaced()
     {
         QFETCH(double, latitude_deg);
         QFETCH(double, longitude_deg);
@@ -83,8 +83,8 @@ private slots:
         QVERIFY2(parallels <= 16, "too many parallels");
     }
 
-    /** Where meridians converge, those that are left keep their distance. */
-    void meridiansKeepApart()
+    /** The remaining meridians keep their distance where meridians converge. */
+    void meridiansKeepTheirDistance()
     {
         const LocalFrame frame({85, 20});
         const MapViewTransform view = viewOf(2'000'000);
@@ -106,9 +106,9 @@ private slots:
                 QVERIFY(QLineF(ends[i], ends[j]).length() > 30);
     }
 
-    void labelsAreInTheMapAndApart_data() { addViews(); }
+    void labelsAreInTheMapWithoutOverlap_data() { addViews(); }
 
-    void labelsAreInTheMapAndApart()
+    void labelsAreInTheMapWithoutOverlap()
     {
         QFETCH(double, latitude_deg);
         QFETCH(double, longitude_deg);
@@ -198,7 +198,7 @@ private slots:
         const LocalFrame frame({latitude_deg, longitude_deg});
         const Point at_m(0.4 * width_m, -0.2 * width_m);
         const double angle_rad = northAngle_rad(frame, at_m);
-        // A little way along the arrow the latitude is higher.
+        // The latitude increases along the arrow.
         const LatLon here = frame.toGeographic(at_m);
         const double step_m = std::min(1000.0, 0.1 * width_m);
         const LatLon there =

@@ -32,7 +32,7 @@ std::vector<LabelRequest> randomRequests(int count, std::uint64_t seed)
             .anchor = {.centre_px = {random.uniform(60, 1220), random.uniform(60, 740)},
                        .radius_px = random.uniform(10, 26)},
             .size_px = kLabel};
-        // As the map does it, nothing is named that lies under an overlay.
+        // Like the map, name nothing that lies under an overlay.
         if (std::none_of(kOverlays.begin(), kOverlays.end(),
                          [&](const QRectF& o) { return overlaps(o, request.anchor); }))
             requests.push_back(request);
@@ -58,7 +58,7 @@ private slots:
         QVERIFY(placed[0].rect.left() > 415);
         QVERIFY(placed[0].rect.left() < 425);
         COMPARE_NEAR(placed[0].rect.center().y(), 300, 0.5);
-        QVERIFY(!placed[0].apart);
+        QVERIFY(!placed[0].needsLeader);
     }
 
     void labelAtTheEdgeTurnsInside_data()
@@ -89,7 +89,7 @@ private slots:
     }
 
     /** Legs sweep over a name all the time in flight; only what hides it makes it move. */
-    void freePlaceIsKept()
+    void unobstructedLabelStays()
     {
         LabelRequest request{.anchor = {.centre_px = {400, 300}, .radius_px = 15},
                              .size_px = kLabel};
@@ -154,7 +154,7 @@ private slots:
         }
         QVERIFY(!placed.front().rect.isNull()); // the first comes first
         QVERIFY(std::any_of(shown.begin(), shown.end(),
-                            [](const PlacedLabel& label) { return label.apart; }));
+                            [](const PlacedLabel& label) { return label.needsLeader; }));
     }
 
     void symbolUnderAnOverlayIsNotNamed()

@@ -55,7 +55,7 @@ std::ptrdiff_t marked(const MapLayout& map, IcebergMark mark)
 
 } // namespace
 
-/** What becomes of symbols that have no room. */
+/** Symbols without room become dots or numbers. */
 class TestMapDensity : public QObject
 {
     Q_OBJECT
@@ -129,13 +129,13 @@ private slots:
         QVERIFY(layoutOf(picture, 3).symbols.showsRings);
     }
 
-    /** Those further on in the plan have a name only where these leave room. */
+    /** Later visits have a name only if the next visits leave room. */
     void nextTenHaveNamesFirst()
     {
         MapPicture picture = field(300);
-        std::ranges::reverse(picture.routes.front().plan); // or those named first would be they
+        std::ranges::reverse(picture.routes.front().plan); // else the first ones would be named
         QCOMPARE(namelessNext(picture, layoutOf(picture, kCrowded)), QStringList());
-        // As the map moves: no other label looks for a place, those of the frame before give way.
+        // While the map moves no other label is placed anew; standing labels yield.
         const Theme theme = Theme::light();
         MapContinuity before = continuityOf(picture, layoutOf(picture, kCrowded));
         std::ranges::reverse(picture.routes.front().plan);
@@ -149,7 +149,7 @@ private slots:
                 QVERIFY(!map.labels[i].rect.intersects(map.labels[k].rect));
     }
 
-    void numbersCountWhatTheyStandFor()
+    void numbersCountTheIcebergsOfAGroup()
     {
         for (const double metres : {10.0, 40.0, 200.0}) {
             const MapLayout map = layoutOf(field(500), metres);

@@ -16,7 +16,7 @@ using namespace berg;
 using namespace berg::test;
 using namespace Qt::StringLiterals;
 
-/** Where things go on the map. */
+/** Positions of the parts of the map. */
 class TestMapLayout : public QObject
 {
     Q_OBJECT
@@ -77,7 +77,7 @@ private slots:
         }
     }
 
-    void overlaysAreApart()
+    void overlaysDoNotOverlap()
     {
         const MapLayout layout = layoutOf(test::randomPicture(12), {1280, 800});
         const std::vector<QRectF> overlays = layout.overlays();
@@ -89,7 +89,7 @@ private slots:
         }
     }
 
-    /** What the UAV sees is all on a fitted map, wherever it stands and turns. */
+    /** A fitted map contains the UAV's whole field of view at any position and heading. */
     void fitShowsTheFieldOfView_data()
     {
         QTest::addColumn<Point>("at_m");
@@ -140,7 +140,86 @@ private slots:
                 QVERIFY(!overlays[i].intersects(overlays[j]));
     }
 
-    /** What comes and goes in flight neither shrinks it nor moves its other rows. */
+    /** A panel over an iceberg becomes smaller or moves. */
+    void panelsMoveAwayFromIcebergs()
+    {
+        MapPicture picture = test::randomPicture(1);
+        picture.title = u"Survey"_s;
+        picture.subtitle = u"Shortest path"_s;
+        picture.readouts = {{.caption = u"Time"_s, .value = u"12:00:00Z"_s, .unit = {}}};
+        const Theme theme = Theme::light();
+        const QRectF rect(0, 0, 1280, 800);
+        const auto layoutWith = [&](bool isLive, const QPointF& at_px) {
+            const MapStyle style{.theme = theme, .locale = QLocale::c(), .isLive = isLive};
+            const MapViewTransform view = arrangeMap(picture, style, rect).view;
+            picture.icebergs[0].position_m = view.toWorld(at_px);
+            return arrangeMap(picture, style, rect, view);
+        };
+        const MapLayout clear = layoutWith(true, {900, 400});
+        QVERIFY(!clear.isTitleCompact && !clear.isLegendCompact);
+        const QPointF underTitle(60, clear.title.bottom() - 6);
+        const MapLayout titled = layoutWith(true, underTitle);
+        QVERIFY(titled.isTitleCompact);
+        QVERIFY(titled.title.topLeft() == clear.title.topLeft());
+        QVERIFY(!titled.title.contains(underTitle));
+        const QPointF aboveCompact(60, clear.legend.top() + 6);
+        const MapLayout small = layoutWith(true, aboveCompact);
+        QVERIFY(small.isLegendCompact);
+        QVERIFY(!small.legend.isNull() && !small.legend.contains(aboveCompact));
+        const QPointF underAll = clear.legend.bottomLeft() + QPointF(40, -40);
+        const MapLayout away = layoutWith(true, underAll);
+        QVERIFY(away.legend.isNull());
+        QVERIFY(!away.icons[static_cast<std::size_t>(MapPanel::Legend)].isNull());
+        const MapLayout page = layoutWith(false, underAll); // nobody can open an icon of a page
+        QVERIFY(!page.legend.isNull() && !page.legend.contains(underAll));
+    }
+
+    /** Round symbols there are circles, round the dots of a dense field there are none. */
+    void dotsHaveNoCircles()
+    {
+        MapPicture picture = test::randomPicture(500);
+        const QSize size(1000, 700);
+        const Theme theme = Theme::light();
+        const MapStyle style{.theme = theme, .locale = QLocale::c()};
+        const auto drawn = [&] { return mapImage(picture, style, size, 1); };
+        const MapLayout layout = layoutOf(picture, size);
+        QVERIFY(layout.density.isDense);
+        picture.icebergs[0].circle_m = 1e-3; // the row of the legend
+        const QImage without = drawn();
+        std::optional<std::size_t> symbol;
+        for (std::size_t i = 0; i < picture.icebergs.size(); ++i)
+            if (layout.density.marks[i] != IcebergMark::Symbol)
+                picture.icebergs[i].circle_m = 30 / layout.view.scale_pxpm();
+            else
+                symbol = i;
+        QVERIFY(symbol);
+        QCOMPARE(drawn(), without);
+        picture.icebergs[*symbol].circle_m = 30 / layout.view.scale_pxpm();
+        QVERIFY(drawn() != without);
+    }
+
+    /** If there is no room for all readouts, those with the lowest ranks stay. */
+    void figuresOfTheLowestRanksAreShown()
+    {
+        MapPicture picture;
+        picture.readouts = {{.caption = u"Time"_s, .value = u"12:00:00Z"_s, .unit = {}},
+                            {.caption = u"Zeta"_s, .value = u"1"_s, .unit = u"km²"_s, .rank = 3},
+                            {.caption = u"Margin"_s, .value = u"15:06"_s, .unit = {}, .rank = 1}};
+        const Theme theme = Theme::light();
+        const auto captions = [&](double room_px) {
+            QStringList shown;
+            for (const MapReadout& readout : readoutsThatFit(picture, theme, room_px))
+                shown << readout.caption;
+            return shown;
+        };
+        QCOMPARE(captions(2000), (QStringList{u"Time"_s, u"Zeta"_s, u"Margin"_s}));
+        const MapStyle style{.theme = theme, .locale = QLocale::c()};
+        const double all_px = titleSize(picture, style, {.widest_px = 2000}).width();
+        QCOMPARE(captions(all_px - 40), (QStringList{u"Time"_s, u"Margin"_s}));
+        QCOMPARE(captions(0), QStringList());
+    }
+
+    /** Changes in flight neither shrink the legend nor move its other rows. */
     void legendOfAFlightStaysAsLargeAsItWas()
     {
         MapPicture picture = test::randomPicture(6);
@@ -195,12 +274,13 @@ private slots:
         QVERIFY(low.legend.width() < 1.2 * high.legend.width());
     }
 
-    /** As beside open checks, where the title leaves no room for it on the left. */
+    /** A narrow map, as beside open checks, where the title leaves no room on the left. */
     void legendOfAVeryLowMapGoesElsewhere()
     {
         const MapLayout layout = layoutOf(test::randomPicture(12), {960, 280});
         QVERIFY(!layout.title.isNull() && !layout.legend.isNull());
-        QVERIFY(layout.title.bottom() + layout.legend.height() > layout.rect.height() - 36);
+        QVERIFY(layout.isTitleCompact ||
+                layout.title.bottom() + layout.legend.height() > layout.rect.height() - 36);
         const std::vector<QRectF> overlays = layout.overlays();
         for (std::size_t i = 0; i < overlays.size(); ++i) {
             QVERIFY(layout.rect.contains(overlays[i]));

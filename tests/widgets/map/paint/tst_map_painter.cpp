@@ -45,7 +45,7 @@ bool hasColourNear(const QImage& image, const QPointF& at, int reach_px, const Q
 
 } // namespace
 
-/** What is painted where the layout puts it. */
+/** All parts are painted at their places in the layout. */
 class TestMapPainter : public QObject
 {
     Q_OBJECT
@@ -107,7 +107,7 @@ private slots:
         QCOMPARE(mapImage(picture, style, {800, 500}, 1), mapImage(picture, style, {800, 500}, 1));
     }
 
-    /** A kept drawing that was cut serves no label that has more room. */
+    /** A cached drawing that was elided is not used for a label with more room. */
     void keptLabelsHaveTheirOwnSize()
     {
         const Theme theme = Theme::light();
@@ -186,7 +186,7 @@ private slots:
             const QColor colour = both.pixelColor(view.toPixel({1.0 * east_m, 600}).toPoint());
             red += colour.red() - colour.blue() > 60 ? 1 : 0;
         }
-        QVERIFY2(red < 90, QByteArray::number(red).constData()); // of 290
+        QVERIFY2(red < 90, QByteArray::number(red).constData()); // 290 pixels are compared
     }
 
     /** Dashed below the plan, with a row in the legend. */
@@ -316,7 +316,7 @@ private slots:
     void fieldOfViewHasItsSize_data()
     {
         QTest::addColumn<int>("shape");
-        QTest::addColumn<QSizeF>("size_m"); ///< of the box round it on the screen
+        QTest::addColumn<QSizeF>("size_m"); ///< size of its bounding box on the screen
         // Heading east: along is to the right.
         QTest::newRow("turning with the heading") << int(FovShape::Body) << QSizeF(800, 400);
         QTest::newRow("north up") << int(FovShape::North) << QSizeF(400, 800);
@@ -376,7 +376,7 @@ private slots:
         QVERIFY(layout.rect.contains(layout.title));
     }
 
-    /** Of up to three digits: nothing of them is on the rim. */
+    /** Numbers of up to three digits do not touch the rim. */
     void numbersFitTheirDisks()
     {
         const Theme theme = Theme::light();

@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** One flies along the south of the square of icebergs, the other one along the north. */
+/** Two UAVs: one flies along the south of the square of icebergs, the other along the north. */
 MapPicture twoPlans()
 {
     MapPicture picture = withScenario({}, twoUavs());
@@ -34,13 +34,13 @@ QStringList legendTexts(const MapPicture& picture)
 
 } // namespace
 
-/** What several UAVs fly, and the signs that a fleet has besides. */
+/** Routes of several UAVs, and the additional symbols of a fleet. */
 class TestMapRoutes : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** Lines and numbers of each plan; nothing in the colour of a UAV by itself. */
+    /** Lines and numbers have the colour of each UAV; the colour of a single UAV is not used. */
     void plansAreInTheColoursOfTheirUavs()
     {
         const Theme theme = Theme::light();
@@ -73,7 +73,7 @@ private slots:
         const MapLayout layout =
             arrangeMap(picture, {.theme = theme, .locale = QLocale::c()}, {0, 0, 1000, 700});
         QCOMPARE(layout.stops[0].order, 1);
-        QCOMPARE(layout.stops[1].order, 1); // of the second, third of the first
+        QCOMPARE(layout.stops[1].order, 1); // first for the second UAV, third for the first
         QCOMPARE(layout.stops[1].uav, std::size_t{1});
         QCOMPARE(layout.stops[3].uav, std::size_t{0});
         QCOMPARE(layout.stops[2].order, 2);
@@ -96,8 +96,8 @@ private slots:
     {
         const Theme theme = Theme::dark();
         MapPicture picture = withScenario({}, twoUavs());
-        QCOMPARE(picture.icebergs[0].keptFor, 1);
-        QCOMPARE(picture.icebergs[1].keptFor, -1);
+        QCOMPARE(picture.icebergs[0].assignedUav, 1);
+        QCOMPARE(picture.icebergs[1].assignedUav, -1);
         const MapStyle style{.theme = theme, .locale = QLocale::c()};
         const QSize size(1000, 700);
         const MapLayout layout = arrangeMap(picture, style, QRectF(QPointF(0, 0), size));
@@ -109,7 +109,7 @@ private slots:
         QVERIFY(!isPinned(1));
         QVERIFY(legendTexts(picture).contains(u"Assigned to the UAV of this colour"_s));
         picture.uavs[0].label.clear(); // the only one
-        picture.icebergs[0].keptFor = -1;
+        picture.icebergs[0].assignedUav = -1;
         QVERIFY(!isPinned(0));
         QVERIFY(!legendTexts(picture).contains(u"Assigned to the UAV of this colour"_s));
     }
@@ -163,7 +163,7 @@ private slots:
         QVERIFY(!layout.uavLabels[0].intersects(layout.uavLabels[1]));
     }
 
-    /** Where there is an iceberg below, the name is elsewhere. */
+    /** A UAV's name avoids an iceberg below its symbol. */
     void namesHideNoIceberg()
     {
         MapPicture picture = withScenario({}, twoUavs());
@@ -191,7 +191,7 @@ private slots:
         QCOMPARE(routeColours(picture, theme).uav, theme.uav);
     }
 
-    /** Of a very uncertain iceberg too: "m²" comes after its number. */
+    /** The unit "m²" follows the number even for a very uncertain iceberg. */
     void legendHoldsTheUnitOfSigma()
     {
         MapPicture picture = withScenario({}, twoUavs());
@@ -216,7 +216,7 @@ private slots:
         picture.uavs.pop_back();
         picture.routes.pop_back();
         picture.uavs[0].label.clear(); // the only one
-        picture.icebergs[0].keptFor = -1;
+        picture.icebergs[0].assignedUav = -1;
         COMPARE_NEAR(LegendUavs(picture, theme, 220).height_px(), 0, 0);
         QVERIFY(legendSize(picture, style, {}, false).height() <= legend_px - two_px);
     }

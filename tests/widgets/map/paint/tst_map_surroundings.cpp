@@ -29,7 +29,7 @@ QStringList legendOf(const MapPicture& picture)
     return texts;
 }
 
-/** How many pixels two pictures differ in within `reach_px` of a place. */
+/** Number of pixels within `reach_px` of a place in which two pictures differ. */
 int differenceNear(const QImage& a, const QImage& b, const QPointF& at, int reach_px)
 {
     int count = 0;
@@ -72,8 +72,8 @@ class TestMapWorld : public QObject
     Q_OBJECT
 
 private slots:
-    /** Where a name would be by itself, an iceberg is. */
-    void namesOfAreasGiveWayToIcebergs()
+    /** An iceberg lies at the default place of the name. */
+    void areaNamesAvoidIcebergs()
     {
         MapPicture picture = missionPicture(recordOfStart(fourIcebergs()), kLocale);
         const MapLayout layout = arrangeMap(picture, {.theme = Theme::light(), .locale = kLocale},
@@ -99,7 +99,7 @@ private slots:
     }
 
     /** A no-fly area is never taken for the airspace that it lies in. */
-    void namesOfAirspaceKeepOffNoFlyAreas()
+    void airspaceNamesAvoidNoFlyAreas()
     {
         MapPicture picture;
         const MapLayout layout = layoutOf(picture, kSize_px);
@@ -139,14 +139,14 @@ private slots:
             QVERIFY(*picture.icebergs[i].truth_m == record.now.truth_m[i]);
         }
         QVERIFY(legendOf(picture).contains(u"True position"_s));
-        QVERIFY(legendOf(picture).contains(u"Inside it with 95 %"_s));
+        QVERIFY(legendOf(picture).contains(u"95 % position circle"_s));
         hideTruth(picture);
         for (const MapIceberg& iceberg : picture.icebergs)
             QVERIFY(!iceberg.truth_m && iceberg.circle_m > 0);
         QVERIFY(!legendOf(picture).contains(u"True position"_s));
     }
 
-    void statesAreTaken()
+    void trackStatesAreShown()
     {
         FlightRecord record = recordOfStart(kalmanScenario());
         record.now.world.tracks[0].status = TrackStatus::Lost;
@@ -160,11 +160,11 @@ private slots:
         QVERIFY(labelText(picture.icebergs[1], {}).endsWith(u" · given up"_s));
         QCOMPARE(picture.icebergs[2].key, std::string("berg-4"));
         const QStringList legend = legendOf(picture);
-        QVERIFY(legend.contains(u"Lost: not where it should be"_s));
-        QVERIFY(legend.contains(u"Search for it given up"_s));
+        QVERIFY(legend.contains(u"Lost: not found where expected"_s));
+        QVERIFY(legend.contains(u"Search given up"_s));
     }
 
-    void stateIsToldByShape()
+    void trackStatesDifferInShape()
     {
         MapPicture picture = randomPicture(5);
         const MapLayout layout = layoutOf(picture, kSize_px);
@@ -182,7 +182,7 @@ private slots:
         }
     }
 
-    /** What is left of the pattern, about the estimate of the iceberg that is searched for. */
+    /** The rest of the pattern is centred on the estimate of the searched iceberg. */
     void searchPatternIsDrawn()
     {
         FlightRecord record = recordOfStart(kalmanScenario());
@@ -219,7 +219,7 @@ private slots:
         picture.icebergs[0].truth_m = truth_m;
         const QPointF at = layout.view.toPixel(truth_m);
         QVERIFY(differenceNear(without, painted(picture, layout, theme), at, 5) > 20);
-        // Where estimate and truth are in one place, there is nothing to be told apart.
+        // If estimate and truth coincide, nothing is drawn.
         picture.icebergs[0].truth_m = Point(1000 + 2 / layout.view.scale_pxpm(), 1000);
         QCOMPARE(differenceNear(without, painted(picture, layout, theme),
                                 layout.icebergs[0].centre_px, 30),
@@ -260,7 +260,7 @@ private slots:
             recordOfStart(changed([](Scenario& s) { s.uavs.front().spec.endurance_s = 900; }));
         record.now.world.uavs[0].aloft_s = 185;
         const MapReadout aloft = missionPicture(record, kLocale).readouts[3];
-        QCOMPARE(aloft.caption, u"Endurance left"_s);
+        QCOMPARE(aloft.caption, u"Until the reserve"_s);
         QCOMPARE(aloft.value, u"08:55"_s);                  // before the reserve of 20 %
         record.now.world.uavs[0].mode = FlightMode::Ground; // made ready again
         QCOMPARE(missionPicture(record, kLocale).readouts[3].value, u"12:00"_s);
@@ -311,13 +311,13 @@ private slots:
         QVERIFY(!legendOf(withScenario({}, scenario)).join(u' ').contains(u"Geofence"_s));
         scenario.geofence = true;
         const MapPicture picture = withScenario({}, scenario);
-        QVERIFY(legendOf(picture).contains(u"Geofence: kept if the start is clear"_s));
+        QVERIFY(legendOf(picture).contains(u"Geofence (kept if the UAV starts inside it)"_s));
         MapPicture open = picture;
         open.isFenced = false;
         const MapLayout layout = layoutOf(picture, kSize_px);
         const QPointF side =
             (layout.view.toPixel(scenario.area_m[0]) + layout.view.toPixel(scenario.area_m[1])) / 2;
-        // The posts stand inside, whichever way round the corners go.
+        // Posts stand inside for either orientation of the corners.
         const auto inward = [&](const MapPicture& fenced) {
             const QImage with = painted(fenced, layout, Theme::light());
             const QImage without = painted(open, layout, Theme::light());
@@ -347,7 +347,7 @@ private slots:
         QVERIFY(!legendOf(withScenario({}, fourIcebergs())).contains(u"Inner ring: alarm"_s));
     }
 
-    /** berg-1 is on its way: by the picture of the scenario and by that of the flight. */
+    /** berg-1 is on course in the scenario's picture and in the flight's. */
     void alarmIsMarkedAtTheIceberg()
     {
         const Scenario scenario = changed([](Scenario& s) {
@@ -428,7 +428,7 @@ private slots:
         QVERIFY(withScenario(picture, scenario).routes[0].planCorners.empty());
     }
 
-    void planEndsWithTheWayHome()
+    void planEndsWithTheHomeLeg()
     {
         MapPicture picture = randomPicture(4);
         picture.uavs[0].home_m = Point(0, 0);

@@ -158,7 +158,7 @@ private slots:
         QTRY_VERIFY(picture(shown.overview) != without);
     }
 
-    void mapKeepsRoomForIt()
+    void mapReservesRoomForTheInset()
     {
         test::MapFixture f;
         OverviewInset overview(&f.view);
@@ -177,7 +177,7 @@ private slots:
         QVERIFY(!overview.isVisible());
     }
 
-    void mapTellsItsOutlineAndGoesToAPlace()
+    void mapReportsItsOutlineAndCentresOnAPlace()
     {
         test::MapFixture f;
         const LocalFrame frame(f.scenario().origin);

@@ -64,7 +64,7 @@ private slots:
         QVERIFY(namesOn(layoutOf(strait, 20)).isEmpty()); // its middle is nowhere in particular
     }
 
-    void namesGiveWay()
+    void namesAvoidPanelsAndSymbols()
     {
         for (const double metres : {20.0, 100.0, 500.0, 3000.0}) {
             const MapPicture picture = pictureAt({49.7, -54.2}, 40);

@@ -17,7 +17,7 @@ namespace {
 constexpr QSize kSize(400, 300);
 const QColor kTint(0, 120, 110, 40);
 
-SweptLook seek(const Point& centre_m, double scale_pxpm)
+SweptStyle seek(const Point& centre_m, double scale_pxpm)
 {
     const QRectF rect(QPointF(0, 0), QSizeF(kSize));
     return {
@@ -64,9 +64,9 @@ bool isTinted(const QImage& image, int x, int y)
     return qAlpha(image.pixel(x, y)) > 0;
 }
 
-Point placeOf(const SweptLook& look, int x, int y)
+Point placeOf(const SweptStyle& style, int x, int y)
 {
-    return look.view.toWorld(QPointF(x + 0.5, y + 0.5) / look.ratio);
+    return style.view.toWorld(QPointF(x + 0.5, y + 0.5) / style.ratio);
 }
 
 int differences(const QImage& a, const QImage& b)
@@ -86,19 +86,19 @@ class TestSweptMask : public QObject
 
 private slots:
     /** 2 km east with a field of 600 m along and 200 m across. */
-    void aStraightWay()
+    void straightPathIsARectangle()
     {
         const SensorSpec sensor{.fov_m = {600, 200}};
-        const SweptLook look = seek({1000, 0}, 0.1);
+        const SweptStyle style = seek({1000, 0}, 0.1);
         const std::vector<MapPose> poses{{.position_m = {0, 0}},
                                          {.position_m = {700, 0}, .time_s = 30},
                                          {.position_m = {2000, 0}, .time_s = 90}};
         SweptMask mask;
-        const QImage& image = mask.updated({{poses, sensor}}, look);
+        const QImage& image = mask.updated({{poses, sensor}}, style);
         QCOMPARE(image.size(), kSize);
         for (int y = 0; y < image.height(); ++y)
             for (int x = 0; x < image.width(); ++x) {
-                const Point place_m = placeOf(look, x, y);
+                const Point place_m = placeOf(style, x, y);
                 const bool inside =
                     place_m.x() > -300 && place_m.x() < 2300 && std::abs(place_m.y()) < 100;
                 QCOMPARE(isTinted(image, x, y), inside);
@@ -116,7 +116,7 @@ private slots:
             const char* name = names[static_cast<std::size_t>(shape)];
             QTest::addRow("%s, far", name) << shape << 0.05 << 1.0 << 1.5;
             QTest::addRow("%s, near", name) << shape << 0.3 << 1.0 << 2.0;
-            // The turn rate changes within an interval: metres of the way, a tenth of a pixel each.
+            // The turn rate changes within an interval: metres along the path, 0.1 px each.
             QTest::addRow("%s, few samples", name) << shape << 0.1 << 5.0 << 2.5;
         }
     }
@@ -131,9 +131,9 @@ private slots:
         const SensorSpec sensor{.fov_m = {500, 300}, .shape = static_cast<FovShape>(shape)};
         const std::vector<MapPose> steps = posesOf(tenMinutes(0.2));
         const std::vector<MapPose> poses = posesOf(tenMinutes(interval_s));
-        const SweptLook look = seek(steps[steps.size() / 2].position_m, scale_pxpm);
+        const SweptStyle style = seek(steps[steps.size() / 2].position_m, scale_pxpm);
         SweptMask mask;
-        const QImage& image = mask.updated({{poses, sensor}}, look);
+        const QImage& image = mask.updated({{poses, sensor}}, style);
         const double slack_m = slack_px / scale_pxpm;
         const Point ring_m = Point::Constant(2 * slack_m);
         const std::vector<FieldOfView> smaller =
@@ -143,13 +143,13 @@ private slots:
         int tinted = 0;
         for (int y = 0; y < image.height(); y += 5)
             for (int x = 0; x < image.width(); x += 5) {
-                const Point place_m = placeOf(look, x, y);
+                const Point place_m = placeOf(style, x, y);
                 const bool shown = isTinted(image, x, y);
                 tinted += shown ? 1 : 0;
                 if (shown ? !isSeen(larger, place_m) : isSeen(smaller, place_m))
                     QFAIL(qPrintable(u"%1 at %2, %3"_s.arg(shown).arg(x).arg(y)));
             }
-        QVERIFY(tinted > 100); // of 4800
+        QVERIFY(tinted > 100); // 4800 pixels are compared
     }
 
     void overlapsAreNotDarker()
@@ -172,7 +172,7 @@ private slots:
     void growingIsPaintingAnew()
     {
         const std::vector<MapPose> poses = posesOf(tenMinutes(1));
-        const SweptLook look = seek(poses.front().position_m, 0.1);
+        const SweptStyle style = seek(poses.front().position_m, 0.1);
         SweptMask grown;
         for (std::size_t count = 2; count <= poses.size(); ++count) {
             std::vector<MapPose> known(poses.begin(),
@@ -183,50 +183,52 @@ private slots:
                 last.position_m = 0.5 * (last.position_m + before.position_m);
                 last.time_s = 0.5 * (last.time_s + before.time_s);
             }
-            static_cast<void>(grown.updated({{known}}, look));
+            static_cast<void>(grown.updated({{known}}, style));
         }
         SweptMask whole;
-        const QImage& all = whole.updated({{poses}}, look);
+        const QImage& all = whole.updated({{poses}}, style);
         // Joined pieces are half a pixel off at most; the edges are thousands of pixels long.
-        QVERIFY(differences(grown.updated({{poses}}, look), all) < 300);
+        QVERIFY(differences(grown.updated({{poses}}, style), all) < 300);
     }
 
     /** Looking back there is only what was seen until then, and nothing of what came after. */
     void backInTimeThereIsLess()
     {
         const std::vector<MapPose> poses = posesOf(tenMinutes(1));
-        const SweptLook look = seek(poses.front().position_m, 0.1);
+        const SweptStyle style = seek(poses.front().position_m, 0.1);
         SweptMask mask;
-        static_cast<void>(mask.updated({{poses}}, look));
+        static_cast<void>(mask.updated({{poses}}, style));
         for (const std::size_t count : {std::size_t{300}, std::size_t{299}, std::size_t{2}}) {
             const std::span<const MapPose> known(poses.data(), count);
             SweptMask fresh;
-            QCOMPARE(differences(mask.updated({{known}}, look), fresh.updated({{known}}, look)), 0);
+            QCOMPARE(differences(mask.updated({{known}}, style), fresh.updated({{known}}, style)),
+                     0);
         }
     }
 
-    void anotherLookIsPaintedAnew()
+    void changedStyleIsRepainted()
     {
         const std::vector<MapPose> poses = posesOf(tenMinutes(1));
-        SweptLook look = seek(poses.front().position_m, 0.1);
+        SweptStyle style = seek(poses.front().position_m, 0.1);
         SensorSpec sensor;
         SweptMask mask;
-        static_cast<void>(mask.updated({{poses, sensor}}, look));
+        static_cast<void>(mask.updated({{poses, sensor}}, style));
         const auto isFresh = [&] {
             SweptMask fresh;
-            return mask.updated({{poses, sensor}}, look) == fresh.updated({{poses, sensor}}, look);
+            return mask.updated({{poses, sensor}}, style) ==
+                   fresh.updated({{poses, sensor}}, style);
         };
-        look.view = look.view.moved({40, -25});
+        style.view = style.view.moved({40, -25});
         QVERIFY(isFresh());
         sensor.shape = FovShape::Disk;
         QVERIFY(isFresh());
-        look.tint = QColor(200, 100, 0, 60);
+        style.tint = QColor(200, 100, 0, 60);
         QVERIFY(isFresh());
-        look.ratio = 2;
+        style.ratio = 2;
         QVERIFY(isFresh());
-        QCOMPARE(mask.updated({{poses}}, look).size(), 2 * kSize);
-        QCOMPARE(mask.updated({{poses}}, look).devicePixelRatio(), 2.0);
-        look.rect.setSize(QSizeF(120, 80));
+        QCOMPARE(mask.updated({{poses}}, style).size(), 2 * kSize);
+        QCOMPARE(mask.updated({{poses}}, style).devicePixelRatio(), 2.0);
+        style.rect.setSize(QSizeF(120, 80));
         QVERIFY(isFresh());
     }
 
@@ -234,16 +236,16 @@ private slots:
     void paintedInParts()
     {
         const std::vector<MapPose> poses = posesOf(tenMinutes(1));
-        const SweptLook look = seek(poses.front().position_m, 0.1);
+        const SweptStyle style = seek(poses.front().position_m, 0.1);
         SweptMask mask;
-        QVERIFY(!mask.advance({{poses}}, look, 0));
+        QVERIFY(!mask.advance({{poses}}, style, 0));
         QVERIFY(mask.isOf({{poses}}));
         int parts = 1;
-        while (!mask.advance({{poses}}, look, 0))
+        while (!mask.advance({{poses}}, style, 0))
             ++parts;
-        QVERIFY(parts > 5 && parts < 20); // of 64 poses
+        QVERIFY(parts > 5 && parts < 20); // there are 64 poses
         SweptMask whole;
-        QVERIFY(differences(mask.image(), whole.updated({{poses}}, look)) < 100);
+        QVERIFY(differences(mask.image(), whole.updated({{poses}}, style)) < 100);
     }
 
     /** After a long flight the last view stands in until the new one is painted. */
@@ -254,38 +256,38 @@ private slots:
             poses.push_back({.position_m = {20.0 * std::abs(k % 300 - 150), 0},
                              .psi_rad = k % 300 < 150 ? kPi : 0,
                              .time_s = 1.0 * k});
-        const auto frame = [&](SweptLayer& layer, const SweptLook& look) {
+        const auto frame = [&](SweptLayer& layer, const SweptStyle& style) {
             QImage image(kSize, QImage::Format_ARGB32_Premultiplied);
             image.fill(Qt::transparent);
             QPainter painter(&image);
-            layer.paint(painter, {{poses}}, look);
+            layer.paint(painter, {{poses}}, style);
             return image;
         };
         SweptLayer layer;
-        SweptLook look = seek({1500, 0}, 0.08);
-        QImage shown = frame(layer, look);
+        SweptStyle style = seek({1500, 0}, 0.08);
+        QImage shown = frame(layer, style);
         while (!layer.isDone())
-            shown = frame(layer, look);
+            shown = frame(layer, style);
         SweptMask whole;
-        QVERIFY(differences(shown, whole.updated({{poses}}, look)) < 100);
-        look.view = look.view.moved({0, 50});
-        shown = frame(layer, look);
+        QVERIFY(differences(shown, whole.updated({{poses}}, style)) < 100);
+        style.view = style.view.moved({0, 50});
+        shown = frame(layer, style);
         SweptMask moved;
-        QVERIFY(differences(shown, moved.updated({{poses}}, look)) < 1000); // the old one, moved
+        QVERIFY(differences(shown, moved.updated({{poses}}, style)) < 1000); // the old one, moved
         while (!layer.isDone())
-            shown = frame(layer, look);
-        QVERIFY(differences(shown, moved.updated({{poses}}, look)) < 100);
+            shown = frame(layer, style);
+        QVERIFY(differences(shown, moved.updated({{poses}}, style)) < 100);
         for (int k = 0; k < 400 && !(k > 3 && layer.isDone()); ++k) { // always on the move
-            look.view = look.view.moved({0, k % 2 == 0 ? 1.0 : -1.0});
-            shown = frame(layer, look);
+            style.view = style.view.moved({0, k % 2 == 0 ? 1.0 : -1.0});
+            shown = frame(layer, style);
         }
-        QVERIFY(differences(shown, moved.updated({{poses}}, look)) < 2000);
+        QVERIFY(differences(shown, moved.updated({{poses}}, style)) < 2000);
         poses.resize(30); // looking back it would show what is not seen yet
         SweptMask early;
-        QVERIFY(differences(frame(layer, look), early.updated({{poses}}, look)) < 100);
+        QVERIFY(differences(frame(layer, style), early.updated({{poses}}, style)) < 100);
     }
 
-    /** Where their ways cross the water is not darker, and each goes on by itself. */
+    /** Crossing paths do not darken the water, and each trail continues by itself. */
     void severalUavsInOneTint()
     {
         const std::vector<MapPose> east{{.position_m = {0, 0}},
@@ -296,13 +298,13 @@ private slots:
             {.position_m = {1000, 0}, .psi_rad = kPi / 2, .time_s = 50},
             {.position_m = {1000, 800}, .psi_rad = kPi / 2, .time_s = 100}};
         const SensorSpec narrow{.fov_m = {600, 200}};
-        const SweptLook look = seek({1000, 0}, 0.1);
+        const SweptStyle style = seek({1000, 0}, 0.1);
         SweptMask both;
         SweptMask first;
         SweptMask second;
-        const QImage& image = both.updated({{east, narrow}, {north}}, look);
-        const QImage& ofEast = first.updated({{east, narrow}}, look);
-        const QImage& ofNorth = second.updated({{north}}, look);
+        const QImage& image = both.updated({{east, narrow}, {north}}, style);
+        const QImage& ofEast = first.updated({{east, narrow}}, style);
+        const QImage& ofNorth = second.updated({{north}}, style);
         for (int y = 0; y < image.height(); ++y)
             for (int x = 0; x < image.width(); ++x)
                 QCOMPARE(image.pixel(x, y),
@@ -311,18 +313,18 @@ private slots:
         const auto until = [](const std::vector<MapPose>& poses, std::size_t count) {
             return std::span(poses).first(count);
         };
-        static_cast<void>(grown.updated({{until(east, 2), narrow}, {until(north, 2)}}, look));
-        QCOMPARE(grown.updated({{east, narrow}, {north}}, look), image);
+        static_cast<void>(grown.updated({{until(east, 2), narrow}, {until(north, 2)}}, style));
+        QCOMPARE(grown.updated({{east, narrow}, {north}}, style), image);
         // Back to one of them, the other's water is gone.
-        QCOMPARE(grown.updated({{east, narrow}}, look), ofEast);
+        QCOMPARE(grown.updated({{east, narrow}}, style), ofEast);
     }
 
     void farFromTheMapNothingIsPainted()
     {
         const std::vector<MapPose> poses = posesOf(tenMinutes(1));
-        const SweptLook look = seek({500e3, 500e3}, 10);
+        const SweptStyle style = seek({500e3, 500e3}, 10);
         SweptMask mask;
-        const QImage& image = mask.updated({{poses}}, look);
+        const QImage& image = mask.updated({{poses}}, style);
         QImage empty(kSize, QImage::Format_ARGB32_Premultiplied);
         empty.fill(Qt::transparent);
         QCOMPARE(image, empty);

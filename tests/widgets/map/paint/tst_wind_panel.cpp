@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(berg::airOf(scenario).limit_mps, 0.0);
     }
 
-    void texts_data()
+    void windTextHasSpeedAndDirection_data()
     {
         QTest::addColumn<double>("speed_mps");
         QTest::addColumn<QString>("text");
@@ -92,7 +92,7 @@ private slots:
         QTest::newRow("strong") << 15.5 << u"Wind 15.5 m/s from 250°, strong"_s; // 0.7 x 22 = 15.4
     }
 
-    void texts()
+    void windTextHasSpeedAndDirection()
     {
         QFETCH(double, speed_mps);
         QFETCH(QString, text);
@@ -192,7 +192,7 @@ private slots:
             QVERIFY(!overlaps(layout.wind, disk));
     }
 
-    /** Else the tip would move away from the cursor while it is dragged. */
+    /** Otherwise the tip would move away from the cursor during a drag. */
     void panelKeepsItsSize()
     {
         const Theme theme = Theme::light();
@@ -274,14 +274,14 @@ private slots:
         QVERIFY(map.scenario() == before);
     }
 
-    void dragIsTakenBack_data()
+    void escCancelsTheDrag_data()
     {
         QTest::addColumn<bool>("byKey");
         QTest::newRow("Esc") << true;
         QTest::newRow("dropped outside") << false;
     }
 
-    void dragIsTakenBack()
+    void escCancelsTheDrag()
     {
         QFETCH(bool, byKey);
         WindFixture map;
@@ -296,13 +296,13 @@ private slots:
         QCOMPARE(map.undoCount(), 0);
     }
 
-    void draggedFarItIsAWarningAndNoFault()
+    void strongWindIsAWarningButNoError()
     {
         WindFixture map;
         QSignalSpy said(&map.view, &MapView::statusText);
         const QPoint from = map.tip();
         map.drag(from, QPoint(500, 600), {}, false);
-        QVERIFY(said.last().at(0).toString().startsWith(u"The UAV makes little way"_s));
+        QVERIFY(said.last().at(0).toString().startsWith(u"The UAV makes little headway"_s));
         map.release(QPoint(500, 600));
         QVERIFY(!hasErrors(map.document.issues()));
         QVERIFY(map.scenario().wind_mps.norm() >= kStrongWindShare * kAirspeed_mps);
@@ -310,14 +310,14 @@ private slots:
                             [](const Issue& issue) { return issue.field == "wind_mps"; }));
     }
 
-    void theMapSaysWhatThePanelIs()
+    void panelHasAToolTip()
     {
         WindFixture map;
         QSignalSpy said(&map.view, &MapView::statusText);
         map.move(map.tip() - QPoint(80, 0));
         map.move(map.tip());
         QVERIFY(!said.isEmpty());
-        QVERIFY(said.last().at(0).toString().startsWith(u"Drag sets the wind"_s));
+        QVERIFY(said.last().at(0).toString().startsWith(u"Drag to set the wind"_s));
         map.document.edit(u"Wind"_s, [](Scenario& s) {
             s.wind_mps = windOf(8, 250);
             s.current_mps = {0, 0.2};

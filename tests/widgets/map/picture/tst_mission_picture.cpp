@@ -70,7 +70,7 @@ private slots:
             QVERIFY(shown.position_m == mission.simulation().observer().estimate_m(index));
             COMPARE_NEAR(shown.sigma_m2, mission.simulation().track(index).sigma_m2, 0);
             QVERIFY(shown.sigma_m2 <= picture.sigmaFull_m2);
-            // The arrow shows the way over ground: own velocity and current.
+            // The arrow shows motion over ground: own velocity and current.
             const Point expected_mps = mission.scenario().icebergs[i].velocity_mps + Point(0.2, 0);
             QVERIFY(shown.velocity_mps == expected_mps);
         }
@@ -132,7 +132,7 @@ private slots:
         QCOMPARE(picture.uavs[1].label, u"two"_s);
     }
 
-    /** What was planned for it others visit by now. */
+    /** Other UAVs now visit the icebergs of its plan. */
     void whoHoldsOrGoesHomeHasNoPlan()
     {
         FlightRecord record = recordOf(fleetFlown(0));
@@ -141,6 +141,9 @@ private slots:
             record.now.world.uavs[1].mode = mode;
             QVERIFY(missionPicture(record, kLocale).routes[1].plan.empty());
             QVERIFY(!missionPicture(record, kLocale).routes[0].plan.empty());
+            // The home leg is drawn if the UAV is flying home.
+            QCOMPARE(missionPicture(record, kLocale).routes[1].thisSortie,
+                     mode == FlightMode::Home ? std::optional(0) : std::nullopt);
         }
     }
 
@@ -164,9 +167,9 @@ private slots:
         record.now.world.uavs[1].aloft_s = 1500;
         record.now.world.uavs[2].aloft_s = 5000;
         const std::vector<MapReadout> readouts = missionPicture(record, kLocale).readouts;
-        QCOMPARE(readouts.back().value, u"–"_s); // of the margin, whose column is there already
+        QCOMPARE(readouts.back().value, u"–"_s); // the margin has no value yet, but its column
         const MapReadout& left = readouts[readouts.size() - 2];
-        QCOMPARE(left.caption, u"Endurance left"_s);
+        QCOMPARE(left.caption, u"Until the reserve"_s);
         QCOMPARE(left.value, u"05:00"_s); // 20 % of the 2250 s are the reserve
         QCOMPARE(left.unit, u"two"_s);
         record.now.homeMargins_s = {std::nullopt, 95, 0}; // ordered home, it has no limit either
@@ -196,8 +199,8 @@ private slots:
         FlightRecord record = recordOf(fleetFlown(0));
         record.now.assigned[1] = 2;
         const MapPicture picture = missionPicture(record, kLocale);
-        QCOMPARE(picture.icebergs[0].keptFor, -1);
-        QCOMPARE(picture.icebergs[1].keptFor, 2);
+        QCOMPARE(picture.icebergs[0].assignedUav, -1);
+        QCOMPARE(picture.icebergs[1].assignedUav, 2);
     }
 
     void zetaChartEndsAtTheMetrics()

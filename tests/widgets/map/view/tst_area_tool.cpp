@@ -63,14 +63,14 @@ private slots:
             QRegularExpression(u"^(?!This plugin does not support propagateSizeHints)"_s));
     }
 
-    void closes_data()
+    void drawingIsClosedByClickKeyOrButton_data()
     {
         QTest::addColumn<QString>("how");
         for (const char* how : {"first corner", "Enter", "double click", "right button"})
             QTest::newRow(how) << QString::fromLatin1(how);
     }
 
-    void closes()
+    void drawingIsClosedByClickKeyOrButton()
     {
         QFETCH(QString, how);
         AreaFixture map;
@@ -98,7 +98,7 @@ private slots:
         QVERIFY(map.selection.isEmpty());
     }
 
-    /** A length of nothing is not told. */
+    /** A zero length is not shown. */
     void edgeIsMeasuredWhenThereIsOne()
     {
         AreaFixture map(MapToolKind::NoFly);
@@ -210,7 +210,7 @@ private slots:
         QVERIFY(map.area_m().empty());
     }
 
-    void lastCornerIsTakenBack_data()
+    void lastCornerIsRemoved_data()
     {
         QTest::addColumn<Qt::Key>("key");
         QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
@@ -219,8 +219,8 @@ private slots:
         QTest::newRow("Del") << Qt::Key_Delete << Qt::KeyboardModifiers();
     }
 
-    /** And nothing of what was done before. */
-    void lastCornerIsTakenBack()
+    /** Earlier edits are unaffected. */
+    void lastCornerIsRemoved()
     {
         QFETCH(Qt::Key, key);
         QFETCH(Qt::KeyboardModifiers, modifiers);
@@ -242,7 +242,7 @@ private slots:
         QVERIFY(isNear(map.area_m(), kSquare_m));
     }
 
-    void crossingIsRefusedAsItIsDrawn()
+    void crossingEdgeIsRejected()
     {
         AreaFixture map;
         map.clickAll({kSquare_m[0], kSquare_m[1], kSquare_m[2]});
@@ -291,7 +291,7 @@ private slots:
         QVERIFY(!map.view.isDrawing());
     }
 
-    void arrowsPanWhileItIsDrawn()
+    void arrowKeysPanDuringADrawing()
     {
         AreaFixture map;
         map.selection.set({"berg-1"});

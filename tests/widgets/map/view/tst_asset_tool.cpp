@@ -46,13 +46,13 @@ struct PanelFixture
     [[nodiscard]] const Asset& asset() const { return *document.scenario().asset; }
     void enter(const QString& key, const QString& text)
     {
-        test::enter(test::child<NumberField>(panel, key), text);
+        test::enter(test::child<QWidget>(panel, key), text);
     }
 };
 
 } // namespace
 
-/** What is to be protected, on the map and in the inspector; the area and the scenario there. */
+/** The protected asset on the map and in the inspector, with area and scenario. */
 class TestAssetTool : public QObject
 {
     Q_OBJECT
@@ -97,7 +97,7 @@ private slots:
         }
     }
 
-    void aDragIsOneStepAndCanBeTakenBack()
+    void dragIsOneUndoStepAndCanBeCancelled()
     {
         test::MapFixture map;
         map.document.reset(withAsset());
@@ -156,13 +156,13 @@ private slots:
         QCOMPARE(f.title(), u"Scenario"_s);
         f.selection.set({kAssetKey});
         QCOMPARE(f.title(), u"Asset"_s);
-        test::enter(test::child<QLineEdit>(f.panel, u"assetName"_s), u"Hebron"_s);
+        test::enter(test::child<QLineEdit>(f.panel, u"asset.name"_s), u"Hebron"_s);
         f.enter(u"assetEast"_s, u"123.5"_s);
         f.enter(u"assetNorth"_s, u"-77"_s);
         f.enter(u"assetVelocityEast"_s, u"1.5"_s);
         f.enter(u"assetVelocityNorth"_s, u"2"_s);
-        f.enter(u"assetRange"_s, u"8000"_s);
-        f.enter(u"assetGain"_s, u"3"_s);
+        f.enter(u"asset.range_m"_s, u"8000"_s);
+        f.enter(u"asset.gain"_s, u"3"_s);
         QCOMPARE(f.asset(), (Asset{.name = "Hebron",
                                    .position_m = {123.5, -77},
                                    .velocity_mps = {1.5, 2},
@@ -207,14 +207,14 @@ private slots:
         PanelFixture f(test::emptySea());
         f.enter(u"scenarioLatitude"_s, u"78.25"_s);
         f.enter(u"scenarioLongitude"_s, u"-12.5"_s);
-        f.enter(u"scenarioReach"_s, u"250"_s);
+        f.enter(u"planner.reach_radius_m"_s, u"250"_s);
         const auto choose = [&](const QString& key) {
             auto& combo = test::child<QComboBox>(f.panel, key);
             combo.setFocus();
             QTest::keyClick(&combo, Qt::Key_Down);
         };
-        choose(u"scenarioFovShape"_s);
-        choose(u"scenarioFormulation"_s);
+        choose(u"planner.fov_shape"_s);
+        choose(u"planner.formulation"_s);
         Scenario wanted = test::emptySea();
         wanted.origin = {.latitude_deg = 78.25, .longitude_deg = -12.5};
         wanted.reachRadius_m = 250;
@@ -222,7 +222,7 @@ private slots:
         wanted.planner.formulation = Formulation::Printed;
         QVERIFY(f.document.scenario() == wanted);
         QCOMPARE(f.document.undoStack()->count(), 5);
-        f.enter(u"scenarioReach"_s, u"0"_s);
+        f.enter(u"planner.reach_radius_m"_s, u"0"_s);
         QVERIFY(!f.document.scenario().reachRadius_m.has_value());
     }
 
@@ -230,7 +230,7 @@ private slots:
     void startIsATimeOrNothing()
     {
         PanelFixture f(test::emptySea());
-        auto& start = test::child<QLineEdit>(f.panel, u"scenarioStart"_s);
+        auto& start = test::child<QLineEdit>(f.panel, u"start_utc"_s);
         test::enter(start, u"2024-05-01T06:00:00Z"_s);
         QCOMPARE(f.document.scenario().startUtc, std::string("2024-05-01T06:00:00Z"));
         QCOMPARE(f.document.undoStack()->count(), 1);

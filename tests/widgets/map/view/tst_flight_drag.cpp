@@ -17,7 +17,7 @@ const Point kAsset_m(2500, 2000);
 const Point kWater_m(2500, 3200);
 constexpr double kPixel_m = 20; // more than a pixel of these maps is wide
 
-/** A map in flight, and what it tells. */
+/** A map in flight with spies on its signals. */
 struct FlightFixture : MapFixture
 {
     QSignalSpy winds{&view, &MapView::windEdited};
@@ -59,7 +59,7 @@ struct FlightFixture : MapFixture
 
 } // namespace
 
-/** What is dragged and clicked on a map in flight: drawn meanwhile, told at the end. */
+/** Drags and clicks on a map in flight: drawn during the gesture, emitted at its end. */
 class TestFlightDrag : public QObject
 {
     Q_OBJECT
@@ -67,7 +67,7 @@ class TestFlightDrag : public QObject
 private slots:
     void init() { failOnWarnings(); }
 
-    void windIsToldOnce()
+    void windIsEmittedOnce()
     {
         FlightFixture map;
         const QPoint from = map.tip();
@@ -109,7 +109,7 @@ private slots:
         QVERIFY(map.shown() != meanwhile);
     }
 
-    void assetIsToldWhereItIs()
+    void assetPositionIsEmitted()
     {
         FlightFixture map;
         const QImage before = map.shown();
@@ -176,7 +176,7 @@ private slots:
         QCOMPARE(map.placed.count(), 1);
     }
 
-    void icebergToolSelectsWhatIsThere()
+    void icebergToolSelectsExistingIcebergs()
     {
         FlightFixture map;
         map.view.setTool(MapToolKind::Iceberg);
@@ -189,14 +189,14 @@ private slots:
     void enterPlacesOneInTheMiddle()
     {
         FlightFixture map;
-        map.view.panBy({90, 60}); // else the asset is there
+        map.view.panBy({90, 60}); // moves the asset out of the place clicked
         map.view.setTool(MapToolKind::Iceberg);
         QTest::keyClick(&map.view, Qt::Key_Return);
         QCOMPARE(map.placed.count(), 1);
     }
 
     /** While looking back, or at the end. */
-    void nothingIsDraggedWhenTheFlightCannotBeTold()
+    void nothingIsDraggedIfInterventionIsImpossible()
     {
         FlightFixture map;
         map.view.setMayIntervene(false);

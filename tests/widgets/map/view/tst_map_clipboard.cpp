@@ -122,7 +122,7 @@ private slots:
         QVERIFY(map.scenario() == before);
     }
 
-    /** As between two windows: by the text alone, with every field. */
+    /** Between two windows the text alone carries every field. */
     void anotherWindowGetsEveryField()
     {
         test::MapFixture from;

@@ -149,7 +149,7 @@ private slots:
         QVERIFY(map.scenario() == twoUavs());
     }
 
-    void eachHasAHeadingHandleOfItsColour()
+    void eachUavHasAHeadingHandleInItsColour()
     {
         FleetFixture map;
         map.selection.set({"uav-1", "uav-2"});
@@ -284,7 +284,7 @@ private slots:
         QVERIFY(map.scenario() == before);
     }
 
-    void copiesOfIcebergsKeepTheirUavWhereItIs()
+    void copiesOfIcebergsKeepTheirUav()
     {
         FleetFixture map;
         Scenario there = map.scenario();
@@ -296,7 +296,7 @@ private slots:
         QVERIFY(elsewhere.icebergs.back().uav.empty());
     }
 
-    void renamingKeepsWhatRefersToIt()
+    void renamingKeepsReferences()
     {
         Scenario scenario = twoUavs();
         renameObject(scenario, "uav-2", "west");

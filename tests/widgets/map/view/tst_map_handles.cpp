@@ -56,7 +56,7 @@ private slots:
             QRegularExpression(u"^(?!This plugin does not support propagateSizeHints)"_s));
     }
 
-    void onlyWhatIsSelectedHasThem()
+    void onlySelectedObjectsHaveHandles()
     {
         HandleFixture map;
         QVERIFY(map.handles().empty());
@@ -90,7 +90,7 @@ private slots:
     }
 
     /** The tip shown is that of a day, cut short; taken, the drift is still what it was. */
-    void anArrowOfADayIsTakenWhereItEnds()
+    void cappedArrowIsGrabbedAtItsTip()
     {
         HandleFixture map;
         MapLayers layers;
@@ -158,7 +158,7 @@ private slots:
         QVERIFY(map.scenario() == before);
     }
 
-    void shiftKeepsToSteps()
+    void shiftSnapsTheDirection()
     {
         HandleFixture map;
         map.selection.set({"berg-3"});
@@ -263,7 +263,7 @@ private slots:
         QVERIFY(map.scenario() == before);
     }
 
-    void theStatusSaysWhatAHandleDoes()
+    void statusExplainsTheHandle()
     {
         HandleFixture map;
         QSignalSpy said(&map.view, &MapView::statusText);
@@ -271,9 +271,9 @@ private slots:
         map.move(map.handleOf("berg-3"));
         QVERIFY(!said.isEmpty());
         QCOMPARE(said.last().at(0).toString(),
-                 u"Drag gives all 2 icebergs selected the same drift."_s);
+                 u"Drag to give all 2 selected icebergs the same drift."_s);
         map.move(map.pixelOf({2500, 2000}));
-        QVERIFY(said.last().at(0).toString().startsWith(u"Click selects"_s));
+        QVERIFY(said.last().at(0).toString().startsWith(u"Click to select"_s));
     }
 };
 

@@ -109,7 +109,7 @@ private slots:
         map.view.fit();
         for (const Point& towards : {Point(1, 0), Point(-1, 0), Point(0, 1), Point(0, -1)})
             QVERIFY(map.view.rect().contains(map.pixelOf(rig.position_m + rig.range_m * towards)));
-        // One that reaches far beyond the icebergs does not make them too small to work with.
+        // A ring that reaches far beyond the icebergs does not make them too small.
         rig.range_m = 90000;
         map.document.edit(u"Asset"_s, [&](Scenario& scenario) { scenario.asset = rig; });
         map.view.fit();
@@ -294,7 +294,7 @@ private slots:
             picture.uavs = {MapUav{.position_m = map.view.toWorld(at_px)}};
             map.view.setPicture(picture);
             const QPointF at = map.view.toScreen(picture.uavs[0].position_m);
-            QVERIFY(!QRectF(312, 227, 120, 20).contains(at)); // of the title at least
+            QVERIFY(!QRectF(312, 227, 120, 20).contains(at)); // at least not below the title
         }
     }
 

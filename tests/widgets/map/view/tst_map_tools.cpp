@@ -99,7 +99,7 @@ private slots:
         QCOMPARE(map.undoCount(), 1);
         const Point path_m = map.scenario().icebergs[3].position_m - before.icebergs[3].position_m;
         QVERIFY(path_m.norm() > 100);
-        // Rounding of doubles only: the same way is added to all.
+        // Same offset for all; the tolerance is for rounding of doubles only.
         const auto moved = [&](const Point& now_m, const Point& was_m) {
             return (now_m - was_m - path_m).norm() < 1e-9;
         };
@@ -161,8 +161,8 @@ private slots:
         QVERIFY(map.document.isClean());
     }
 
-    /** What was undone can still be redone after a drag that was taken back. */
-    void aDragTakenBackKeepsRedo()
+    /** Redo is still possible after a cancelled drag. */
+    void cancelledDragKeepsRedo()
     {
         test::MapFixture map;
         map.drag(map.iceberg(0), map.iceberg(0) + QPoint(40, 40));
@@ -229,8 +229,8 @@ private slots:
         QCOMPARE(menu.count(), 0);
     }
 
-    /** What else ends a row of nudges does not split a drag. */
-    void aDragIsOneStepWhateverHappens()
+    /** Events that end a sequence of nudges do not split a drag. */
+    void dragIsAlwaysOneUndoStep()
     {
         test::MapFixture map;
         const QPoint from = map.iceberg(1);
@@ -273,7 +273,7 @@ private slots:
         QCOMPARE(map.undoCount(), 0);
     }
 
-    void foreignChangeEndsWhatIsPressed_data()
+    void foreignChangeEndsThePressedAction_data()
     {
         QTest::addColumn<MapToolKind>("tool");
         QTest::addColumn<Point>("pressed_m");
@@ -294,7 +294,7 @@ private slots:
     }
 
     /** Whatever is pressed may be gone. */
-    void foreignChangeEndsWhatIsPressed()
+    void foreignChangeEndsThePressedAction()
     {
         QFETCH(MapToolKind, tool);
         QFETCH(Point, pressed_m);
@@ -322,7 +322,7 @@ private slots:
         QCOMPARE(map.selection.ids(), selected);
     }
 
-    void rubberBandSelectsWhatIsInside()
+    void boxSelectsItsContent()
     {
         test::MapFixture map;
         map.selection.set({"berg-2"});
@@ -427,7 +427,7 @@ private slots:
         QVERIFY(map.document.issues().empty() || !hasErrors(map.document.issues()));
     }
 
-    void toolsSayWhatTheyExpect()
+    void toolsExplainTheNextStep()
     {
         test::MapFixture map;
         QSignalSpy said(&map.view, &MapView::statusText);

@@ -87,7 +87,7 @@ private slots:
         QVERIFY(map.selection.isEmpty());
     }
 
-    void cursorAndHoverAreTold()
+    void cursorAndHoverAreEmitted()
     {
         test::MapFixture map;
         QSignalSpy moved(&map.view, &MapView::cursorMoved);

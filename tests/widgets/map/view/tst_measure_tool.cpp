@@ -59,8 +59,8 @@ private slots:
                      1e-7);
     }
 
-    /** Across the antimeridian and over the pole it is the short way. */
-    void theShortWayRound()
+    /** The leg takes the short path across the antimeridian and over the pole. */
+    void legIsTheShorterPath()
     {
         Scenario scenario = test::emptySea();
         scenario.origin = {.latitude_deg = 89.9, .longitude_deg = 180};
@@ -111,7 +111,7 @@ private slots:
         QVERIFY(map.view.tool() == MapToolKind::Select);
     }
 
-    void pointsAreTakenBack()
+    void backspaceRemovesPoints()
     {
         test::MapFixture map;
         map.document.edit(u"Before"_s, [](Scenario& s) { s.icebergs.pop_back(); });

@@ -39,7 +39,7 @@ private slots:
         QCOMPARE(added.id, std::string("berg-5"));
         QCOMPARE(added.sigma0_m2, errorOf(SightingSource::Radar).sigma_m2());
         QVERIFY(added.velocity_mps == Point::Zero());
-        // One pixel is some metres.
+        // A pixel is several metres.
         QVERIFY((added.position_m - kWater_m).norm() < 2 / map.view.view().scale_pxpm());
         QCOMPARE(map.selection.ids(), (Ids{"berg-5"}));
         QCOMPARE(map.undoCount(), 1);

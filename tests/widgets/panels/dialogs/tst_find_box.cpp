@@ -107,7 +107,7 @@ private slots:
         QCOMPARE(f.objectChosen.back().front().value<std::string>(), "berg-2");
     }
 
-    void explains()
+    void incompleteCoordinateIsExplained()
     {
         FindBoxFixture f;
         f.type(u"46 45 N"_s);
@@ -151,17 +151,34 @@ private slots:
         QVERIFY(f.box.isHidden());
     }
 
-    void asksWhere()
+    void asksForThePlaceOfANewScenario()
     {
         FindBoxFixture f(true, true);
         QVERIFY(f.field.placeholderText().contains(u"Where"_s));
         QTest::keyClicks(&f.field, u"berg"_s);
         for (int row = 0; row < f.list.count(); ++row)
-            QVERIFY(f.list.item(row)->text().contains(u"Place"_s));
+            QVERIFY(!f.list.item(row)->text().contains(u"Iceberg"_s));
         f.field.selectAll();
         f.type(u"Longyearbyen"_s); // however far
         COMPARE_NEAR(f.whereChosen.front().front().value<LatLon>().latitude_deg, 78.22, 1e-9);
         QCOMPARE(f.placeChosen.count(), 0);
+    }
+
+    /** Rows state type and position; a coordinate has no name. */
+    void rowsSayWhatTheyAre()
+    {
+        FindBoxFixture f;
+        const auto firstOf = [&](const QString& text) {
+            f.field.selectAll();
+            QTest::keyClicks(&f.field, text);
+            return f.list.item(0)->text();
+        };
+        QCOMPARE(firstOf(u"Bonavista Bay"_s),
+                 u"Bonavista Bay   –   Sea or bay, 48° 48′ N  53° 27′ W"_s);
+        QVERIFY(firstOf(u"Cape Bonavista"_s).contains(u"Cape, 48° 42′ N"_s));
+        QVERIFY(firstOf(u"Hibernia"_s).contains(u"Oil or gas field"_s));
+        QVERIFY(firstOf(u"Longyearbyen"_s).contains(u"Town or station"_s));
+        QVERIFY(firstOf(u"48 45 N 52 30 W"_s).endsWith(u"Coordinate"_s));
     }
 
     void favouritesAreListedAtOnce()
@@ -182,7 +199,7 @@ private slots:
         QVERIFY(!f.star.isEnabled()); // it is of this scenario
     }
 
-    void escapeCloses()
+    void escapeClosesTheBox()
     {
         FindBoxFixture f;
         QTest::keyClick(&f.field, Qt::Key_Escape);

@@ -114,7 +114,7 @@ private slots:
         f.spin(u"generateNumber"_s).setValue(7);
         QCOMPARE(f.dialog.count(), 7);
         f.number(u"generateSpeedMin"_s).setValue(0.3);
-        f.choose(u"generateDirection"_s, u"About one direction"_s);
+        f.choose(u"generateDirection"_s, u"Around one direction"_s);
         f.number(u"generateTowards"_s).setValue(90);
         f.number(u"generateSpread"_s).setValue(10);
         f.number(u"generateSigmaMin"_s).setValue(9);
@@ -144,19 +144,19 @@ private slots:
         GenerateDialogFixture f(randomScenario(3));
         f.spin(u"generateNumber"_s).setValue(5);
         QCOMPARE(f.icebergs().size(), std::size_t{17});
-        QCOMPARE(f.state(), u"The scenario then holds 17 icebergs."_s);
+        QCOMPARE(f.state(), u"The scenario will have 17 icebergs."_s);
         test::child<QCheckBox>(f.dialog, u"generateReplace"_s).setChecked(true);
         QCOMPARE(f.icebergs().size(), std::size_t{5});
         QCOMPARE(f.icebergs().front().id, std::string("berg-1"));
     }
 
-    void faultsAreSaidAndNothingIsDrawn()
+    void faultsAreShownAndNothingIsDrawn()
     {
         GenerateDialogFixture f(randomScenario(3));
         f.number(u"generateSpacing"_s).setValue(9000);
         QCOMPARE(f.dialog.count(), 0);
         QVERIFY(f.dialog.result() == randomScenario(3));
-        QVERIFY(f.state().startsWith(u"There is no room for so many"));
+        QVERIFY(f.state().startsWith(u"There is no room for this many"));
         QVERIFY(!f.ok().isEnabled());
         f.number(u"generateSpacing"_s).setValue(0);
         QVERIFY(f.ok().isEnabled());
@@ -170,7 +170,7 @@ private slots:
         QCOMPARE(f.state(), u"The largest uncertainty is below the smallest."_s);
     }
 
-    /** Fields are in the units chosen, icebergs in metres. */
+    /** Fields are in the chosen units, icebergs in metres. */
     void nauticalUnits()
     {
         setShownUnits({.distance = DistanceUnit::Nautical, .speed = SpeedUnit::Knots});

@@ -78,7 +78,7 @@ private slots:
         QVERIFY(painted(all) == full);
     }
 
-    /** Arrows that would cross the whole map are cut short. */
+    /** Arrows that would cross the whole map are shortened. */
     void horizonIsChosen()
     {
         const MapPicture shown = picture();
@@ -97,7 +97,7 @@ private slots:
         QCOMPARE(arrangeMap(shown, styleOf(layers), {0, 0, 900, 600}).symbols.driftTime_s, 0.0);
     }
 
-    /** Of an iceberg beside the map its arrow is seen, as far as the longest goes. */
+    /** The arrow of an iceberg beside the map is visible, up to the length of the longest arrow. */
     void arrowsReachIntoTheMap()
     {
         MapPicture shown;
@@ -113,7 +113,7 @@ private slots:
             QPainter painter(&image);
             painter.translate(-rect.topLeft());
             MapLayout layout = arrangeMap(shown, styleOf(layers), rect, view);
-            layout.legend = {}; // which tells the horizon
+            layout.legend = {}; // the legend states the horizon
             paintMap(painter, shown, styleOf(layers), layout);
             return image;
         };
@@ -139,7 +139,7 @@ private slots:
         QVERIFY(legend(hidden) != legend({}));
     }
 
-    void panelTells()
+    void editsAreReported()
     {
         LayersPanel panel;
         QSignalSpy edited(&panel, &LayersPanel::layersEdited);

@@ -93,7 +93,7 @@ private slots:
             << QList<double>{last[0].crossTrack_m, last[1].crossTrack_m, last[2].crossTrack_m};
     }
 
-    /** In the colours of the UAVs and named by them; the distance of all of them as well. */
+    /** Lines have the colours and names of the UAVs; the total distance has a line too. */
     void severalUavsHaveALineEach()
     {
         QFETCH(int, kind);
@@ -150,7 +150,7 @@ private slots:
                      1); // zero is in the middle
     }
 
-    void nothingFlownIsSaid()
+    void emptyRunIsReported()
     {
         const ChartPanel panel(ChartKind::Sigma, Theme::dark());
         const auto& chart = child<TimeChart>(panel, u"timeChart"_s);
@@ -412,7 +412,7 @@ private slots:
         QVERIFY(shown.chart.focusPolicy() & Qt::TabFocus);
     }
 
-    /** What is zoomed or moved in one is in the other too. */
+    /** Zooming or moving one chart also changes the other. */
     void linkedChartsShowTheSameTime()
     {
         test::Shown zeta(ChartKind::Zeta);
@@ -427,7 +427,7 @@ private slots:
         QVERIFY(!sigma.chart.isZoomed());
     }
 
-    /** The right button without a drag, and the menu key. */
+    /** The right button without a drag and the menu key open the menu. */
     void chartHasAMenu()
     {
         test::Shown shown(ChartKind::Zeta);
@@ -453,7 +453,7 @@ private slots:
         QVERIFY(shown.panel.findChild<QMenu*>(u"chartMenu"_s) == nullptr); // it was panned
     }
 
-    /** Every sample, as it is read. */
+    /** The table has every sample. */
     void valuesAreATable()
     {
         test::Shown shown(ChartKind::Zeta);
@@ -479,7 +479,7 @@ private slots:
         QCOMPARE(lines[kRow + 1].split(u'\t').front(), clockText(samples[kRow].time_s));
     }
 
-    /** A hand is never quite still. */
+    /** Small movements during a click are not a drag. */
     void aPixelIsNoDrag()
     {
         test::Shown shown(ChartKind::Zeta);

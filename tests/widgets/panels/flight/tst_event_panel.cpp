@@ -65,8 +65,7 @@ private slots:
         QVERIFY(cell(model, 0, EventModel::Details).startsWith(u"take-off"_s));
     }
 
-    /** Each pass of an aim point is a plan; those that lead where the one before did tell nothing.
-     */
+    /** Each pass of an aim point makes a plan; plans that lead to the same iceberg are omitted. */
     void endsOfHoldsAreLeftOut()
     {
         FlightRecord record = recordUntil(400);
@@ -93,8 +92,34 @@ private slots:
         QCOMPARE(model.lastShown(), rows);
     }
 
-    /** A re-planning has a row for each UAV; how it was solved is said in the first. */
-    void fleetsTellOfEachSolveOnce()
+    /** A UAV with nothing to visit is planned at every step: that is listed once. */
+    void uselessPlansAreListedOnce()
+    {
+        FlightRecord record = recordUntil(400);
+        MissionHistory& history = record.history;
+        const auto add = [&](double time_s, int iceberg) {
+            history.events.push_back({.time_s = time_s, .iceberg = iceberg, .uav = 0});
+            history.plans.push_back({.time_s = time_s,
+                                     .reason = PlanReason::OutOfView,
+                                     .target = iceberg,
+                                     .order = {}});
+        };
+        EventModel model{QLocale::c()};
+        model.setHistory(history, record.now.icebergs, record.scenario.uavs);
+        const int rows = model.rowCount();
+        for (int step = 1; step <= 50; ++step)
+            add(400 + 0.1 * step, -1);
+        model.setHistory(history, record.now.icebergs, record.scenario.uavs);
+        QCOMPARE(model.rowCount(), rows + 1);
+        QCOMPARE(model.time_s(rows), 400.1);
+        add(406, 0);
+        add(407, -1);
+        model.setHistory(history, record.now.icebergs, record.scenario.uavs);
+        QCOMPARE(model.rowCount(), rows + 3); // it had something to visit in between
+    }
+
+    /** A re-plan has a row for each UAV; the first one states how it was solved. */
+    void fleetsListEachSolveOnce()
     {
         Scenario scenario = randomScenario(6, {.icebergs = 7});
         scenario.duration_s = 200;
@@ -112,7 +137,7 @@ private slots:
         QVERIFY(!cell(model, 1, EventModel::Details).contains(u" · "_s));
     }
 
-    /** Grown step by step, or cut and grown another way, it is as if told at once. */
+    /** A log grown step by step, or cut and grown differently, equals one shown at once. */
     void growsAndShrinks()
     {
         EventModel model{QLocale::c()};

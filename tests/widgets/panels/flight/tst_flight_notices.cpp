@@ -13,7 +13,7 @@ namespace {
 
 const QLocale kLocale(QLocale::English);
 
-/** Two icebergs drift towards a platform at the origin, the second is there first. */
+/** Returns two icebergs that drift towards a platform at the origin; the second arrives first. */
 Scenario twoComing()
 {
     Scenario scenario = test::emptySea(3000);
@@ -35,7 +35,7 @@ FlightRecord recordAt(const Mission& mission, double time_s)
     return record;
 }
 
-/** The record of a flight in that mode. */
+/** Returns the record of a flight in that mode. */
 FlightRecord inMode(FlightMode mode)
 {
     const Mission mission(twoComing());
@@ -47,7 +47,7 @@ FlightRecord inMode(FlightMode mode)
     return record;
 }
 
-/** uav-1 and, so far east of it, "East". */
+/** Returns a flight of uav-1 and, `apart_m` east of it, "East". */
 FlightRecord twoUavs(double apart_m)
 {
     Scenario scenario = test::emptySea();
@@ -75,7 +75,7 @@ class TestFlightNotices : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void windAboveTheLimitIsTold()
+    void windAboveTheLimitIsShown()
     {
         FlightRecord record = twoUavs(50'000);
         record.scenario.uavs[1].weather.wind_mps = 10;
@@ -88,13 +88,13 @@ private slots:
         record.scenario.uavs[1].weather = {};
         record.scenario.uavs[1].spec.airspeed_mps = 14;
         QCOMPARE(textsOf(record),
-                 QStringList(u"East: Makes little way: wind 10.0 m/s, airspeed 14.0 m/s"_s));
+                 QStringList(u"East: Makes little headway: wind 10.0 m/s, airspeed 14.0 m/s"_s));
         record.now.world.uavs[1].mode = FlightMode::Ground;
         QVERIFY(!textsOf(record).join(u' ').contains(u"limit"));
     }
 
-    /** From the failure on until the next plan that succeeds, at whatever instant is shown. */
-    void failureOfThePlannerIsToldUntilAPlanSucceeds()
+    /** It is shown from the failure until the next successful plan, at any instant shown. */
+    void plannerFailureIsShownUntilAPlanSucceeds()
     {
         int calls = 0;
         test::SolverScript script;
@@ -123,7 +123,7 @@ private slots:
     }
 
     /** The first plan of all may fail too. */
-    void failureBeforeTakeOffIsTold()
+    void failureBeforeTakeOffIsShown()
     {
         test::SolverScript script;
         script.answer = [](const TvpProblem&) -> SolveOutcome {
@@ -160,7 +160,7 @@ private slots:
         QVERIFY2(inside.contains(u"Storberget is inside the inner ring"_s), qPrintable(inside));
     }
 
-    /** The one found last comes first, whichever is there first. */
+    /** The alarm detected last comes first, whichever iceberg arrives first. */
     void newestAlarmIsShown()
     {
         Mission mission(twoComing());
@@ -183,7 +183,7 @@ private slots:
         QVERIFY(textsOf(recordAt(mission, 100)).isEmpty());
     }
 
-    void modesAreTold_data()
+    void modesAreShown_data()
     {
         QTest::addColumn<FlightMode>("mode");
         QTest::addColumn<QStringList>("texts");
@@ -195,7 +195,7 @@ private slots:
                                 << QStringList{u"On the ground, takes off in 9 min"_s};
     }
 
-    void modesAreTold()
+    void modesAreShown()
     {
         QFETCH(FlightMode, mode);
         QFETCH(QStringList, texts);
@@ -209,11 +209,11 @@ private slots:
         QVERIFY(textsOf(record).isEmpty());
     }
 
-    void lateForHomeIsToldUntilLanding()
+    void lateReturnIsShownUntilLanding()
     {
         FlightRecord record = inMode(FlightMode::Home);
         record.history.events = {{.time_s = 0, .kind = EventKind::LateHome, .uav = 0}};
-        QCOMPARE(textsOf(record).front(), u"Home cannot be reached in time any more"_s);
+        QCOMPARE(textsOf(record).front(), u"Home can no longer be reached in time"_s);
         record.history.events.push_back({.time_s = 0, .kind = EventKind::Landed, .uav = 0});
         QCOMPARE(textsOf(record), QStringList{u"Returning home"_s});
     }
@@ -224,7 +224,7 @@ private slots:
         record.now.world.uavs[1].mode = FlightMode::Home;
         record.history.events = {{.time_s = 0, .kind = EventKind::LateHome, .uav = 1},
                                  {.time_s = 0, .kind = EventKind::Landed, .uav = 0}};
-        QCOMPARE(textsOf(record), (QStringList{u"East: Home cannot be reached in time any more"_s,
+        QCOMPARE(textsOf(record), (QStringList{u"East: Home can no longer be reached in time"_s,
                                                u"East: Returning home"_s}));
     }
 
@@ -238,12 +238,12 @@ private slots:
         QVERIFY(rankOf(notice.kind) == NoticeRank::Warning);
         QCOMPARE(notice.about, std::vector{record.now.icebergs[1].id});
         record.now.world.tracks[1].status = TrackStatus::GivenUp;
-        QCOMPARE(textsOf(record), QStringList{u"Storberget is lost, the search was given up"_s});
+        QCOMPARE(textsOf(record), QStringList{u"Storberget is lost; the search was abandoned"_s});
         record.now.world.tracks[1].status = TrackStatus::Tracked;
         QVERIFY(textsOf(record).isEmpty());
     }
 
-    /** In one layer, both aloft, nearer than the separation of 200 m. */
+    /** Both UAVs are aloft in one layer, nearer than the separation of 200 m. */
     void closeUavsAreAWarning()
     {
         const QStringList close{u"uav-1 and East are 150 m apart"_s};

@@ -37,7 +37,7 @@ struct PlaybackBarFixture
     }
 };
 
-/** The icon on a transparent ground, `side_px` high. */
+/** Returns the icon on a transparent ground, `side_px` high. */
 QImage drawn(IconName name, const Theme& theme, int side_px, QIcon::Mode mode = QIcon::Normal)
 {
     return icon(name, theme).pixmap(QSize(side_px, side_px), mode).toImage();
@@ -119,7 +119,7 @@ private slots:
         QCOMPARE(f.wasReset.count(), 1);
     }
 
-    void rateIsToldByTheUserOnly()
+    void rateIsEmittedByTheUserOnly()
     {
         PlaybackBarFixture f;
         QCOMPARE(f.bar.rate(), 10.0);
@@ -172,7 +172,7 @@ private slots:
         QCOMPARE(line.value(), 0);
     }
 
-    void typedTimeIsToldOnce()
+    void typedTimeIsEmittedOnce()
     {
         PlaybackBarFixture f;
         f.bar.showState(RunPhase::Paused, 201, 1000, 500);

@@ -34,7 +34,7 @@ class TestRunTimeLine : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void showingTellsNobody()
+    void showingEmitsNothing()
     {
         RunTimeLineFixture f;
         f.line.showTime(100, 700, 1000);
@@ -79,7 +79,7 @@ private slots:
         QCOMPARE(f.last(), 0.0);
     }
 
-    void keys_data()
+    void keysMoveTheInstant_data()
     {
         QTest::addColumn<Qt::Key>("key");
         QTest::addColumn<double>("time_s");
@@ -90,7 +90,7 @@ private slots:
         QTest::newRow("end") << Qt::Key_End << 600.0;
     }
 
-    void keys()
+    void keysMoveTheInstant()
     {
         QFETCH(Qt::Key, key);
         QFETCH(double, time_s);
@@ -122,15 +122,15 @@ private slots:
         QVERIFY(colour(450) != colour(800)); // flown, not yet flown
     }
 
-    void wayAheadIsSeen_data()
+    void pathAheadIsVisible_data()
     {
         QTest::addColumn<bool>("isDark");
         QTest::newRow("light") << false;
         QTest::newRow("dark") << true;
     }
 
-    /** At 3 : 1, measured in a picture. */
-    void wayAheadIsSeen()
+    /** The contrast is at least 3 : 1, measured in an image. */
+    void pathAheadIsVisible()
     {
         QFETCH(bool, isDark);
         const Theme theme = isDark ? Theme::dark() : Theme::light();

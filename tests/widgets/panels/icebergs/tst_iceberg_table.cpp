@@ -143,7 +143,7 @@ private slots:
         QVERIFY(f.table.viewport()->rect().contains(f.pixelOf(150)));
     }
 
-    void pointingTells()
+    void pointingAtARowIsReported()
     {
         IcebergTableFixture f;
         QTest::mouseMove(f.table.viewport(), f.pixelOf(2));
@@ -163,7 +163,7 @@ private slots:
         QTest::keyClick(&f.editor(), Qt::Key_Return);
         QTRY_COMPARE(f.icebergs()[1].sigma0_m2, 7.25);
         QCOMPARE(f.steps(), 1);
-        QCOMPARE(f.document.undoStack()->undoText(), u"Change uncertainty"_s);
+        QCOMPARE(f.document.undoStack()->undoText(), u"Change uncertainty σ₀"_s);
     }
 
     void returnEditsTheName()
@@ -178,7 +178,7 @@ private slots:
     }
 
     /** The field shows fewer digits than the number has. */
-    void lookingIntoACellChangesNothing()
+    void openingACellChangesNothing()
     {
         IcebergTableFixture f(
             test::changed([](Scenario& s) { s.icebergs[0].position_m.x() = 1.0 / 3; }));
@@ -226,7 +226,7 @@ private slots:
         QCOMPARE(f.selectedRows(), (std::vector<int>{0, 2}));
     }
 
-    /** Without typing: what the current cell has, in all its digits. */
+    /** Without typing, the value of the current cell is copied with all its digits. */
     void controlReturnCopiesTheCurrentCell()
     {
         IcebergTableFixture f(test::changed([](Scenario& s) { s.icebergs[2].q_m2ps = 1e-8 / 3; }));
@@ -264,7 +264,7 @@ private slots:
         QTest::keyClicks(&f.table, u"9"_s);
         QTest::keyClicks(&f.editor(), u"5"_s);
         QTest::keyClick(&f.editor(), Qt::Key_Return);
-        QTRY_COMPARE(f.fault(), u"Latitudes go from 90° S to 90° N."_s);
+        QTRY_COMPARE(f.fault(), u"Latitude must be between 90° S and 90° N."_s);
         QCOMPARE(f.steps(), 1);
     }
 
@@ -284,7 +284,7 @@ private slots:
         QCOMPARE(f.document.scenario(), test::fourIcebergs());
     }
 
-    void refusedPasteSaysWhy()
+    void refusedPasteShowsTheReason()
     {
         IcebergTableFixture f;
         f.click(0, IcebergColumn::East);
@@ -321,7 +321,7 @@ private slots:
         QVERIFY(!empty.isVisible());
     }
 
-    /** Only the columns shown. */
+    /** Only visible columns are copied. */
     void copiesTheRowsSelected()
     {
         IcebergTableFixture f;
@@ -355,7 +355,7 @@ private slots:
         QCOMPARE(f.fault(), QString());
     }
 
-    void choosingInFlightTells()
+    void choosingInFlightIsEmitted()
     {
         IcebergTableFixture f;
         f.panel.showRecord(flying(test::flown(test::fourIcebergs(), 30)));
@@ -369,7 +369,7 @@ private slots:
         QCOMPARE(f.chosen.back().front().value<std::string>(), "berg-2");
     }
 
-    /** Sorted by sigma: rows change places, what is selected and what is in sight stays. */
+    /** Sorting by sigma moves rows, but selection and scroll position stay. */
     void refreshKeepsWhatTheUserDoes()
     {
         Mission mission(manyIcebergs(500));
@@ -453,7 +453,7 @@ private slots:
         menu.close();
     }
 
-    void readsAloud()
+    void tableHasAccessibleTexts()
     {
         const IcebergTableFixture f;
         QVERIFY(!f.table.accessibleName().isEmpty());

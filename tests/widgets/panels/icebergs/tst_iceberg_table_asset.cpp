@@ -57,7 +57,7 @@ bool hasAssetColumns(const TableFixture& f)
 
 } // namespace
 
-/** What the table of icebergs says of the asset, and of icebergs that are lost or have left. */
+/** The table of icebergs about the asset, and about icebergs that are lost or have left. */
 class TestIcebergTableAsset : public QObject
 {
     Q_OBJECT
@@ -99,11 +99,11 @@ private slots:
             return f.model.index(i, col(IcebergColumn::AssetTime)).data(Qt::ToolTipRole).toString();
         };
         QVERIFY(toolTip(0).isEmpty());
-        QVERIFY(toolTip(3).contains(u"still comes nearer"_s));
+        QVERIFY(toolTip(3).contains(u"still approaching"_s));
     }
 
     /** The current carries the icebergs, not the platform. */
-    void currentCounts()
+    void currentMovesIcebergsButNotTheAsset()
     {
         TableFixture f(withAsset());
         f.document.edit(u"Current"_s, [](Scenario& s) { s.current_mps = {0, -0.5}; });
@@ -143,8 +143,8 @@ private slots:
         QCOMPARE(f.shown(), (Ids{"berg-4", "berg-1", "berg-2", "berg-3"}));
     }
 
-    /** By sign and words: berg-1 crosses the ring of 1200 m after (1000 + sqrt(...)) / 0.5 s. */
-    void alarmIsMarkedAndSaid()
+    /** A sign and a text: berg-1 crosses the ring of 1200 m after (1000 + sqrt(...)) / 0.5 s. */
+    void alarmIsMarkedAndExplained()
     {
         const TableFixture f(withAsset());
         const QModelIndex coming = f.model.index(0, col(IcebergColumn::Name));
@@ -180,7 +180,7 @@ private slots:
         QCOMPARE(f.icebergs()[0].position_m.x(), 1234.0);
     }
 
-    /** Copied with their titles and pasted again they change nothing. */
+    /** Pasting them with their titles changes nothing. */
     void copiedColumnsArePassedOver()
     {
         TableFixture f(withAsset());
@@ -201,8 +201,9 @@ private slots:
         QTest::addColumn<QString>("state");
         QTest::newRow("lost") << int(TrackStatus::Lost) << false << false << u"lost"_s;
         QTest::newRow("searched") << int(TrackStatus::Lost) << true << false
-                                  << u"lost, searched for"_s;
-        QTest::newRow("given up") << int(TrackStatus::GivenUp) << false << false << u"given up"_s;
+                                  << u"lost, being searched for"_s;
+        QTest::newRow("search abandoned")
+            << int(TrackStatus::GivenUp) << false << false << u"search abandoned"_s;
         QTest::newRow("left") << int(TrackStatus::Tracked) << false << true << u"left or removed"_s;
     }
 

@@ -31,13 +31,12 @@ private slots:
         QTest::newRow("direction")
             << IcebergColumn::Direction << QVariant(45.0) << u"Change drift"_s;
         QTest::newRow("sigma0") << IcebergColumn::Sigma0 << QVariant(7.5)
-                                << u"Change uncertainty"_s;
-        QTest::newRow("growth") << IcebergColumn::Growth << QVariant(0.1)
-                                << u"Change growth of uncertainty"_s;
+                                << u"Change uncertainty σ₀"_s;
+        QTest::newRow("growth") << IcebergColumn::Growth << QVariant(0.1) << u"Change growth q"_s;
         QTest::newRow("observed") << IcebergColumn::Observed << QVariant(60.0)
-                                  << u"Change time last seen"_s;
+                                  << u"Change last seen"_s;
         QTest::newRow("appears") << IcebergColumn::Appears << QVariant(30.0)
-                                 << u"Change time of appearing"_s;
+                                 << u"Change appears at"_s;
     }
 
     void everyEditIsOneUndoStep()
@@ -88,7 +87,7 @@ private slots:
         QCOMPARE(f.document.scenario(), test::fourIcebergs());
     }
 
-    /** Drift to the east and north is shown and edited; what is shown changes nothing. */
+    /** Drift east and north is shown and edited; entering the value shown changes nothing. */
     void driftAsComponents()
     {
         const test::UnitsInUse units(test::kComponents);
@@ -121,7 +120,7 @@ private slots:
         QCOMPARE(f.model.rowCount(), 4);
     }
 
-    /** A number changed in a copy counts, though the angles beside it are as they were copied. */
+    /** A changed number in a copy is pasted, although the angles beside it are unchanged. */
     void changedCellOfACopyCounts()
     {
         TableFixture f;
@@ -134,7 +133,7 @@ private slots:
         QCOMPARE(f.document.scenario(), wanted);
     }
 
-    /** Angles of many leading zeros. */
+    /** Angles with many leading zeros are copied and pasted. */
     void anglesNearZeroComeOver()
     {
         const Scenario scenario = test::changed([](Scenario& s) {
@@ -158,7 +157,7 @@ private slots:
         }
     }
 
-    /** An angle is shown to 2 m: typed as it is shown it moves nothing, of several only others. */
+    /** Angles are shown to 2 m: typing the angle shown moves only icebergs with another one. */
     void angleAsShownMovesNothing()
     {
         TableFixture f;
@@ -171,14 +170,14 @@ private slots:
         QCOMPARE(f.cell(1, IcebergColumn::Latitude), f.cell(0, IcebergColumn::Latitude));
     }
 
-    /** One angle is set for several, a whole place would put them all on one point. */
+    /** Several icebergs accept one angle; a whole coordinate would move all to one point. */
     void wholePlaceIsForOneOnly()
     {
         for (const QString& text : {u"47.1 N 48.2 W"_s, u"Hibernia"_s}) {
             TableFixture f;
             QSignalSpy edits(&f.model, &IcebergTableModel::edited);
             QVERIFY(!f.model.setAll({0, 1}, IcebergColumn::Latitude, text));
-            QVERIFY(edits.back()[0].toString().startsWith(u"Type one angle:"_s));
+            QVERIFY(edits.back()[0].toString().startsWith(u"Enter one angle only:"_s));
             QCOMPARE(f.document.scenario(), test::fourIcebergs());
             QVERIFY(f.model.setAll({0}, IcebergColumn::Latitude, text));
             QVERIFY(f.model.setAll({0, 1}, IcebergColumn::Latitude, u"47.2 N"_s));
@@ -195,7 +194,7 @@ private slots:
         QCOMPARE(f.document.undoStack()->count(), 0);
     }
 
-    void roundTrip_data()
+    void copyAndPasteRoundTrip_data()
     {
         QTest::addColumn<QLocale>("locale");
         QTest::newRow("C") << QLocale::c();
@@ -205,7 +204,7 @@ private slots:
 
     /** Onto the same icebergs nothing changes, not the last bit; elsewhere all numbers come over.
      */
-    void roundTrip()
+    void copyAndPasteRoundTrip()
     {
         QFETCH(QLocale, locale);
         const Scenario scenario = test::changed([](Scenario& s) {
@@ -236,7 +235,7 @@ private slots:
             QCOMPARE(after.q_m2ps, before.q_m2ps);
             QCOMPARE(after.observed_s, before.observed_s);
             QCOMPARE(after.appears_s, before.appears_s);
-            // By way of speed and direction: rounding.
+            // rounding by speed and direction
             COMPARE_NEAR((after.velocity_mps - before.velocity_mps).norm(), 0.0, 1e-15);
         }
     }

@@ -18,13 +18,13 @@ using test::TableFixture;
 
 namespace {
 
-/** Four icebergs, one of them not there before 150 s. */
+/** Returns four icebergs, one of which appears at 150 s. */
 Scenario fourOneLater()
 {
     return test::changed([](Scenario& scenario) { scenario.icebergs[2].appears_s = 150; });
 }
 
-/** The record of the mission, looking back at `time_s`. */
+/** Returns the record of the mission, looking back at `time_s`. */
 FlightRecord recordAt(const Mission& mission, double time_s)
 {
     FlightRecord record = recordOf(mission);
@@ -99,7 +99,7 @@ private slots:
             if (!shown.active[at]) {
                 QVERIFY(time_s < 150);
                 QCOMPARE(i, 2);
-                QCOMPARE(f.cell(i, IcebergColumn::State), u"not there yet"_s);
+                QCOMPARE(f.cell(i, IcebergColumn::State), u"not appeared yet"_s);
                 QCOMPARE(f.cell(i, IcebergColumn::Sigma), u"–"_s);
                 continue;
             }
@@ -131,7 +131,7 @@ private slots:
         QCOMPARE(visits, static_cast<double>(shown.metrics.visits));
     }
 
-    /** Who flies to it, as which of its own, and when that one is there. */
+    /** The state names the UAV that flies to it, the place in its order, and the arrival. */
     void severalUavsAreNamed()
     {
         Scenario scenario = test::fourIcebergs();
@@ -163,7 +163,7 @@ private slots:
         QVERIFY(!record.shown().plans[1].order.empty());
     }
 
-    /** Against the recorded rows: since the last sample in view, or since it is known. */
+    /** Compared with the recorded rows: since the last sample in view, or since it became known. */
     void unseenSinceTheLastSight_data()
     {
         QTest::addColumn<bool>("changes");
@@ -241,7 +241,7 @@ private slots:
         QVERIFY(!f.model.index(0, col(IcebergColumn::Sigma)).flags().testFlag(Qt::ItemIsEditable));
     }
 
-    void sorts_data()
+    void sortsByColumn_data()
     {
         QTest::addColumn<IcebergColumn>("column");
         QTest::addColumn<Qt::SortOrder>("order");
@@ -255,7 +255,7 @@ private slots:
             {"berg-4", "berg-2", "berg-1", "berg-3"});
         add("sigma0", IcebergColumn::Sigma0, {"berg-1", "berg-2", "berg-3", "berg-4"},
             {"berg-4", "berg-3", "berg-2", "berg-1"});
-        // 124, 338, none, 225 degrees: what is not there comes last either way.
+        // 124, 338, empty, 225 degrees: empty cells come last in both directions.
         add("direction", IcebergColumn::Direction, {"berg-1", "berg-4", "berg-2", "berg-3"},
             {"berg-2", "berg-4", "berg-1", "berg-3"});
         // berg-1, "Tabular ...", "Isbjerg Å", berg-4
@@ -266,7 +266,7 @@ private slots:
             {"berg-4", "berg-1", "berg-2", "berg-3"});
     }
 
-    void sorts()
+    void sortsByColumn()
     {
         QFETCH(IcebergColumn, column);
         QFETCH(Qt::SortOrder, order);
@@ -302,7 +302,7 @@ private slots:
         QCOMPARE(resets.size(), 0);
     }
 
-    void filters()
+    void filtersByNameAndId()
     {
         TableFixture f;
         f.model.setFilter(u"isb"_s);
@@ -332,8 +332,8 @@ private slots:
         QCOMPARE(cells[2].toDouble(), record.shown().world.tracks[0].sigma_m2);
     }
 
-    /** A flight that goes on neither begins the table anew nor tells of rows that stand still. */
-    void tellsOfWhatHasChanged()
+    /** A continuing flight neither resets the table nor reports unchanged rows. */
+    void reportsChangedRowsOnly()
     {
         TableFixture f;
         Mission mission(test::fourIcebergs());

@@ -52,7 +52,7 @@ class TestIcebergTablePaste : public QObject
     Q_OBJECT
 
 private slots:
-    void readsCells_data()
+    void splitsTextIntoCells_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QLocale>("locale");
@@ -77,7 +77,7 @@ private slots:
         QTest::newRow("nothing") << QString() << c << Cells{};
     }
 
-    void readsCells()
+    void splitsTextIntoCells()
     {
         QFETCH(QString, text);
         QFETCH(QLocale, locale);
@@ -85,7 +85,7 @@ private slots:
         QCOMPARE(cellsOf(text, locale), cells);
     }
 
-    void readsNumbers_data()
+    void readsNumbersOfTheLocale_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QLocale>("locale");
@@ -111,7 +111,7 @@ private slots:
         QTest::newRow("nothing") << QString() << c << std::nan("");
     }
 
-    void readsNumbers()
+    void readsNumbersOfTheLocale()
     {
         QFETCH(QString, text);
         QFETCH(QLocale, locale);
@@ -220,7 +220,7 @@ private slots:
         COMPARE_NEAR((outcome.scenario.icebergs[0].velocity_mps - velocity_mps).norm(), 0.0, 1e-15);
     }
 
-    /** As columns of one half each, or each coordinate in a cell of its own. */
+    /** The coordinates are columns of one half each, or whole coordinates in one cell. */
     void pastesRowsOfCoordinates_data()
     {
         QTest::addColumn<QString>("text");
@@ -253,7 +253,7 @@ private slots:
         QCOMPARE(outcome.scenario.icebergs[1].velocity_mps, Point(0, 0.5));
     }
 
-    /** The largest velocity there can be is copied and pasted; a larger one is a fault. */
+    /** The largest allowed velocity is copied and pasted; a larger one is a fault. */
     void velocityKeepsToTheLimits()
     {
         Scenario scenario = threeIcebergs();

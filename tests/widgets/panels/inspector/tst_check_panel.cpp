@@ -1,4 +1,4 @@
-#include "core/scenario/advice.h"
+#include "core/scenario/scenario_warnings.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/scenario_builder.h"
 #include "widgets/panels/inspector/check_panel.h"
@@ -12,7 +12,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** A panel over two icebergs that nothing is wrong with. */
+/** A panel over two icebergs without findings. */
 struct CheckPanelFixture
 {
     CheckPanelFixture()
@@ -44,7 +44,7 @@ class TestCheckPanel : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void nothingToMend()
+    void noFindingsAreShown()
     {
         CheckPanelFixture f;
         QVERIFY(test::child<QWidget>(f.panel, u"checksEmpty"_s).isVisible());
@@ -55,17 +55,19 @@ private slots:
         QVERIFY(!f.list().isVisible());
     }
 
-    /** After those of the scenario that are as bad, and until the next plan is told. */
+    /** Plan findings follow scenario findings of the same severity, until the next plan. */
     void findingsAboutThePlanAreListed()
     {
         CheckPanelFixture f;
         QSignalSpy changed(&f.panel, &CheckPanel::changed);
         f.change([](Scenario& s) { s.icebergs[0].velocity_mps = {3, 0}; }); // hint
         f.panel.setPlanIssues(
-            {Issue{Severity::Warning, "uavs[0]", {.id = IssueId::NoContact, .arguments = {90.0}}}});
+            {Issue{Severity::Warning,
+                   "uavs[0]",
+                   {.id = IssueId::NoContact, .arguments = {Amount{90, Quantity::Seconds}}}}});
         QCOMPARE(f.list().count(), 2);
-        QCOMPARE(f.line(0), u"uav-1: The plan leads out of the range of the ground station "
-                            "for 01:30."_s);
+        QCOMPARE(f.line(0), u"uav-1: the plan leads out of the range of the ground station "
+                            "for 01:30"_s);
         QCOMPARE(f.panel.issues().size(), std::size_t{2});
         QCOMPARE(changed.count(), 2);
         f.panel.setPlanIssues({});
@@ -80,14 +82,15 @@ private slots:
             s.icebergs[1].position_m = {100'000, 0}; // warning
         });
         QCOMPARE(f.list().count(), 2);
-        QCOMPARE(f.line(0), u"berg-2: So far away that the UAV cannot get there before the end of "
-                            "the run."_s);
-        QCOMPARE(f.line(1), u"Big: Drifts faster than icebergs do. Is the unit right?"_s);
+        QCOMPARE(f.line(0), u"berg-2: is too far away to reach before the run ends"_s);
+        QCOMPARE(f.line(1), u"Big: drifts faster than icebergs do: is the unit right?"_s);
         QVERIFY(f.list().item(0)->toolTip().startsWith(u"Warning"));
         QVERIFY(f.list().item(1)->toolTip().startsWith(u"Hint"));
         f.change([](Scenario& s) { s.wind_mps = {30, 0}; });
         QCOMPARE(f.list().count(), 1);
-        QCOMPARE(f.line(0), u"The wind must be slower than the UAV flies."_s);
+        QCOMPARE(
+            f.line(0),
+            u"The wind must be slower than the UAV flies: wind of 30 m/s, airspeed of uav-1 22 m/s"_s);
         QVERIFY(f.list().item(0)->toolTip().startsWith(u"Error"));
     }
 
@@ -120,8 +123,8 @@ private slots:
                  std::string("icebergs[0].velocity_mps"));
     }
 
-    /** A list that says the same after an edit keeps the line one is at. */
-    void standsStill()
+    /** A list that is unchanged by an edit keeps its current line. */
+    void unchangedListKeepsItsCurrentLine()
     {
         CheckPanelFixture f;
         f.change([](Scenario& s) {
@@ -144,7 +147,7 @@ private slots:
         QVERIFY(line.height() >= 2 * f.list().fontMetrics().height());
     }
 
-    void counts()
+    void findingsAreCountedBySeverity()
     {
         QCOMPARE(countsText({.errors = 1, .warnings = 1}), u"1 error, 1 warning"_s);
         QCOMPARE(countsText({.hints = 1}), u"1 hint"_s);

@@ -43,7 +43,7 @@ struct FleetInspectorFixture
         panel.show();
     }
     [[nodiscard]] const Scenario& scenario() const { return document.scenario(); }
-    [[nodiscard]] QComboBox& visitor() { return test::child<QComboBox>(panel, u"icebergUav"_s); }
+    [[nodiscard]] QComboBox& visitor() { return test::child<QComboBox>(panel, u"icebergs.uav"_s); }
     [[nodiscard]] QLabel& chip() { return test::child<QLabel>(panel, u"inspectorChip"_s); }
     [[nodiscard]] QColor chipColour() { return chip().pixmap().toImage().pixelColor(2, 2); }
     [[nodiscard]] bool isShown(const QString& name) const
@@ -59,13 +59,13 @@ struct FleetInspectorFixture
 
 } // namespace
 
-/** Several UAVs in the inspector. */
+/** Several UAVs in the Inspector. */
 class TestInspectorFleet : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /** The button is there while two share a layer, and lifts the later ones. */
+    /** The button is shown while two UAVs share a layer, and raises the later ones. */
     void altitudesAreSeparated()
     {
         Scenario scenario = threeUavs();
@@ -89,11 +89,11 @@ private slots:
     {
         FleetInspectorFixture f;
         f.selection.set({"uav-2"});
-        test::enter(test::child<NumberField>(f.panel, u"uavAltitude"_s), u"300"_s);
+        test::enter(test::child<NumberField>(f.panel, u"uavs.altitude_m"_s), u"300"_s);
         QCOMPARE(f.scenario().uavs[1].spec.altitude_m, 300.0);
         QCOMPARE(f.scenario().uavs[0].spec, threeUavs().uavs[0].spec);
         f.selection.set({"uav-1", "uav-3"});
-        test::enter(test::child<NumberField>(f.panel, u"uavAirspeed"_s), u"30"_s);
+        test::enter(test::child<NumberField>(f.panel, u"uavs.airspeed_mps"_s), u"30"_s);
         QCOMPARE(f.scenario().uavs[0].spec.airspeed_mps, 30.0);
         QCOMPARE(f.scenario().uavs[1].spec.airspeed_mps, 22.0);
         QCOMPARE(f.scenario().uavs[2].spec.airspeed_mps, 30.0);
@@ -147,11 +147,11 @@ private slots:
         QVERIFY(!f.isShown(u"uavId"_s));
     }
 
-    void icebergsAreKeptForAUav()
+    void icebergsAreAssignedToAUav()
     {
         FleetInspectorFixture f;
         f.selection.set({"berg-1"});
-        QVERIFY(f.isShown(u"icebergUav"_s));
+        QVERIFY(f.isShown(u"icebergs.uav"_s));
         QCOMPARE(f.visitor().count(), 4);
         QCOMPARE(f.visitor().itemText(0), u"any UAV"_s);
         QCOMPARE(f.visitor().itemText(3), u"North"_s);
@@ -177,21 +177,21 @@ private slots:
         QCOMPARE(f.visitor().currentIndex(), 2);
         f.document.edit(u"Delete UAV"_s,
                         [](Scenario& s) { removeObjects(s, std::vector<std::string>{"uav-3"}); });
-        QVERIFY(!f.isShown(u"icebergUav"_s));
+        QVERIFY(!f.isShown(u"icebergs.uav"_s));
     }
 
     void separationIsEditedWhereItMatters()
     {
         FleetInspectorFixture f;
-        QVERIFY(f.isShown(u"scenarioSeparation"_s));
-        auto& field = test::child<NumberField>(f.panel, u"scenarioSeparation"_s);
+        QVERIFY(f.isShown(u"separation_m"_s));
+        auto& field = test::child<NumberField>(f.panel, u"separation_m"_s);
         test::enter(field, u"350"_s);
         QCOMPARE(f.scenario().separation_m, 350.0);
         test::enter(field, u"0"_s);
         QCOMPARE(f.scenario().separation_m, 0.0);
-        QCOMPARE(field.text(), u"not kept apart"_s);
+        QCOMPARE(field.text(), u"no separation"_s);
         FleetInspectorFixture one(test::fourIcebergs());
-        QVERIFY(!one.isShown(u"scenarioSeparation"_s));
+        QVERIFY(!one.isShown(u"separation_m"_s));
     }
 
     void nothingIsEditedInFlight()

@@ -36,7 +36,7 @@ struct GroupsFixture
 
 } // namespace
 
-/** The rows of the inspector are under headings that fold them away. */
+/** The rows of the Inspector are below headings that fold them. */
 class TestInspectorGroups : public QObject
 {
     Q_OBJECT
@@ -59,31 +59,31 @@ private slots:
     void whatIsRarelyChangedIsLastAndFolded()
     {
         GroupsFixture f;
-        QVERIFY(!f.isShown(u"scenarioSeed"_s));
+        QVERIFY(!f.isShown(u"seed"_s));
         f.press(u"scenarioSimulationGroup"_s);
         QTest::qWait(0);
-        for (const char* rare : {"scenarioSeed", "scenarioTimeStep", "scenarioNoise"})
-            for (const char* usual : {"scenarioDuration", "scenarioWindSpeed", "scenarioReach"})
+        for (const char* rare : {"seed", "dt_s", "noise"})
+            for (const char* usual : {"duration_s", "scenarioWindSpeed", "planner.reach_radius_m"})
                 QVERIFY2(f.top_px(QLatin1String(rare)) > f.top_px(QLatin1String(usual)), rare);
         f.selection.set({"berg-1"});
         QTest::qWait(0);
         QVERIFY(f.top_px(u"icebergLatitude"_s) < f.top_px(u"icebergEast"_s));
     }
 
-    /** In flight what is locked can still be read. */
+    /** In flight, locked rows can still be read. */
     void headingsFoldInFlight()
     {
         GroupsFixture f;
         f.panel.setLocked(true);
         f.press(u"scenarioSimulationGroup"_s);
-        QVERIFY(f.isShown(u"scenarioSeed"_s));
-        QVERIFY(test::child<NumberField>(f.panel, u"scenarioSeed"_s).isReadOnly());
+        QVERIFY(f.isShown(u"seed"_s));
+        QVERIFY(test::child<NumberField>(f.panel, u"seed"_s).isReadOnly());
     }
 
     void typingEndsWhereItIsFoldedAway()
     {
         GroupsFixture f;
-        auto& duration = test::child<NumberField>(f.panel, u"scenarioDuration"_s);
+        auto& duration = test::child<NumberField>(f.panel, u"duration_s"_s);
         duration.selectAll();
         QTest::keyClicks(&duration, u"90 min"_s);
         f.press(u"scenarioPlaceGroup"_s);
@@ -95,7 +95,7 @@ private slots:
         GroupsFixture f;
         f.panel.foldGroups({u"scenarioWeatherGroup"_s});
         QCOMPARE(f.panel.foldedGroups(), QStringList{u"scenarioWeatherGroup"_s});
-        QVERIFY(!f.isShown(u"scenarioWindSpeed"_s) && f.isShown(u"scenarioSeed"_s));
+        QVERIFY(!f.isShown(u"scenarioWindSpeed"_s) && f.isShown(u"seed"_s));
     }
 };
 

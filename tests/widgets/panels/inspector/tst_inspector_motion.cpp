@@ -6,7 +6,7 @@ using namespace berg;
 using namespace Qt::StringLiterals;
 using test::InspectorFixture;
 using test::threeIcebergs;
-/** Places, drift, wind and current in the inspector. */
+/** Positions, drift, wind and current in the Inspector. */
 class TestInspectorMotion : public QObject
 {
     Q_OBJECT
@@ -50,7 +50,7 @@ private slots:
         QCOMPARE(f.undoSteps(), 1);
     }
 
-    /** A whole place would put several on one point. */
+    /** A whole coordinate would move several icebergs to one point. */
     void wholePlaceIsForOneOnly()
     {
         InspectorFixture f;
@@ -58,28 +58,26 @@ private slots:
         const Scenario before = f.document.scenario();
         test::enter(f.line(u"icebergLatitude"_s), u"47.1 N 48.2 W"_s);
         QVERIFY(f.document.scenario() == before);
-        QCOMPARE(f.label(u"icebergLatitudeFault"_s).text(),
-                 u"Type one angle: a whole coordinate would put all of them at one place."_s);
+        QCOMPARE(
+            f.label(u"icebergLatitudeFault"_s).text(),
+            u"Enter one angle only: a whole coordinate would move all of them to one place."_s);
     }
 
-    void whatIsNoPlaceIsToldAndLeft_data()
+    void invalidPlaceIsReportedAndIgnored_data()
     {
         QTest::addColumn<QString>("typed");
         QTest::addColumn<QString>("reason");
         QTest::newRow("no angle") << u"zzz"_s
-                                  << u"There is no place of this name here, and it is not a "
-                                     "coordinate."_s;
-        QTest::newRow("too far north") << u"91"_s << u"Latitudes go from 90° S to 90° N."_s;
-        QTest::newRow("the other half")
-            << u"48 W"_s << u"This is a longitude, a latitude is needed."_s;
-        QTest::newRow("nothing") << QString()
-                                 << u"A coordinate or the name of a place is needed."_s;
+                                  << u"No known place has this name, and it is not a coordinate."_s;
+        QTest::newRow("too far north") << u"91"_s << u"Latitude must be between 90° S and 90° N."_s;
+        QTest::newRow("the other half") << u"48 W"_s << u"This is a longitude. Enter a latitude."_s;
+        QTest::newRow("nothing") << QString() << u"Enter a coordinate or a place name."_s;
         QTest::newRow("out of reach")
             << u"20 N"_s
-            << u"This is 2 990 km from the origin of the scenario, which reaches 1 000 km."_s;
+            << u"This is 2 990 km from the scenario's origin; the limit is 1 000 km."_s;
     }
 
-    void whatIsNoPlaceIsToldAndLeft()
+    void invalidPlaceIsReportedAndIgnored()
     {
         QFETCH(QString, typed);
         QFETCH(QString, reason);
@@ -111,7 +109,7 @@ private slots:
         test::enter(f.number(u"icebergVelocitySpeed"_s), u"0"_s);
         QCOMPARE(f.iceberg(0).velocity_mps, Point(0, 0));
         QVERIFY(!f.number(u"icebergVelocityDirection"_s).isVisible()); // it has none
-        // Of several with other speeds only the direction is set.
+        // Several icebergs with other speeds: only the direction is set.
         f.document.undoStack()->setIndex(0);
         f.document.edit(u"Drift"_s, [](Scenario& s) { s.icebergs[1].velocity_mps = {-2, 0}; });
         f.selection.set({"berg-1", "berg-2"});
@@ -120,7 +118,7 @@ private slots:
         QCOMPARE(f.iceberg(1).velocity_mps, Point(0, -2));
     }
 
-    /** One that was stopped goes on where it went. */
+    /** A stopped iceberg continues in its former direction. */
     void speedThroughZeroKeepsTheDirection()
     {
         InspectorFixture f;
@@ -154,7 +152,7 @@ private slots:
         QVERIFY(f.panel.findChild<NumberField*>(u"icebergVelocitySpeed"_s) == nullptr);
     }
 
-    /** Wind is named by where it comes from, current by where it goes. */
+    /** Wind has the direction it comes from, current the direction it goes to. */
     void windIsFromCurrentTowards()
     {
         InspectorFixture f;
@@ -181,7 +179,7 @@ private slots:
         QCOMPARE(east.maximum(), 9.16);
         east.setValue(9.16);
         f.selection.set({"uav-1"});
-        NumberField& airspeed = f.number(u"uavAirspeed"_s);
+        NumberField& airspeed = f.number(u"uavs.airspeed_mps"_s);
         airspeed.setValue(airspeed.minimum());
         QVERIFY(!hasErrors(f.document.issues()));
     }

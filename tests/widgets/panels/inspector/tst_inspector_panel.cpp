@@ -5,6 +5,8 @@
 
 #include <QCheckBox>
 #include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 
 using namespace berg;
@@ -41,16 +43,16 @@ private slots:
     {
         InspectorFixture f;
         QCOMPARE(f.label(u"inspectorTitle"_s).text(), u"Scenario"_s);
-        QCOMPARE(f.number(u"scenarioDuration"_s).value(), 1000.0);
+        QCOMPARE(f.number(u"duration_s"_s).value(), 1000.0);
         f.selection.set({"berg-1"});
         QCOMPARE(f.label(u"inspectorTitle"_s).text(), u"Iceberg"_s);
         QCOMPARE(f.line(u"icebergId"_s).text(), u"berg-1"_s);
         QCOMPARE(f.number(u"icebergEast"_s).text(), u"1000 m"_s);
-        QCOMPARE(f.number(u"icebergGrowth"_s).text(), u"0.025 m²/s"_s);
+        QCOMPARE(f.number(u"icebergs.q_m2ps"_s).text(), u"0.025 m²/s"_s);
         f.selection.set({"uav-1"});
         QCOMPARE(f.label(u"inspectorTitle"_s).text(), u"UAV uav-1"_s);
-        QCOMPARE(f.number(u"uavHeading"_s).value(), 90.0);
-        QCOMPARE(f.number(u"uavEndurance"_s).text(), u"unlimited"_s);
+        QCOMPARE(f.number(u"uavs.heading_deg"_s).value(), 90.0);
+        QCOMPARE(f.number(u"uavs.endurance_s"_s).text(), u"unlimited"_s);
         QCOMPARE(f.undoSteps(), 0);
     }
 
@@ -127,7 +129,7 @@ private slots:
         QVERIFY(east.isMixed());
     }
 
-    /** Reckoned from components, equal speeds and directions differ by their rounding. */
+    /** Equal speeds and directions computed from components differ by rounding. */
     void oneDriftForSeveralIsNotMixed()
     {
         Scenario scenario = threeIcebergs();
@@ -176,7 +178,7 @@ private slots:
         scenario.icebergs[0].name = "Tabular";
         InspectorFixture f(scenario);
         f.selection.set({"berg-1", "berg-2"});
-        QLineEdit& name = f.line(u"icebergName"_s);
+        QLineEdit& name = f.line(u"icebergs.name"_s);
         QVERIFY(name.text().isEmpty());
         QCOMPARE(name.placeholderText(), u"mixed"_s);
         name.setFocus();
@@ -249,7 +251,7 @@ private slots:
     {
         InspectorFixture f;
         f.selection.set({"berg-1"});
-        NumberField& radius = f.number(u"icebergRadius"_s);
+        NumberField& radius = f.number(u"icebergs.radius_m"_s);
         radius.setFocus();
         QTest::keyClick(&radius, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&radius, u"75"_s);
@@ -265,7 +267,7 @@ private slots:
         scenario.uavs.front().heading_deg = 357;
         InspectorFixture f(scenario);
         f.selection.set({"uav-1"});
-        NumberField& heading = f.number(u"uavHeading"_s);
+        NumberField& heading = f.number(u"uavs.heading_deg"_s);
         heading.stepUp();
         QCOMPARE(f.document.scenario().uavs.front().heading_deg, 2.0);
         QCOMPARE(heading.value(), 2.0);
@@ -284,9 +286,9 @@ private slots:
         test::enter(east, u"1"_s);
         QTest::keyClick(&east, Qt::Key_Up);
         test::enter(f.line(u"icebergId"_s), u"x"_s);
-        test::enter(f.line(u"icebergName"_s), u"x"_s);
+        test::enter(f.line(u"icebergs.name"_s), u"x"_s);
         f.selection.clear();
-        QVERIFY(!test::child<QCheckBox>(f.panel, u"scenarioNoise"_s).isEnabled());
+        QVERIFY(!test::child<QCheckBox>(f.panel, u"noise"_s).isEnabled());
         QCOMPARE(f.undoSteps(), 0);
         QCOMPARE(f.document.scenario(), threeIcebergs());
         f.panel.setLocked(false);
@@ -296,7 +298,73 @@ private slots:
         QCOMPARE(f.iceberg(0).position_m.x(), 1.0);
     }
 
-    /** What a page shows as a space or a line end stays in the file as it is. */
+    /** Tab moves to a field that appeared because of the number just typed. */
+    void tabGoesToTheFieldThatAnEditBrings()
+    {
+        InspectorFixture f;
+        NumberField& speed = f.number(u"scenarioWindSpeed"_s);
+        NumberField& direction = f.number(u"scenarioWindDirection"_s);
+        QVERIFY(!direction.isVisible()); // there is no wind yet
+        speed.setFocus();
+        speed.selectAll();
+        QTest::keyClicks(&speed, u"7.5"_s);
+        QTest::keyClick(&speed, Qt::Key_Tab);
+        QVERIFY(direction.isVisible());
+        QCOMPARE(f.panel.window()->focusWidget(), static_cast<QWidget*>(&direction));
+        direction.selectAll(); // as Tab does in a window that is active
+        QTest::keyClicks(&direction, u"230"_s);
+        QTest::keyClick(&direction, Qt::Key_Tab);
+        COMPARE_NEAR(f.document.scenario().wind_mps.norm(), 7.5, 0.001); // of rounded components
+        QCOMPARE(direction.value(), 230.0);
+        QVERIFY(!f.document.scenario().weather.gust_mps);
+    }
+
+    /** Notices below the rows move none of them, neither at the top nor at the end. */
+    void noticesMoveNoRow()
+    {
+        InspectorFixture f;
+        f.panel.resize(300, 400);
+        const auto& area = test::child<QScrollArea>(f.panel, u"inspectorScroll"_s);
+        const auto& first = test::child<QWidget>(f.panel, u"name"_s);
+        const auto topOf = [&](const QWidget& widget) {
+            return widget.mapTo(&f.panel, QPoint()).y();
+        };
+        QCoreApplication::sendPostedEvents();
+        QVERIFY(topOf(first) <
+                topOf(f.label(u"inspectorSubtitle"_s)) + 3 * f.panel.fontMetrics().lineSpacing());
+        for (const bool isAtEnd : {false, true}) {
+            QScrollBar& bar = *area.verticalScrollBar();
+            bar.setValue(isAtEnd ? bar.maximum() : 0);
+            const int before_px = topOf(first);
+            f.panel.setLocked(true);
+            QCoreApplication::sendPostedEvents();
+            QVERIFY(f.label(u"inspectorLock"_s).isVisible());
+            QVERIFY(topOf(f.label(u"inspectorLock"_s)) >= area.geometry().bottom());
+            QCOMPARE(topOf(first), before_px);
+            f.panel.setLocked(false);
+            QCoreApplication::sendPostedEvents();
+            QCOMPARE(topOf(first), before_px);
+        }
+    }
+
+    void anotherKindOfThingBeginsAtItsTop()
+    {
+        InspectorFixture f;
+        f.panel.resize(300, 300);
+        QScrollBar& bar =
+            *test::child<QScrollArea>(f.panel, u"inspectorScroll"_s).verticalScrollBar();
+        QCoreApplication::sendPostedEvents();
+        bar.setValue(bar.maximum());
+        f.selection.set({"uav-1"});
+        QCOMPARE(bar.value(), 0);
+        QCoreApplication::sendPostedEvents();
+        bar.setValue(40);
+        f.selection.clear();
+        f.selection.set({"uav-1"});
+        QCOMPARE(bar.value(), 0);
+    }
+
+    /** Characters shown as a space or a line end stay in the file unchanged. */
     void notesThatAreOnlyShownStay_data()
     {
         QTest::addColumn<QString>("notes");
@@ -314,7 +382,7 @@ private slots:
         f.document.reset(scenario);
         QVERIFY(f.document.isClean());
         QCOMPARE(f.document.scenario(), scenario);
-        auto& page = test::child<QPlainTextEdit>(f.panel, u"scenarioNotes"_s);
+        auto& page = test::child<QPlainTextEdit>(f.panel, u"notes"_s);
         page.setFocus();
         QTest::keyClicks(&page, u"x"_s);
         QCOMPARE(f.undoSteps(), 1);
@@ -326,12 +394,12 @@ private slots:
     void scenarioTextsAndFlag()
     {
         InspectorFixture f;
-        auto& notes = test::child<QPlainTextEdit>(f.panel, u"scenarioNotes"_s);
+        auto& notes = test::child<QPlainTextEdit>(f.panel, u"notes"_s);
         notes.setFocus();
         QTest::keyClicks(&notes, u"calm"_s);
         QCOMPARE(f.document.scenario().notes, "calm");
         QCOMPARE(f.undoSteps(), 1);
-        auto& noise = test::child<QCheckBox>(f.panel, u"scenarioNoise"_s);
+        auto& noise = test::child<QCheckBox>(f.panel, u"noise"_s);
         QTest::mouseClick(&noise, Qt::LeftButton, {}, QPoint(6, noise.height() / 2));
         QVERIFY(f.document.scenario().noise);
         QCOMPARE(f.undoSteps(), 2);
@@ -370,8 +438,9 @@ private slots:
         QVERIFY(!issues.isVisible());
         f.selection.set({"berg-2"});
         QVERIFY(issues.isVisible());
-        QCOMPARE(issues.text(), u"Appears after the end of the run, so it is never planned."_s);
-        test::enter(f.number(u"icebergAppears"_s), u"10"_s);
+        QCOMPARE(issues.text(),
+                 u"Appears at: is after the end of the run, so the iceberg is never planned"_s);
+        test::enter(f.number(u"icebergs.appears_s"_s), u"10"_s);
         QVERIFY(!issues.isVisible());
     }
 
@@ -383,7 +452,7 @@ private slots:
         QCOMPARE(issueIndex(issue, "icebergs"), 12);
         QCOMPARE(issueIndex(issue, "uavs"), -1);
         QCOMPARE(issueIndex({.field = "icebergs"}, "icebergs"), -1);
-        QCOMPARE(issueText(issue), u"Growth q must be a finite number."_s);
+        QCOMPARE(issueText(issue), u"Growth q: must be a finite number"_s);
     }
 
     void longTextsFitTheDock()

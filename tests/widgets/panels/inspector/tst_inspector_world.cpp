@@ -54,12 +54,12 @@ struct WorldInspectorFixture
     }
 };
 
-const QStringList kFilterRows{u"observerPositionSd"_s, u"observerInterval"_s,
-                              u"observerDetection"_s, u"observerSearch"_s};
+const QStringList kFilterRows{u"observer.position_sd_m"_s, u"observer.interval_s"_s,
+                              u"observer.detection"_s, u"observer.search"_s};
 
 } // namespace
 
-/** Observer, endurance, home, fence and clusters in the inspector. */
+/** Observer, endurance, home, fence and clusters in the Inspector. */
 class TestInspectorWorld : public QObject
 {
     Q_OBJECT
@@ -70,12 +70,12 @@ private slots:
     void operationIsSwitchedOnAndEdited()
     {
         WorldInspectorFixture f;
-        QVERIFY(!f.isShown(u"operation_reaction_s"_s));
+        QVERIFY(!f.isShown(u"operation.reaction_s"_s));
         test::child<QCheckBox>(f.panel, u"scenarioOperation"_s).click();
         QVERIFY(f.scenario().operation == Operation{});
-        QVERIFY(f.isShown(u"operation_reaction_s"_s) && f.isShown(u"operation_crew"_s));
-        f.type(u"operation_reaction_s"_s, u"2.5"_s);
-        f.type(u"operation_turn_bank_deg"_s, u"25"_s);
+        QVERIFY(f.isShown(u"operation.reaction_s"_s) && f.isShown(u"operation.crew"_s));
+        f.type(u"operation.reaction_s"_s, u"2.5"_s);
+        f.type(u"operation.turn_bank_deg"_s, u"25"_s);
         QVERIFY(f.scenario().operation == (Operation{.reaction_s = 2.5, .turnBank_deg = 25}));
         f.undoAll();
         QVERIFY(!f.scenario().operation);
@@ -103,7 +103,7 @@ private slots:
         QVERIFY(f.scenario() == scenario);
     }
 
-    /** What came while another tab was shown has its room when this one is. */
+    /** Rows added while another tab was shown have their room when this one is shown. */
     void rowsThatCameUnseenHaveRoom()
     {
         WorldInspectorFixture f;
@@ -116,7 +116,7 @@ private slots:
         });
         f.panel.show();
         QCoreApplication::processEvents();
-        for (const QString& name : {u"airspaceClose"_s, u"airspaceRemove"_s, u"observerModel"_s}) {
+        for (const QString& name : {u"airspaceClose"_s, u"airspaceRemove"_s, u"observer.model"_s}) {
             const auto& row = test::child<QWidget>(f.panel, name);
             QVERIFY2(row.height() >= row.minimumSizeHint().height(), qPrintable(name));
         }
@@ -127,14 +127,14 @@ private slots:
         WorldInspectorFixture f;
         for (const QString& row : kFilterRows)
             QVERIFY2(!f.isShown(row), qPrintable(row));
-        f.choose(u"observerModel"_s, 1);
+        f.choose(u"observer.model"_s, 1);
         QVERIFY(f.scenario().observer.model == ObserverModel::Kalman);
         for (const QString& row : kFilterRows)
             QVERIFY2(f.isShown(row), qPrintable(row));
-        f.type(u"observerPositionSd"_s, u"7.5"_s);
-        f.type(u"observerInterval"_s, u"2"_s);
-        f.type(u"observerDetection"_s, u"90"_s);
-        f.choose(u"observerSearch"_s, 2);
+        f.type(u"observer.position_sd_m"_s, u"7.5"_s);
+        f.type(u"observer.interval_s"_s, u"2"_s);
+        f.type(u"observer.detection"_s, u"90"_s);
+        f.choose(u"observer.search"_s, 2);
         const ObserverSpec expected{.model = ObserverModel::Kalman,
                                     .positionSd_m = 7.5,
                                     .interval_s = 2,
@@ -150,27 +150,27 @@ private slots:
     void weatherAndGroundStationAreEdited()
     {
         WorldInspectorFixture f;
-        f.type(u"scenarioGusts"_s, u"12"_s);
-        f.type(u"scenarioTemperature"_s, u"-3.5"_s);
-        f.type(u"scenarioDewPoint"_s, u"-4"_s);
+        f.type(u"weather.gust_mps"_s, u"12"_s);
+        f.type(u"weather.temperature_degc"_s, u"-3.5"_s);
+        f.type(u"weather.dew_point_degc"_s, u"-4"_s);
         QVERIFY(f.scenario().weather ==
                 (Weather{.gust_mps = 12, .temperature_degC = -3.5, .dewPoint_degC = -4}));
-        f.type(u"scenarioTemperature"_s, u"-90"_s); // not known
+        f.type(u"weather.temperature_degc"_s, u"-90"_s); // not known
         QVERIFY(!f.scenario().weather.temperature_degC);
 
-        QVERIFY(!f.isShown(u"stationAntenna"_s));
+        QVERIFY(!f.isShown(u"ground_station.antenna_m"_s));
         test::child<QCheckBox>(f.panel, u"scenarioStation"_s).click();
-        QVERIFY(f.isShown(u"stationAntenna"_s));
+        QVERIFY(f.isShown(u"ground_station.antenna_m"_s));
         QVERIFY(f.scenario().groundStation->position_m == f.scenario().uavs[0].position_m);
         f.type(u"stationEast"_s, u"250"_s);
-        f.type(u"stationAntenna"_s, u"12"_s);
-        f.type(u"stationRange"_s, u"9000"_s);
+        f.type(u"ground_station.antenna_m"_s, u"12"_s);
+        f.type(u"ground_station.range_m"_s, u"9000"_s);
         QCOMPARE(f.scenario().groundStation->position_m.x(), 250.0);
         QCOMPARE(f.scenario().groundStation->antenna_m, 12.0);
         QCOMPARE(f.scenario().groundStation->range_m, std::optional(9000.0));
-        f.type(u"stationRange"_s, u"0.2"_s); // none is nearer
+        f.type(u"ground_station.range_m"_s, u"0.2"_s); // none is nearer
         QCOMPARE(f.scenario().groundStation->range_m, std::optional(limits::kExtent_m.low));
-        f.type(u"stationRange"_s, u"0"_s); // the radio horizon
+        f.type(u"ground_station.range_m"_s, u"0"_s); // the radio horizon
         QVERIFY(!f.scenario().groundStation->range_m);
         f.undoAll();
         QCOMPARE(f.scenario(), test::fourIcebergs());
@@ -180,34 +180,34 @@ private slots:
     {
         WorldInspectorFixture f;
         f.selection.set({f.scenario().uavs[0].id});
-        QVERIFY(!f.isShown(u"uavReserve"_s)); // of an endurance only
-        f.type(u"uavEndurance"_s, u"3600"_s);
-        QVERIFY(f.isShown(u"uavReserve"_s));
-        f.type(u"uavReserve"_s, u"30"_s);
-        f.type(u"uavClimb"_s, u"120"_s);
-        f.type(u"uavLanding"_s, u"90"_s);
+        QVERIFY(!f.isShown(u"uavs.reserve_percent"_s)); // of an endurance only
+        f.type(u"uavs.endurance_s"_s, u"3600"_s);
+        QVERIFY(f.isShown(u"uavs.reserve_percent"_s));
+        f.type(u"uavs.reserve_percent"_s, u"30"_s);
+        f.type(u"uavs.climb_s"_s, u"120"_s);
+        f.type(u"uavs.landing_s"_s, u"90"_s);
         QCOMPARE(usableEndurance_s(f.scenario().uavs[0].spec), 0.7 * 3600 - 210);
-        f.type(u"uavFixedReserve"_s, u"600"_s);
+        f.type(u"uavs.reserve_s"_s, u"600"_s);
         QCOMPARE(usableEndurance_s(f.scenario().uavs[0].spec), 3600.0 - 600 - 210);
-        f.type(u"uavMaxWind"_s, u"15"_s);
-        f.type(u"uavMaxGust"_s, u"20"_s);
-        f.choose(u"uavIcing"_s, 1);
+        f.type(u"uavs.max_wind_mps"_s, u"15"_s);
+        f.type(u"uavs.max_gust_mps"_s, u"20"_s);
+        f.choose(u"uavs.icing"_s, 1);
         QVERIFY(f.scenario().uavs[0].weather ==
                 (WeatherLimits{.wind_mps = 15, .gust_mps = 20, .icing = true}));
         f.undoAll();
         QCOMPARE(f.scenario(), test::fourIcebergs());
     }
 
-    /** A look is never shorter than a time step, whichever of them is edited. */
-    void looksAreNoShorterThanSteps()
+    /** A sensor interval is never shorter than a time step, whichever of them is edited. */
+    void sensorIntervalIsNoShorterThanAStep()
     {
         WorldInspectorFixture f;
-        f.choose(u"observerModel"_s, 1);
+        f.choose(u"observer.model"_s, 1);
         const double step_s = f.scenario().dt_s;
-        QCOMPARE(test::child<NumberField>(f.panel, u"observerInterval"_s).minimum(), step_s);
-        f.type(u"observerInterval"_s, u"0.5"_s);
-        QCOMPARE(test::child<NumberField>(f.panel, u"scenarioTimeStep"_s).maximum(), 0.5);
-        f.type(u"scenarioTimeStep"_s, u"0.5"_s);
+        QCOMPARE(test::child<NumberField>(f.panel, u"observer.interval_s"_s).minimum(), step_s);
+        f.type(u"observer.interval_s"_s, u"0.5"_s);
+        QCOMPARE(test::child<NumberField>(f.panel, u"dt_s"_s).maximum(), 0.5);
+        f.type(u"dt_s"_s, u"0.5"_s);
         QVERIFY(!hasErrors(validate(f.scenario())));
     }
 
@@ -215,15 +215,15 @@ private slots:
     {
         WorldInspectorFixture f;
         f.selection.set({"berg-1", "berg-2"});
-        QVERIFY(!f.isShown(u"icebergVelocitySd"_s));
+        QVERIFY(!f.isShown(u"icebergs.velocity_sd_mps"_s));
         f.document.edit(u"Filter"_s, [](Scenario& s) { s.observer.model = ObserverModel::Kalman; });
-        QVERIFY(f.isShown(u"icebergVelocitySd"_s));
-        f.type(u"icebergVelocitySd"_s, u"0.2"_s);
+        QVERIFY(f.isShown(u"icebergs.velocity_sd_mps"_s));
+        f.type(u"icebergs.velocity_sd_mps"_s, u"0.2"_s);
         QCOMPARE(f.scenario().icebergs[0].velocitySd_mps, 0.2);
         QCOMPARE(f.scenario().icebergs[1].velocitySd_mps, 0.2);
         QCOMPARE(f.scenario().icebergs[2].velocitySd_mps, 0.0);
-        f.type(u"icebergVelocitySpread"_s, u"0.15"_s);
-        f.type(u"icebergVelocityTime"_s, u"36000"_s);
+        f.type(u"icebergs.velocity_spread_mps"_s, u"0.15"_s);
+        f.type(u"icebergs.velocity_time_s"_s, u"36000"_s);
         QCOMPARE(f.scenario().icebergs[1].velocitySpread_mps, 0.15);
         QCOMPARE(f.scenario().icebergs[1].velocityTime_s, 36'000.0);
         f.undoAll();
@@ -234,22 +234,22 @@ private slots:
     {
         WorldInspectorFixture f;
         f.selection.set({"uav-1"});
-        const QStringList rows{u"uavHomeEast"_s, u"uavHomeNorth"_s, u"uavTurnaround"_s};
+        const QStringList rows{u"uavHomeEast"_s, u"uavHomeNorth"_s, u"uavs.turnaround_s"_s};
         for (const QString& row : rows)
             QVERIFY2(!f.isShown(row), qPrintable(row));
         QVERIFY(!f.isShown(u"uavHomeClear"_s));
-        f.type(u"uavEndurance"_s, u"1800"_s);
+        f.type(u"uavs.endurance_s"_s, u"1800"_s);
         for (const QString& row : rows)
             QVERIFY2(f.isShown(row), qPrintable(row));
         QCOMPARE(test::child<NumberField>(f.panel, u"uavHomeEast"_s).value(), -500.0); // the start
-        f.type(u"uavTurnaround"_s, u"300 s"_s);
+        f.type(u"uavs.turnaround_s"_s, u"300 s"_s);
         QCOMPARE(f.scenario().uavs[0].turnaround_s, 300.0);
         f.type(u"uavHomeEast"_s, u"0"_s);
         QVERIFY(*f.scenario().uavs[0].home_m == Point(0, 500)); // what is not typed stays
         QVERIFY(f.isShown(u"uavHomeClear"_s));
         // Without a limit the home is kept, and can be taken away.
-        f.type(u"uavEndurance"_s, u"0"_s);
-        QVERIFY(f.isShown(u"uavHomeEast"_s) && !f.isShown(u"uavTurnaround"_s));
+        f.type(u"uavs.endurance_s"_s, u"0"_s);
+        QVERIFY(f.isShown(u"uavHomeEast"_s) && !f.isShown(u"uavs.turnaround_s"_s));
         test::child<QPushButton>(f.panel, u"uavHomeClear"_s).click();
         QVERIFY(!f.scenario().uavs[0].home_m);
         QVERIFY(!f.isShown(u"uavHomeEast"_s));
@@ -261,7 +261,7 @@ private slots:
     {
         WorldInspectorFixture f;
         f.selection.set({kAreaKey});
-        auto& fence = test::child<QCheckBox>(f.panel, u"areaFence"_s);
+        auto& fence = test::child<QCheckBox>(f.panel, u"geofence"_s);
         QVERIFY(fence.isVisibleTo(&f.panel) && !fence.isChecked());
         fence.click();
         QVERIFY(f.scenario().geofence);
@@ -281,12 +281,12 @@ private slots:
         const Scenario before = f.scenario();
         f.selection.set({noFlyKey(1)});
         QCOMPARE(test::child<QLabel>(f.panel, u"inspectorTitle"_s).text(), u"No-fly area"_s);
-        test::enter(test::child<QLineEdit>(f.panel, u"noFlyName"_s), u"Rig"_s);
-        f.type(u"noFlyFloor"_s, u"50"_s);
-        f.type(u"noFlyCeiling"_s, u"300"_s);
+        test::enter(test::child<QLineEdit>(f.panel, u"no_fly.name"_s), u"Rig"_s);
+        f.type(u"no_fly.floor_m"_s, u"50"_s);
+        f.type(u"no_fly.ceiling_m"_s, u"300"_s);
         const NoFlyArea& area = f.scenario().noFly[1];
         QVERIFY(area.name == "Rig" && area.floor_m == 50 && area.ceiling_m == 300.0);
-        f.type(u"noFlyCeiling"_s, u"0"_s);
+        f.type(u"no_fly.ceiling_m"_s, u"0"_s);
         QVERIFY(!f.scenario().noFly[1].ceiling_m);
         QVERIFY(f.scenario().noFly[0] == before.noFly[0]);
         test::child<QPushButton>(f.panel, u"noFlyRemove"_s).click();
@@ -302,10 +302,10 @@ private slots:
             s.asset = Asset{.name = "Rig", .position_m = {9000, 9000}};
         });
         f.selection.set({kAssetKey});
-        QVERIFY(!f.isShown(u"assetStandoffCeiling"_s));
-        f.type(u"assetStandoff"_s, u"500"_s);
-        QVERIFY(f.isShown(u"assetStandoffCeiling"_s));
-        f.type(u"assetStandoffCeiling"_s, u"90"_s);
+        QVERIFY(!f.isShown(u"asset.standoff_ceiling_m"_s));
+        f.type(u"asset.standoff_m"_s, u"500"_s);
+        QVERIFY(f.isShown(u"asset.standoff_ceiling_m"_s));
+        f.type(u"asset.standoff_ceiling_m"_s, u"90"_s);
         QVERIFY(f.scenario().asset->standoff_m == 500.0 &&
                 f.scenario().asset->standoffCeiling_m == 90.0);
         f.undoAll();
@@ -319,7 +319,7 @@ private slots:
             QTest::newRow(language) << QString::fromLatin1(language);
     }
 
-    /** At the dock's usual width, with texts and choices whole. */
+    /** At the dock's usual width no text or choice is cut. */
     void allRowsStandBesideTheirLabels()
     {
         QFETCH(QString, language);
@@ -358,7 +358,7 @@ private slots:
     void severalAtOnce()
     {
         WorldInspectorFixture f;
-        test::child<QCheckBox>(f.panel, u"scenarioClusters"_s).click();
+        test::child<QCheckBox>(f.panel, u"planner.clusters"_s).click();
         QVERIFY(f.scenario().clusters);
         f.undoAll();
         QVERIFY(!f.scenario().clusters);

@@ -27,7 +27,7 @@ Scenario rowOfIcebergs()
     return scenario;
 }
 
-/** The same, planned with aim points. */
+/** Returns the scenario planned with aim points. */
 Scenario aimed()
 {
     Scenario scenario = rowOfIcebergs();
@@ -62,7 +62,7 @@ struct Desk
         workspace.setTau(tau);
         wait();
     }
-    /** Flies on, and on to a whole number of seconds. */
+    /** Flies to a time, then on to a whole number of seconds. */
     void flyTo(double time_s)
     {
         workspace.runner().stepBy(time_s - record().now.time_s);
@@ -89,7 +89,7 @@ struct Desk
 
 void searchesAreNoVisits(PlanSection section)
 {
-    section.name = u"uav-1"_s; // as of several UAVs
+    section.name = u"uav-1"_s; // as in a fleet
     PlanModel model(QLocale::c());
     model.setPlan({section});
     const auto visits = std::ranges::count_if(
@@ -104,7 +104,7 @@ void searchesAreNoVisits(PlanSection section)
 
 } // namespace
 
-/** What the plan shown took the place of: on the map and in figures. */
+/** Changes by the plan shown: on the map and in figures. */
 class TestPlanChange : public QObject
 {
     Q_OBJECT
@@ -128,7 +128,7 @@ private slots:
         QCOMPARE(desk.former(), kUncertainFirst);
     }
 
-    /** Times and zeta of a plan with aim points are those that it was made for. */
+    /** Rows of a plan with aim points have the times and zeta that it was made for. */
     void planWithAimPoints()
     {
         Desk desk;
@@ -149,7 +149,7 @@ private slots:
         QVERIFY(outlook.isAimed && !outlook.change && !outlook.until_s);
         COMPARE_NEAR(outlook.zeta_m2s, plan.outlook->zeta_m2s, 1e-9);
 
-        desk.flyTo(60); // the same, nearer by what is flown
+        desk.flyTo(60); // the same plan, nearer by the distance flown
         COMPARE_NEAR(planOutlook(desk.record())->zeta_m2s, outlook.zeta_m2s, 1e-9);
         const std::vector<PlanRow> later =
             planSections(desk.record().now, desk.record().scenario).front().rows;
@@ -157,8 +157,7 @@ private slots:
         COMPARE_NEAR(later[0].leg_m, rows[0].leg_m - 60 * 22, 3);
     }
 
-    /** Legs that search for lost icebergs are told in the list and drawn, with times and chances.
-     */
+    /** Legs that search for lost icebergs are listed and drawn, with times and chances. */
     void searchesAreShown()
     {
         Scenario scenario = randomScenario(1, {.icebergs = 6});
@@ -212,7 +211,7 @@ private slots:
         searchesAreNoVisits(sections.front());
     }
 
-    /** The judgement of a long run ends before it does. */
+    /** The prediction of a long run ends before the run does. */
     void aimedPlansOfLongRunsLookAsFarAsTheyAreMade()
     {
         Scenario scenario = aimed();
@@ -222,8 +221,8 @@ private slots:
         QCOMPARE(planOutlook(desk.record())->until_s, std::optional(800.0));
     }
 
-    /** The legs on the map, as they are flown, and of the plan before. */
-    void waysOnTheMap()
+    /** The map shows the legs as they are flown, and those of the former plan. */
+    void mapShowsThePaths()
     {
         Desk desk;
         QVERIFY(desk.picture().routes[0].planPaths.empty());
@@ -238,7 +237,7 @@ private slots:
                          0, 1e-6);
         QVERIFY(!withScenario(picture, desk.record().scenario).routes[0].planPaths.empty());
         Scenario moved = desk.record().scenario;
-        moved.icebergs[1].position_m.x() += 100; // they are of another place
+        moved.icebergs[1].position_m.x() += 100; // the icebergs differ from those of the plan
         QVERIFY(withScenario(picture, moved).routes[0].planPaths.empty());
         QCOMPARE(withScenario(picture, moved).routes[0].plan, picture.routes[0].plan);
 
@@ -250,7 +249,7 @@ private slots:
         QVERIFY(!planOutlook(desk.record())->change); // nothing to be compared with
     }
 
-    void waysInFlight()
+    void mapShowsThePathsInFlight()
     {
         Desk desk;
         desk.open(aimed());
@@ -283,7 +282,7 @@ private slots:
         QCOMPARE(outlook.before, QStringLiteral("berg-1, berg-2, berg-3, berg-4"));
     }
 
-    /** Of two UAVs the change is told in sum, with what was left of each. */
+    /** Changes of two UAVs are summed, with the remaining icebergs of each. */
     void changeOfAFleet()
     {
         Desk desk;
@@ -338,7 +337,7 @@ private slots:
         QVERIFY(desk.former().empty());
     }
 
-    void inFlight()
+    void changeInFlightIsShown()
     {
         Desk desk;
         desk.flyTo(60);
@@ -359,14 +358,14 @@ private slots:
         COMPARE_NEAR(planOutlook(desk.record())->change->zeta_m2s, change.zeta_m2s, 1e-9);
         desk.flyTo(530); // past the first three of the row, the last is still to be seen
         QCOMPARE(desk.former(), kShortest);
-        desk.flyTo(560); // the last is reached: the way back is in another order, as planned anew
+        desk.flyTo(560); // the last is reached: the return has another order, as re-planned
         QCOMPARE(desk.record().shown().plan->order.front(), 0);
         QCOMPARE(desk.former(), (std::vector<int>{2, 1, 0}));
         COMPARE_NEAR(planOutlook(desk.record())->changed_s, desk.record().shown().plan->time_s,
                      1e-9);
     }
 
-    /** Only on the way to an iceberg that has appeared are the others seen, all of them. */
+    /** The others, and all of them, come into view only on the path to an iceberg that appeared. */
     void vanishesWhenAllOfItIsSeen()
     {
         Scenario scenario = test::emptySea(1000);
@@ -389,7 +388,7 @@ private slots:
         QVERIFY(missionPicture(recordOf(mission), QLocale::c()).routes[0].formerPlan.empty());
     }
 
-    void lookingBack()
+    void changeOfTheInstantLookedAtIsShown()
     {
         Desk desk;
         desk.flyTo(60);
@@ -407,7 +406,7 @@ private slots:
         QVERIFY(formerAt(10).empty());
     }
 
-    /** A target is reached and the rest flown on with: nothing has changed. */
+    /** Reaching a target and flying the rest changes nothing. */
     void reachingATarget()
     {
         Scenario scenario = rowOfIcebergs();
@@ -428,7 +427,7 @@ private slots:
                      1e-9);
     }
 
-    /** Poses of the picture: all samples until the instant shown, and the instant itself. */
+    /** The picture has all samples until the instant shown, and that instant. */
     void sweptUntilTheInstantShown()
     {
         Desk desk;

@@ -1,6 +1,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/plan_panel_fixture.h"
 #include "widgets/panels/fields/panel_labels.h"
+#include "widgets/panels/plan/plan_delegate.h"
 
 #include <QContextMenuEvent>
 #include <QLabel>
@@ -85,7 +86,7 @@ private slots:
             u"σ, m²"_s);
         QVERIFY(f.model.headerData(PlanModel::ArrivalSigma, Qt::Horizontal, Qt::ToolTipRole)
                     .toString()
-                    .contains(u"when the UAV is there"_s));
+                    .contains(u"on arrival"_s));
         QCOMPARE(f.model.index(0, PlanModel::ArrivalSigma).data(PlanModel::SigmaRole).toDouble(),
                  10.25);
         const QString toolTip = f.model.index(0, PlanModel::Sigma).data(Qt::ToolTipRole).toString();
@@ -93,7 +94,7 @@ private slots:
         QVERIFY2(toolTip.contains(u"10.3 m²"_s), qPrintable(toolTip));
     }
 
-    void summaryTellsLengthEndAndZeta()
+    void summaryShowsLengthEndAndZeta()
     {
         PlanPanelFixture f;
         f.panel.resize(600, 240);
@@ -103,16 +104,16 @@ private slots:
         QCOMPARE(summary.text(), u"This sortie: 3.00 km, flown in 03:00"_s);
         f.panel.showOutlook(PlanOutlook{.zeta_m2s = 84423, .isInFlight = true});
         QCOMPARE(summary.text().section(u'\n', 1),
-                 u"ζ at the end without another plan: 84\u202f420 m² s"_s);
+                 u"Expected ζ at the end with this plan: 84\u202f420 m² s"_s);
         f.panel.showPlan(planOf(std::vector<PlanRow>(), false));
-        QVERIFY(test::child<QLabel>(f.panel, u"planEmpty"_s).text().contains(u"planned again"_s));
+        QVERIFY(test::child<QLabel>(f.panel, u"planEmpty"_s).text().contains(u"No plan while"_s));
         f.panel.showPlan({});
         f.panel.showOutlook(std::nullopt);
         QVERIFY(summary.text().isEmpty());
     }
 
-    /** Of several UAVs the least margin and the longest time without contact. */
-    void summaryTellsMarginsAndContact()
+    /** With several UAVs the panel shows the least margin and the longest time without contact. */
+    void summaryShowsMarginsAndContact()
     {
         PlanPanelFixture f;
         f.panel.resize(600, 300);
@@ -125,8 +126,8 @@ private slots:
                                  "Out of radio range for 01:01"_s);
     }
 
-    /** The first to land first. */
-    void summaryTellsTheLandingOrder()
+    /** UAVs are listed in order of landing. */
+    void summaryShowsTheLandingOrder()
     {
         PlanPanelFixture f;
         f.panel.resize(600, 300);
@@ -141,7 +142,7 @@ private slots:
                  "Recovery slots: first 12:00, second 12:30"_s);
     }
 
-    void summaryTellsWhatAChangeCosts()
+    void summaryShowsTheCostOfAChange()
     {
         PlanPanelFixture f;
         f.panel.resize(600, 240);
@@ -155,19 +156,19 @@ private slots:
                             .before = u"b, a"_s};
         f.panel.showOutlook(outlook);
         QCOMPARE(summary.text().section(u'\n', 2),
-                 u"Against the plan before: +1.2 km, ζ −570 m² s"_s);
+                 u"Compared with the last plan: +1.2 km, ζ −570 m² s"_s);
         QVERIFY2(summary.toolTip().contains(u"01:23: b, a"_s), qPrintable(summary.toolTip()));
         outlook.change->distance_m = -850;
         outlook.change->zeta_m2s = 40;
         f.panel.showOutlook(outlook);
         QCOMPARE(summary.text().section(u'\n', 2),
-                 u"Against the plan before: −850 m, ζ +40 m² s"_s);
-        outlook.isInFlight = false; // zeta is told with the policy, of the whole flight
+                 u"Compared with the last plan: −850 m, ζ +40 m² s"_s);
+        outlook.isInFlight = false; // zeta is shown with the policy, for the whole flight
         f.panel.showOutlook(outlook);
-        QCOMPARE(summary.text().section(u'\n', 1), u"Against the plan before: −850 m"_s);
+        QCOMPARE(summary.text().section(u'\n', 1), u"Compared with the last plan: −850 m"_s);
     }
 
-    void outlookOfAPartSaysUntilWhen()
+    void outlookOfAPartShowsItsEnd()
     {
         PlanPanelFixture f;
         f.panel.showPlan(visiting({"a"}));
@@ -175,11 +176,11 @@ private slots:
             PlanOutlook{.zeta_m2s = 84423, .isInFlight = true, .until_s = 800, .isAimed = true});
         const auto& summary = test::child<QLabel>(f.panel, u"planSummary"_s);
         QCOMPARE(summary.text().section(u'\n', 1),
-                 u"ζ at 13:20 without another plan: 84\u202f420 m² s"_s);
+                 u"Expected ζ at 13:20 with this plan: 84\u202f420 m² s"_s);
         QVERIFY(!summary.toolTip().contains(u"straight"_s));
     }
 
-    void summaryTellsWhatNoFlightBeats()
+    void summaryShowsTheLowerBound()
     {
         PlanPanelFixture f;
         f.panel.resize(600, 240);
@@ -194,7 +195,7 @@ private slots:
         f.panel.showOutlook(outlook);
         QCOMPARE(summary.text().section(u'\n', 2), u"Lower bound on ζ: 51\u202f770 m² s"_s);
         QVERIFY(summary.toolTip().contains(u"proven"_s));
-        outlook.bound_m2s = 0.19 * outlook.zeta_m2s; // says nothing
+        outlook.bound_m2s = 0.19 * outlook.zeta_m2s; // a useless bound
         f.panel.showOutlook(outlook);
         QCOMPARE(summary.text().section(u'\n', 2), u"No useful lower bound on ζ"_s);
     }
@@ -258,8 +259,8 @@ private slots:
         QVERIFY(!f.table.isColumnHidden(PlanModel::Sigma));
     }
 
-    /** Hundreds of ids that differ at their ends alone, in a run of hours, beside a scroll bar. */
-    void idsAreToldApart()
+    /** Hundreds of ids that differ only at their ends, in a run of hours, beside a scroll bar. */
+    void idsAreDistinguished()
     {
         PlanPanelFixture f;
         std::vector<std::string> ids;
@@ -286,7 +287,18 @@ private slots:
         f.panel.showPlan(planOf(rows));
         f.panel.resize(test::kDock_px, 240);
         QVERIFY(f.table.isColumnHidden(PlanModel::Course));
+        const auto& drawn = *qobject_cast<const PlanDelegate*>(f.table.itemDelegate());
+        const auto below = [&](PlanModel::Column column) {
+            return drawn.textBelow(f.model.index(0, column));
+        };
+        QCOMPARE(below(PlanModel::Name), u"045° T / 063° M"_s);
+        QCOMPARE(below(PlanModel::Leg), u"26.2 m/s"_s);
+        QCOMPARE(below(PlanModel::Arrival), QString());
+        const int tall_px = f.table.rowHeight(0);
         f.panel.resize(700, 240);
+        QCOMPARE(below(PlanModel::Name), QString());
+        QCOMPARE(below(PlanModel::Leg), QString());
+        QVERIFY(f.table.rowHeight(0) < tall_px);
         QVERIFY(!f.table.isColumnHidden(PlanModel::Course));
         QVERIFY(!f.table.isColumnHidden(PlanModel::GroundSpeed));
         QCOMPARE(f.cell(0, PlanModel::Course), u"045° T / 063° M"_s);
@@ -295,8 +307,8 @@ private slots:
         QVERIFY(tip.contains(u"063° M"_s) && tip.contains(u"26.2 m/s"_s));
     }
 
-    /** The chance of being in view is there when an iceberg may be missed. */
-    void chanceIsToldWhenItMatters()
+    /** The chance of being in view is shown if an iceberg may be missed. */
+    void chanceIsShownWhenItMatters()
     {
         PlanPanelFixture f;
         f.panel.resize(600, 240);
@@ -308,8 +320,8 @@ private slots:
         f.panel.showPlan(planOf(rows));
         QVERIFY(!f.table.isColumnHidden(PlanModel::Chance));
         QCOMPARE(f.cell(0, PlanModel::Chance), u"41 %"_s);
-        QCOMPARE(f.cell(1, PlanModel::Chance), noFigure()); // it depends on the aim
-        f.panel.resize(test::kDock_px, 240);                // names stay readable
+        QCOMPARE(f.cell(1, PlanModel::Chance), missingValueText()); // it depends on the aim
+        f.panel.resize(test::kDock_px, 240);                        // names stay readable
         QVERIFY(!f.table.isColumnHidden(PlanModel::Chance));
         QVERIFY(f.table.isColumnHidden(PlanModel::ArrivalSigma));
         QVERIFY(f.table.columnWidth(PlanModel::Name) >= 60);
@@ -319,7 +331,7 @@ private slots:
         QVERIFY(!f.table.isColumnHidden(PlanModel::ArrivalSigma));
     }
 
-    /** A standard deviation to each side on either axis. */
+    /** The view covers one standard deviation to each side on both axes. */
     void chanceOnArrival()
     {
         Scenario scenario = twoIcebergScenario();
@@ -330,7 +342,7 @@ private slots:
         const std::vector<PlanRow> rows = planSections(now, scenario).front().rows;
         COMPARE_NEAR(rows[0].chance.value(), 0.6826894921 * 0.6826894921, 1e-3); // it grows by q
         QVERIFY(rows[1].chance.value() < rows[0].chance.value());
-        // From the middle between the two, each is at the edge of the view or out of it.
+        // From the middle between the two, each is at the edge of the view or outside.
         now.plan->clusters = {{0, 1}};
         now.plans = {*now.plan};
         QVERIFY(planSections(now, scenario).front().rows[0].chance.value() <
@@ -392,7 +404,7 @@ private slots:
         f.panel.showPlan(visiting({"a", "b", "c"}));
         f.table.setCurrentIndex(f.model.index(0, 0));
         QTest::keyClick(&f.table, Qt::Key_Down);
-        f.panel.showPlan(visiting({"a", "b", "c"})); // an update does not undo the step
+        f.panel.showPlan(visiting({"a", "b", "c"})); // an update keeps the new current row
         QCOMPARE(f.chosenRow(), 1);
         QCOMPARE(lastId(f.activated), "b"); // each step selects
         const qsizetype steps = f.activated.count();
@@ -401,7 +413,7 @@ private slots:
         QCOMPARE(lastId(f.activated), "b");
     }
 
-    void pointerTellsWhichIceberg()
+    void pointerIdentifiesTheIceberg()
     {
         PlanPanelFixture f;
         f.panel.showPlan(visiting({"a", "b"}));
@@ -426,7 +438,7 @@ private slots:
         QCOMPARE(f.hovered.count() + f.activated.count(), 0);
     }
 
-    void emptyPlanSaysWhy()
+    void emptyPlanShowsTheReason()
     {
         PlanPanelFixture f;
         f.panel.showPlan({});
@@ -435,7 +447,7 @@ private slots:
         QVERIFY(!test::child<QLabel>(f.panel, u"planEmpty"_s).isVisible());
     }
 
-    /** By the mouse for the row below it, by the menu key for the current one. */
+    /** The mouse opens the menu of the row below it, the menu key that of the current row. */
     void menuIsForItsRow()
     {
         PlanPanelFixture f;

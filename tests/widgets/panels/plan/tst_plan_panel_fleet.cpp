@@ -75,7 +75,7 @@ private slots:
         QCOMPARE(f.cell(0, PlanModel::Name), u"a"_s);
     }
 
-    void unplannedUavSaysWhy_data()
+    void unplannedUavShowsTheReason_data()
     {
         QTest::addColumn<FlightMode>("mode");
         QTest::addColumn<QString>("why");
@@ -84,7 +84,7 @@ private slots:
         QTest::newRow("hold") << FlightMode::Hold << u"Holding"_s;
     }
 
-    void unplannedUavSaysWhy()
+    void unplannedUavShowsTheReason()
     {
         QFETCH(FlightMode, mode);
         QFETCH(QString, why);
@@ -96,7 +96,7 @@ private slots:
         f.panel.showPlan(sections);
         QCOMPARE(PlanDelegate().uavFigures(f.model.index(0, PlanModel::Name), 600), why);
         const QString toolTip = f.model.index(0, PlanModel::Name).data(Qt::ToolTipRole).toString();
-        QVERIFY2(toolTip.contains(u"on its way home"_s), qPrintable(toolTip));
+        QVERIFY2(toolTip.contains(u"while the UAV returns"_s), qPrintable(toolTip));
     }
 
     void figuresOfAUavHaveRoomBesideItsName_data()
@@ -127,13 +127,13 @@ private slots:
         QVERIFY(!PlanDelegate().uavFigures(uav, room_px / 2).contains(u"km"_s));
     }
 
-    void keptIcebergsHaveAPin()
+    void assignedIcebergsHaveAPin()
     {
         PlanPanelFixture f;
         f.panel.showPlan(twoUavSections());
         const QModelIndex kept = f.model.index(4, PlanModel::Name);
-        QVERIFY(kept.data(PlanModel::KeptRole).toBool());
-        QVERIFY(!f.model.index(1, PlanModel::Name).data(PlanModel::KeptRole).toBool());
+        QVERIFY(kept.data(PlanModel::AssignedRole).toBool());
+        QVERIFY(!f.model.index(1, PlanModel::Name).data(PlanModel::AssignedRole).toBool());
         QVERIFY(kept.data(Qt::ToolTipRole).toString().endsWith(u"Assigned to uav-2"_s));
         QSignalSpy changed(&f.model, &QAbstractItemModel::dataChanged);
         std::vector<PlanSection> sections = twoUavSections();
@@ -143,14 +143,14 @@ private slots:
         QCOMPARE(changed.front().front().toModelIndex().row(), 4);
     }
 
-    /** Events as the platform sends them while an iceberg is dragged. */
+    /** Sends the events of the platform while an iceberg is dragged. */
     void icebergIsDraggedToAUav()
     {
         PlanPanelFixture f;
         f.panel.showPlan(twoUavSections());
         QVERIFY(!f.model.flags(f.model.index(0, 0)).testFlag(Qt::ItemIsDragEnabled));
         QVERIFY(f.model.flags(f.model.index(1, 0)).testFlag(Qt::ItemIsDragEnabled));
-        QSignalSpy handedOver(&f.panel, &PlanPanel::handedOver);
+        QSignalSpy assignRequested(&f.panel, &PlanPanel::assignRequested);
         const std::unique_ptr<QMimeData> data(f.model.mimeData({f.model.index(1, 0)}));
         const auto isMarked = [&](int row) {
             return f.model.index(row, 0).data(PlanModel::DropRole).toBool();
@@ -165,9 +165,9 @@ private slots:
         QDropEvent drop(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
         QCoreApplication::sendEvent(f.table.viewport(), &drop);
         QVERIFY(!isMarked(4));
-        QCOMPARE(handedOver.count(), 1);
-        QCOMPARE(handedOver.front()[0].value<std::string>(), "a");
-        QCOMPARE(handedOver.front()[1].value<std::string>(), "uav-2");
+        QCOMPARE(assignRequested.count(), 1);
+        QCOMPARE(assignRequested.front()[0].value<std::string>(), "a");
+        QCOMPARE(assignRequested.front()[1].value<std::string>(), "uav-2");
         QCOMPARE(f.model.rowCount(), 5);
         QMimeData text;
         text.setText(u"a"_s);

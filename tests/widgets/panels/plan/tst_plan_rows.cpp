@@ -1,15 +1,19 @@
 #include "core/base/angles.h"
+#include "core/scenario/presets.h"
+#include "core/sim/mission.h"
 #include "tests/support/approx.h"
 #include "tests/support/plan_panel_fixture.h"
+#include "widgets/model/mission_snapshot.h"
 #include "widgets/theme/declination.h"
 #include "widgets/theme/unit_settings.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace berg;
 using namespace berg::test;
 
-/** What the plan panel tells of a plan, of flights that end before it does. */
+/** Rows of the plan panel for flights that end before the plan does. */
 class TestPlanRows : public QObject
 {
     Q_OBJECT
@@ -17,7 +21,7 @@ class TestPlanRows : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    /** Legs that nobody flies are not told, nor the visits at their ends. */
+    /** Legs that are not flown are not shown, nor the visits at their ends. */
     void planEndsWithTheRun()
     {
         Scenario scenario = twoIcebergScenario();
@@ -37,7 +41,7 @@ private slots:
         COMPARE_NEAR(brief.length_m(), 10 * 20.0, 1e-9);
     }
 
-    /** Time and drift feed each other: 500 icebergs took 213 h on paper. */
+    /** Time and drift amplify each other: 500 icebergs took 213 h on paper. */
     void manyDriftingIcebergs()
     {
         Scenario scenario = test::emptySea();
@@ -63,7 +67,7 @@ private slots:
         COMPARE_NEAR(sections.front().lastArrival_s(), left_s, 1e-9);
     }
 
-    /** Downwind a leg is faster, and magnetic north is where the units have it. */
+    /** A leg downwind is faster, and courses are magnetic if the units say so. */
     void coursesAndGroundSpeeds()
     {
         Scenario scenario = twoIcebergScenario();
@@ -86,7 +90,7 @@ private slots:
         setShownUnits({});
     }
 
-    /** Flights by night are reported where the time is known, before take-off. */
+    /** Flights by night are reported before take-off if the time is known. */
     void flightsInTheDark()
     {
         Scenario scenario = twoIcebergScenario();
@@ -109,7 +113,48 @@ private slots:
         QCOMPARE(found("2026-11-28T22:00:00Z"), Ids{IssueId::DarkLanding}); // aloft already
     }
 
-    /** Home is not reached before the end. */
+    /** A patrol's later visits follow the aimed legs: a row has its next one, and rows beyond the
+     * legs their first. */
+    void patrolRowsHaveTheNextVisit()
+    {
+        Scenario scenario = twoIcebergScenario();
+        MissionSnapshot now = standing(twoIcebergs(scenario));
+        PlanEvent& plan = now.plans.front();
+        const int first = plan.order.at(0);
+        const int second = plan.order.at(1);
+        plan.outlook = AimedOutlook{.sightings_s = {now.time_s + 50}};
+        plan.laterVisits = {{second, now.time_s + 120}, {first, now.time_s + 300}};
+        now.plan = plan;
+        const std::vector<PlanRow> rows = planSections(now, scenario).front().rows;
+        QCOMPARE(rows.size(), std::size_t{2});
+        QVERIFY(rows[0].isSeen);
+        COMPARE_NEAR(rows[0].again_s.value(), 300, 1e-9);
+        QVERIFY(!rows[1].isSeen);
+        COMPARE_NEAR(rows[1].again_s.value(), 120, 1e-9);
+        COMPARE_NEAR(lastTime_s(planSections(now, scenario)), 300, 1e-9);
+    }
+
+    /** Rows of a flown patrol: those beyond the aimed legs come last and have no leg yet. */
+    void visitsBeyondThePathAreLater()
+    {
+        Scenario scenario = randomScenario(5, {.icebergs = 14});
+        for (Iceberg& iceberg : scenario.icebergs)
+            iceberg.position_m *= 4;
+        scenario.duration_s = 4 * 3600;
+        scenario.planner.policy = PolicyKind::Coverage;
+        Mission mission(scenario, {.record = false});
+        mission.advance(1);
+        const std::vector<PlanRow> rows = planSections(snapshotOf(mission), scenario).front().rows;
+        const auto firstLater = std::ranges::find_if(rows, &PlanRow::isLater);
+        QVERIFY(firstLater != rows.begin());
+        QVERIFY(firstLater != rows.end());
+        for (auto row = firstLater; row != rows.end(); ++row) {
+            QVERIFY(row->isLater);
+            COMPARE_NEAR(row->leg_m, 0, 1e-6);
+        }
+    }
+
+    /** The run ends before home is reached. */
     void returnEndsWithTheRun()
     {
         Scenario scenario = twoIcebergScenario();

@@ -27,7 +27,7 @@ PolicyForecast known(double mean_m2s)
     return forecast;
 }
 
-/** All the same but two. */
+/** Returns equal forecasts except for two policies. */
 PolicyForecastList forecasts()
 {
     PolicyForecastList list;
@@ -103,7 +103,7 @@ private slots:
                                 u"recommended: Best predicted coverage"_s);
     }
 
-    /** The lowest mean is not enough: in some worlds it is the higher one by more. */
+    /** The lowest mean is not enough: in some worlds it is higher by more. */
     void withoutAClearWinnerNoneIsRecommended()
     {
         PolicyComboFixture f;
@@ -118,7 +118,7 @@ private slots:
         QVERIFY(f.line.text().endsWith(u"; no policy is a clear winner"_s));
     }
 
-    /** As most uncertain first and tau = 0 often do. */
+    /** Most uncertain first and tau = 0 often have equal flights. */
     void ofPoliciesThatFlyTheSameTheChosenOneIsRecommended()
     {
         PolicyComboFixture f;
@@ -171,7 +171,7 @@ private slots:
         QVERIFY(f.line.text().startsWith(u"Predicted ζ 90\u202f000 m² s ("_s));
     }
 
-    /** Which is lowest is not told before all are known. */
+    /** The lowest policy is not stated before all are known. */
     void whileForecastsAreMade()
     {
         PolicyComboFixture f;
@@ -189,16 +189,16 @@ private slots:
         f.panel.showSettings({.policy = PolicyKind::Latency});
         QCOMPARE(f.line.text(), u"Predicting ζ…"_s);
         f.panel.showSettings({.policy = PolicyKind::Coverage});
-        QCOMPARE(f.line.text(), u"Predicting ζ: 43 %"_s); // no figure that would change
+        QCOMPARE(f.line.text(), u"Predicting ζ: 43 %"_s); // no figure that would still change
     }
 
-    void limitsAndReasonsAreTold()
+    void limitsAndReasonsAreShown()
     {
         PolicyComboFixture f;
         PolicyForecastList list = forecasts();
         list[PolicyKind::Coverage] = {.state = ForecastState::TooLong};
         list[PolicyKind::Latency] = {.state = ForecastState::Impossible,
-                                     .whyNot = u"no such solver"_s};
+                                     .unsupportedReason = u"no such solver"_s};
         f.panel.showForecasts(list);
         QCOMPARE(f.remark(PolicyKind::Coverage), u"takes too long"_s);
         QVERIFY(f.offer(PolicyKind::Coverage, Qt::ToolTipRole).toString().contains(u"2 min"_s));
@@ -206,11 +206,11 @@ private slots:
             f.offer(PolicyKind::Latency, Qt::ToolTipRole).toString().contains(u"no such solver"_s));
         f.panel.showSettings({.policy = PolicyKind::Coverage});
         QVERIFY(f.line.text().contains(u"takes too long"_s));
-        QVERIFY(!f.remark(PolicyKind::Visitation).contains(u'%')); // nothing to be set against
+        QVERIFY(!f.remark(PolicyKind::Visitation).contains(u'%')); // nothing to compare with
     }
 
-    /** In flight they are those of before take-off, and look it. */
-    void inFlight()
+    /** In flight the forecasts are marked as made before take-off. */
+    void forecastsAreMarkedInFlight()
     {
         PolicyComboFixture f;
         f.panel.showForecasts(forecasts());
@@ -223,7 +223,7 @@ private slots:
         QVERIFY(f.offer(PolicyKind::Tour, PolicyDelegate::PresentRole).toBool());
     }
 
-    /** The list is wider than the dock, so that sentences are read, and on the screen. */
+    /** The list is wider than the dock, so that sentences are readable, but within the screen. */
     void listHasRoomForItsTexts()
     {
         PolicyComboFixture f;

@@ -18,7 +18,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** Tells where its handle is. */
+/** A slider that exposes the position of its handle. */
 class OpenSlider final : public QSlider
 {
 public:
@@ -70,7 +70,7 @@ QString toolTipAt(TauStrip& strip, double tau)
     return strip.toolTip();
 }
 
-/** Number of different colours along the middle of a stretch of the band. */
+/** Returns the number of different colours along the middle of a stretch of the band. */
 int coloursAlong(TauStrip& strip, double from, double to)
 {
     const QImage image = strip.grab().toImage();
@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(f.strip->tauAt(2000), 5.0);
     }
 
-    void standsAlone()
+    void worksWithoutASlider()
     {
         TauStrip strip;
         strip.resize(200, 16);
@@ -144,7 +144,7 @@ private slots:
         QVERIFY(f.colourAt(3).rgb() != theme.plan.rgb());
     }
 
-    /** An interval of a pixel is still to be seen when it is the present plan's. */
+    /** An interval of a pixel is still visible for the present plan. */
     void narrowPlansAreVisible()
     {
         const TauStripFixture f;
@@ -210,7 +210,7 @@ private slots:
         QSignalSpy spy(f.strip, &TauStrip::tauChosen);
         const auto lastChosen = [&spy] { return spy.last()[0].toDouble(); };
         QTest::keyClick(f.strip, Qt::Key_Right);
-        COMPARE_NEAR(lastChosen(), 0.51, 1e-12); // the narrow one is not passed over
+        COMPARE_NEAR(lastChosen(), 0.51, 1e-12); // the narrow one is not skipped
         QTest::keyClick(f.strip, Qt::Key_Right);
         COMPARE_NEAR(lastChosen(), 1.3, 1e-12);
         QTest::keyClick(f.strip, Qt::Key_Left);
@@ -226,7 +226,7 @@ private slots:
         QVERIFY(f.strip->nextPlan());
     }
 
-    /** From a tau beyond the strip the last plan of the strip comes first. */
+    /** From a tau beyond the strip, the previous plan is the last one of the strip. */
     void plansBeforeATauBeyond()
     {
         const TauStripFixture f;
@@ -235,7 +235,7 @@ private slots:
         COMPARE_NEAR(f.strip->previousPlan().value_or(0), 3.5, 1e-12);
     }
 
-    void tellsOfTheIntervalBelowThePointer()
+    void describesTheIntervalBelowThePointer()
     {
         const TauStripFixture f;
         f.strip->setLocale(QLocale(QLocale::English));
@@ -279,7 +279,9 @@ private slots:
         QVERIFY(tau > from && tau < to);
     }
 
-    /** An interval of one rounding error: no short number is inside, something must come. */
+    /**
+     * In an interval of one rounding error no short number exists; any number inside is returned.
+     */
     void shortNumberOfNothing()
     {
         const double from = 0.3;

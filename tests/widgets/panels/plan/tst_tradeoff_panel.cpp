@@ -68,7 +68,7 @@ PlanEvent planWith(const std::function<void(PlanEvent&)>& change)
     return plan;
 }
 
-/** Not proven, with this gap. */
+/** Returns an unproven plan with this gap. */
 PlanEvent goodPlan(std::optional<double> gap)
 {
     return planWith([gap](PlanEvent& plan) {
@@ -88,7 +88,7 @@ class TestTradeoffPanel : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void showingSettingsTellsNobody()
+    void showingSettingsEmitsNothing()
     {
         TradeoffFixture f;
         f.panel.showSettings({.policy = PolicyKind::Tour,
@@ -105,14 +105,14 @@ private slots:
         QCOMPARE(f.intents(), 0);
     }
 
-    void sliderTellsTheDecimalNumberOnce()
+    void sliderEmitsTheDecimalNumberOnce()
     {
         TradeoffFixture f;
         f.slider.setSliderDown(true);
         f.slider.setValue(130);
         QCOMPARE(f.tauEdited.count(), 1);
-        QCOMPARE(f.tauEdited.front().front().toDouble(), 1.3); // the double one would type
-        f.panel.showSettings({.tau = 1.3});                    // what the document answers
+        QCOMPARE(f.tauEdited.front().front().toDouble(), 1.3); // exactly the typed number
+        f.panel.showSettings({.tau = 1.3});                    // the response of the document
         QCOMPARE(f.field.value(), 1.3);
         f.slider.setSliderDown(false);
         QCOMPARE(f.tauEdited.count(), 1);
@@ -190,7 +190,7 @@ private slots:
         QCOMPARE(f.tauEdited.count(), 0);
     }
 
-    void choicesAreToldOnce()
+    void choicesAreEmittedOnce()
     {
         TradeoffFixture f;
         QTest::keyClick(&f.policy, Qt::Key_Down);
@@ -401,7 +401,7 @@ private slots:
         QVERIFY(fleet.objective_m2 == one.objective_m2);
     }
 
-    /** The keyboard stops at what it can use. */
+    /** The state can have the focus only while it has a link. */
     void stateIsATabStopWithItsLinkAlone()
     {
         TradeoffFixture f;

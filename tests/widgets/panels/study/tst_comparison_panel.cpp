@@ -87,14 +87,14 @@ private slots:
         QVERIFY(!f.tour.isEnabled());
     }
 
-    /** One click, nothing solved on this thread. */
+    /** One click starts it, and nothing is solved on this thread. */
     void tourIsFlownBesideTheReference()
     {
         const FlightRecord first =
             test::flownRecord(test::shortScenario(), policy(PolicyKind::Nearest));
         const FlightRecord expected =
             test::flownRecord(test::shortScenario(), policy(PolicyKind::Tour));
-        const ForbidSolving onThisThread;
+        const NoBlockingScope onThisThread;
         ComparisonPanelFixture f;
         f.list.add(first);
         QVERIFY(f.tour.isVisible());
@@ -114,7 +114,7 @@ private slots:
         QVERIFY(f.runs.item(0, RunDifference)->text().isEmpty());
     }
 
-    /** Without a run of this scenario both are flown. */
+    /** Without a run of this scenario both runs are flown. */
     void bothAreFlownFromAScenario()
     {
         ComparisonPanelFixture f;
@@ -169,7 +169,7 @@ private slots:
         QCOMPARE(f.runs.rowCount(), 0);
     }
 
-    void failuresAreTold()
+    void failuresAreReported()
     {
         ComparisonPanelFixture f;
         f.list.open(u"/nowhere/a.bergrun"_s);
@@ -182,7 +182,7 @@ private slots:
         QVERIFY(f.finished.wait(kPatience_ms));
     }
 
-    /** Runs of fleets of different sizes are told apart by how many UAVs there are. */
+    /** Runs with different numbers of UAVs are distinguished by that number. */
     void namesSayHowManyUavsThereAre()
     {
         ComparisonPanelFixture f;
@@ -204,7 +204,7 @@ private slots:
         QCOMPARE(f.runs.item(1, RunName)->text(), u"Nearest first, to 01:00 \u2013 Elsewhere"_s);
     }
 
-    /** What tells runs apart may come last; the whole name is in the tool tip. */
+    /** Runs may differ only at the end of their names; the tool tip has the whole name. */
     void longNamesAreCutInTheMiddle()
     {
         ComparisonPanelFixture f({260, 300});
@@ -229,7 +229,7 @@ private slots:
         QVERIFY(f.list.other() == f.list.runs()[1]);
         QTest::keyClick(&f.runs, Qt::Key_B);
         QVERIFY(f.list.other() == f.list.runs()[2]);
-        QTest::keyClick(&f.runs, Qt::Key_A); // the other one: swapped
+        QTest::keyClick(&f.runs, Qt::Key_A); // the other run, so they are swapped
         QVERIFY(f.list.reference() == f.list.runs()[2] && f.list.other() == f.list.runs()[0]);
         f.click(1, RunName);
         QTest::keyClick(&f.runs, Qt::Key_Delete);
@@ -264,7 +264,7 @@ private slots:
         QCOMPARE(f.unseen.item(a.longestUnseen, 1)->text(), f.figures.item(5, 1)->text());
     }
 
-    void percent_data()
+    void percentTextIsRelative_data()
     {
         QTest::addColumn<double>("value");
         QTest::addColumn<QString>("text");
@@ -275,7 +275,7 @@ private slots:
         QTest::newRow("much more") << 312.3 << u"+212 %"_s;
     }
 
-    void percent()
+    void percentTextIsRelative()
     {
         QFETCH(double, value);
         QFETCH(QString, text);
@@ -283,7 +283,7 @@ private slots:
         QCOMPARE(percentText(value, 0, QLocale::c()), u"–"_s);
     }
 
-    /** What the keys do, with a pointer; a name that was given stays until it is taken away. */
+    /** The pointer does the same as the keys; a given name stays until it is removed. */
     void menuOfARun()
     {
         ComparisonPanelFixture f;

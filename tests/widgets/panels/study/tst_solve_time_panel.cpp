@@ -42,7 +42,7 @@ struct SolveTimePanelFixture
         for (QCheckBox* box : panel.findChildren<QCheckBox*>())
             box->setChecked(box->objectName() == only);
     }
-    /** From milliseconds to minutes: there are rows soon, and no end. */
+    /** Starts a measurement from milliseconds to minutes: rows come soon, but it does not end. */
     void startForLong()
     {
         choose(u"exact"_s);
@@ -78,12 +78,12 @@ private slots:
         QCOMPARE(spec.tau, 0.5); // that of the paper's table
     }
 
-    /** As with another language or other units. */
-    void panelOfAnotherWindowTellsOfTheSameMeasurement()
+    /** The panel is recreated, as for another language or other units. */
+    void panelOfAnotherWindowShowsTheMeasurement()
     {
         SolveTimePanelFixture f;
         f.startForLong();
-        QTest::qWait(1100); // there is a time to tell
+        QTest::qWait(1100); // long enough for a time to be shown
         SolveTimePanel next(f.runner);
         next.showSpec(f.panel.spec());
         QCOMPARE(next.spec().budget_s, 3600.0);

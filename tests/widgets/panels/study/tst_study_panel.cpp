@@ -38,7 +38,7 @@ struct StudyPanelFixture
     StudyRunner runner;
     StudyPanel panel{runner};
     QSignalSpy finished{&runner, &StudyRunner::finished};
-    ForbidSolving onThisThread;
+    NoBlockingScope onThisThread;
 
     explicit StudyPanelFixture(const Scenario& scenario = test::quickScenario())
     {
@@ -69,7 +69,7 @@ struct StudyPanelFixture
     {
         return QTest::qWaitFor([&] { return finished.count() >= times; }, kPatience_ms);
     }
-    /** Shown as if it had been flown. */
+    /** Shows a result as if it had been flown. */
     void show(const StudyPointer& result)
     {
         runner.show(result->study);
@@ -155,8 +155,8 @@ private slots:
         QVERIFY(f.spec() == random);
     }
 
-    /** The fields cannot say them, so they are kept until the fields are used. */
-    void unevenTausAreKept()
+    /** The fields cannot express these values, which stay until the fields are used. */
+    void unevenTausAreRestored()
     {
         StudyPanelFixture f;
         StudySpec spec = figure4(test::quickScenario());
@@ -169,7 +169,7 @@ private slots:
         QCOMPARE(f.spec().taus, (std::vector<double>{0, 2, 4}));
     }
 
-    void whatCannotBeFlownIsSaidBefore()
+    void impossiblePoliciesAreShownBefore()
     {
         StudyPanelFixture f;
         QLabel& estimate = f.get<QLabel>(u"studyEstimate"_s);
@@ -182,7 +182,7 @@ private slots:
         f.setNumber(u"studyTauTo"_s, u"0"_s);
         f.setNumber(u"studyTauFrom"_s, u"2"_s);
         QVERIFY(!f.start().isEnabled());
-        f.setPolicies({u"tour"_s}); // which has no tau
+        f.setPolicies({u"tour"_s}); // this policy has no tau
         QVERIFY(f.start().isEnabled());
         f.get<QRadioButton>(u"studyRandom"_s).setChecked(true);
         f.setNumber(u"studyCount"_s, u"100000"_s);
@@ -200,7 +200,7 @@ private slots:
         QVERIFY(!f.get<QPushButton>(u"figure4"_s).isEnabled());
     }
 
-    void roughTimes()
+    void roughTimesAreRounded()
     {
         const QLocale c = QLocale::c();
         QCOMPARE(roughTimeText(0.2, c), u"under a second"_s);
@@ -217,7 +217,7 @@ private slots:
         QVERIFY(f.runner.result()->study.spec == figure4(test::quickScenario()));
         QCOMPARE(f.state(), u"42 missions flown."_s);
         QCOMPARE(f.get<StudyChart>(u"studyChart"_s).drawing().items.size(), std::size_t{42});
-        QCOMPARE(f.column(u"studySettings"_s, StudySettingsModel::Setting).size(), 42);
+        QCOMPARE(f.column(u"studySettings"_s, SettingName).size(), 42);
         const auto& bar = f.get<QProgressBar>(u"studyProgress"_s);
         QCOMPARE(bar.value(), bar.maximum());
     }
@@ -279,17 +279,16 @@ private slots:
         StudyPanelFixture f;
         f.show(test::fourCases());
         auto& table = f.get<QTableView>(u"studySettings"_s);
-        QCOMPARE(f.column(u"studySettings"_s, StudySettingsModel::Setting),
+        QCOMPARE(f.column(u"studySettings"_s, SettingName),
                  (QStringList{u"τ 0.00"_s, u"τ 1.00"_s, u"τ 2.00"_s, u"Best τ of each case"_s,
                               u"Shortest path"_s}));
-        table.sortByColumn(StudySettingsModel::Mean, Qt::AscendingOrder);
-        QCOMPARE(f.column(u"studySettings"_s, StudySettingsModel::Mean),
+        table.sortByColumn(SettingMean, Qt::AscendingOrder);
+        QCOMPARE(f.column(u"studySettings"_s, SettingMean),
                  (QStringList{u"105.0"_s, u"108.8"_s, u"110.8"_s, u"117.5"_s, u"127.5"_s}));
-        table.sortByColumn(StudySettingsModel::BestIn, Qt::DescendingOrder);
-        QCOMPARE(f.column(u"studySettings"_s, StudySettingsModel::Setting).front(), u"τ 1.00"_s);
-        QCOMPARE(f.column(u"studySettings"_s, StudySettingsModel::BestIn).front(), u"2"_s);
-        QVERIFY(
-            f.column(u"studySettings"_s, StudySettingsModel::Difference).contains(u"reference"_s));
+        table.sortByColumn(SettingBestIn, Qt::DescendingOrder);
+        QCOMPARE(f.column(u"studySettings"_s, SettingName).front(), u"τ 1.00"_s);
+        QCOMPARE(f.column(u"studySettings"_s, SettingBestIn).front(), u"2"_s);
+        QVERIFY(f.column(u"studySettings"_s, SettingDifference).contains(u"reference"_s));
     }
 
     void settingIsTakenOver()
@@ -336,13 +335,13 @@ private slots:
         QSignalSpy opened(&f.panel.results(), &StudyResults::openRunRequested);
         QTest::mouseClick(&chart, Qt::LeftButton, {}, toQt(chart.drawing().items[2].at).toPoint());
         QCOMPARE(f.get<QTabWidget>(u"studyTables"_s).currentIndex(), 1);
-        QCOMPARE(f.column(u"studyCases"_s, StudyCasesModel::Zeta),
+        QCOMPARE(f.column(u"studyCases"_s, CaseZeta),
                  (QStringList{u"90.00"_s, u"150.0"_s, u"104.0"_s, u"99.00"_s}));
-        QCOMPARE(f.column(u"studyCases"_s, StudyCasesModel::BestTau),
+        QCOMPARE(f.column(u"studyCases"_s, CaseBestTau),
                  (QStringList{u"1.00"_s, u"2.00"_s, u"1.00"_s, u"0.00"_s}));
-        QCOMPARE(f.column(u"studyCases"_s, StudyCasesModel::Best).back(), u"Shortest path"_s);
+        QCOMPARE(f.column(u"studyCases"_s, CaseBest).back(), u"Shortest path"_s);
         auto& cases = f.get<QTableView>(u"studyCases"_s);
-        cases.sortByColumn(StudyCasesModel::Zeta, Qt::DescendingOrder);
+        cases.sortByColumn(CaseZeta, Qt::DescendingOrder);
         cases.selectRow(0); // the second case
         QVERIFY(open.isEnabled());
         open.click();
@@ -364,9 +363,9 @@ private slots:
         QTRY_VERIFY(f.runner.result() != nullptr);
         f.get<QTableView>(u"studySettings"_s).selectRow(2);
         auto& cases = f.get<QTableView>(u"studyCases"_s);
-        cases.sortByColumn(StudyCasesModel::Zeta, Qt::AscendingOrder);
+        cases.sortByColumn(CaseZeta, Qt::AscendingOrder);
         const auto chosen = [&] {
-            return cases.model()->index(cases.currentIndex().row(), StudyCasesModel::Zeta).data();
+            return cases.model()->index(cases.currentIndex().row(), CaseZeta).data();
         };
         cases.selectRow(1);
         QCOMPARE(chosen().toString(), u"104.0"_s);
@@ -403,7 +402,7 @@ private slots:
         QCOMPARE(combo.currentText(), u"Shortest path"_s);
     }
 
-    /** Nothing is offered that the sentence does not say. */
+    /** Nothing is offered that the sentence does not name. */
     void withoutAClearWinnerNothingIsOffered()
     {
         StudyPanelFixture f;
@@ -479,7 +478,7 @@ private slots:
     {
         const test::LongerTexts longer;
         StudyPanelFixture f;
-        constexpr QSize kSmall_px(1180, 720); // what a screen of 1280 x 800 leaves
+        constexpr QSize kSmall_px(1180, 720); // available size on a screen of 1280 x 800
         QVERIFY2(f.panel.minimumSizeHint().width() <= kSmall_px.width(),
                  QByteArray::number(f.panel.minimumSizeHint().width()).constData());
         QVERIFY2(f.panel.minimumSizeHint().height() <= kSmall_px.height(),

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/sim/intervention.h"
+
+#include <QString>
+
+namespace berg {
+
+/** Returns the name of a change in the imperative, for Undo: "Change wind". */
+[[nodiscard]] QString changeName(const Intervention& change);
+
+} // namespace berg
