@@ -47,6 +47,8 @@ LinkSession::LinkSession(ByteLink& link, LinkSessionOptions options)
 
 void LinkSession::setSending(bool isOn)
 {
+    if (isOn == m_isSending)
+        return; // running transfers would be dropped
     m_isSending = isOn;
     m_nextHeartbeat_s = 0;
     for (auto& [address, partner] : m_partners) {

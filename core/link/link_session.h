@@ -93,7 +93,7 @@ public:
     /** `link` must outlive the session. */
     LinkSession(ByteLink& link, LinkSessionOptions options);
 
-    /** Switches sending on or off. Every call drops all commands and transfers without an event. */
+    /** Switches sending on or off. A change drops all commands and transfers without an event. */
     void setSending(bool isOn);
     [[nodiscard]] bool isSending() const { return m_isSending; }
 

@@ -226,7 +226,7 @@ std::vector<LinkMessage> MissionDownload::advance(double now_s)
     if (m_sends == kMostSends) {
         if (m_hasRestarted || !m_count) {
             m_status.state = TransferState::Failed;
-            m_status.failure = m_count ? TransferFailure::GaveUp : TransferFailure::NoAnswer;
+            m_status.failure = m_hasRestarted ? TransferFailure::GaveUp : TransferFailure::NoAnswer;
             return {};
         }
         m_hasRestarted = true;

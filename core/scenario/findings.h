@@ -98,11 +98,14 @@ public:
             error(field, IssueId::NotUtf8);
     }
 
-    /** Returns true if a stored error is about a field whose path begins with `field`. */
+    /** Returns true if a stored error is about this field or a part of it. */
     [[nodiscard]] bool has(std::string_view field) const
     {
         return std::ranges::any_of(m_issues, [field](const Issue& issue) {
-            return issue.severity == Severity::Error && issue.field.starts_with(field);
+            if (issue.severity != Severity::Error || !issue.field.starts_with(field))
+                return false;
+            const std::string_view rest = std::string_view(issue.field).substr(field.size());
+            return rest.empty() || rest.front() == '.' || rest.front() == '[';
         });
     }
 

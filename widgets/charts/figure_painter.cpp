@@ -1,5 +1,6 @@
 #include "widgets/charts/figure_painter.h"
 
+#include "core/io/figure/mark_outline.h"
 #include "widgets/charts/solve_time_chart.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/palette.h"
@@ -65,20 +66,6 @@ QColor fullColour(const Ink& ink, const Theme& theme)
         return theme.sigma.at(ink.value);
     }
     return {};
-}
-
-/** Regular polygon, first corner `turn_rad` clockwise from the top; `inner` < 1 makes a star. */
-QPolygonF corners(const QPointF& at, double radius_px, int count, double turn_rad = 0,
-                  double inner = 1)
-{
-    QPolygonF polygon;
-    const int points = inner < 1 ? 2 * count : count;
-    for (int k = 0; k < points; ++k) {
-        const double angle = turn_rad + 2 * std::numbers::pi * k / points;
-        const double away_px = inner < 1 && k % 2 == 1 ? inner * radius_px : radius_px;
-        polygon << at + away_px * QPointF(std::sin(angle), -std::cos(angle));
-    }
-    return polygon;
 }
 
 QPolygonF polygonOf(const std::vector<Pixel>& points)
@@ -176,37 +163,15 @@ QRectF toQt(const PixelRect& rect)
 
 void paintMark(QPainter& painter, const QPointF& at, const PlotMark& mark, const Theme& theme)
 {
+    const bool isRing = mark.shape == MarkShape::Ring;
     const QColor colour = inkColour(mark.ink, theme);
-    const double radius_px = mark.radius_px;
-    painter.setPen(mark.isHollow ? QPen(colour, kOutline_px) : QPen(theme.chart, kGap_px));
-    painter.setBrush(mark.isHollow ? theme.chart : colour);
-    switch (mark.shape) {
-    case MarkShape::Ring:
-        painter.setPen(QPen(colour, kOutline_px));
-        painter.setBrush(Qt::NoBrush);
-        [[fallthrough]];
-    case MarkShape::Disk:
-        painter.drawEllipse(at, radius_px, radius_px);
-        return;
-    case MarkShape::Diamond:
-        painter.drawPolygon(corners(at, 1.25 * radius_px, 4));
-        return;
-    case MarkShape::Square:
-        painter.drawPolygon(corners(at, 1.25 * radius_px, 4, std::numbers::pi / 4));
-        return;
-    case MarkShape::Triangle:
-        painter.drawPolygon(corners(at, 1.3 * radius_px, 3));
-        return;
-    case MarkShape::TriangleDown:
-        painter.drawPolygon(corners(at, 1.3 * radius_px, 3, std::numbers::pi));
-        return;
-    case MarkShape::Hexagon:
-        painter.drawPolygon(corners(at, 1.15 * radius_px, 6));
-        return;
-    case MarkShape::Star:
-        painter.drawPolygon(corners(at, 1.5 * radius_px, 5, 0, 0.5));
-        return;
-    }
+    painter.setPen(mark.isHollow || isRing ? QPen(colour, kOutline_px)
+                                           : QPen(theme.chart, kGap_px));
+    painter.setBrush(isRing ? QBrush(Qt::NoBrush) : mark.isHollow ? theme.chart : colour);
+    if (const std::vector<Pixel> outline = markOutline(mark, {at.x(), at.y()}); !outline.empty())
+        painter.drawPolygon(polygonOf(outline));
+    else
+        painter.drawEllipse(at, mark.radius_px, mark.radius_px);
 }
 
 void paintDrawing(QPainter& painter, const Drawing& drawing, const Theme& theme)

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/io/figure/figure_layout.h"
+#include "core/io/figure/mark_outline.h"
 #include "core/io/text/html_text.h"
 #include "core/plan/policy/policy.h"
 
@@ -91,9 +92,15 @@ std::string areaSvg(const DrawnArea& area)
 
 std::string markSvg(const DrawnMark& mark)
 {
+    const std::vector<Pixel> outline = markOutline(mark.of, mark.at);
+    const bool isRing = mark.of.shape == MarkShape::Ring;
+    const std::string style =
+        attribute("class", (mark.of.isHollow || isRing ? "hollow " : "") + inkClass(mark.of.ink)) +
+        (isRing ? attribute("style", "fill: none") : "");
+    if (!outline.empty())
+        return element("polygon", style + pointsAttribute(outline), mark.of.tip);
     return element("circle",
-                   attribute("class", (mark.of.isHollow ? "hollow " : "") + inkClass(mark.of.ink)) +
-                       attribute("cx", px(mark.at.x)) + attribute("cy", px(mark.at.y)) +
+                   style + attribute("cx", px(mark.at.x)) + attribute("cy", px(mark.at.y)) +
                        attribute("r", px(mark.of.radius_px)),
                    mark.of.tip);
 }

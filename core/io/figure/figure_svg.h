@@ -8,7 +8,7 @@ namespace berg {
  * Returns the figure as SVG of `width_px` x `height_px` for a page. Drawn objects have a class for
  * their ink and one for their key; the page's style sheet (`kReportStyle`) colours them, so that
  * light, dark and print use the same drawing. Inks other than text, muted, axis, grid and policy
- * have the class of plans; every mark is a circle.
+ * have the class of plans.
  */
 [[nodiscard]] std::string figureSvg(const Figure& figure, double width_px, double height_px);
 

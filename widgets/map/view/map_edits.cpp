@@ -207,17 +207,23 @@ void MapEdits::addUav()
 }
 
 /** Adds copies around `place_m`, or beside the originals where they hide no other iceberg. */
+bool MapEdits::hasRoomForIcebergs(std::size_t count)
+{
+    if (m_context.document.scenario().icebergs.size() + count <= kMostIcebergs)
+        return true;
+    emit m_context.view.refused(
+        tr("A scenario holds at most %n icebergs.", nullptr, static_cast<int>(kMostIcebergs)));
+    return false;
+}
+
 void MapEdits::addCopiesOf(const std::vector<Iceberg>& icebergs,
                            const std::optional<Point>& place_m, const QString& undoText)
 {
     if (icebergs.empty())
         return;
     const Scenario& scenario = m_context.document.scenario();
-    if (scenario.icebergs.size() + icebergs.size() > kMostIcebergs) {
-        emit m_context.view.refused(
-            tr("A scenario holds at most %n icebergs.", nullptr, static_cast<int>(kMostIcebergs)));
+    if (!hasRoomForIcebergs(icebergs.size()))
         return;
-    }
     const Point step_m = copyStep_m();
     const Point offset_m = place_m ? roundedTo(*place_m - middleOf(icebergs), kPositionStep_m)
                                    : freeOffset(scenario, icebergs, step_m);
@@ -236,7 +242,7 @@ void MapEdits::addIcebergAt(const Point& place_m)
         emit m_context.view.icebergPlaced(iceberg);
         return;
     }
-    if (m_context.document.scenario().icebergs.size() >= kMostIcebergs)
+    if (!hasRoomForIcebergs(1))
         return;
     iceberg.id = freshIcebergId(m_context.document.scenario());
     m_context.document.edit(tr("Add iceberg"),

@@ -53,6 +53,7 @@ private:
     void addCopiesOf(const std::vector<Iceberg>& icebergs, const std::optional<Point>& place_m,
                      const QString& undoText);
     void duplicateUavs(const std::vector<Uav>& uavs);
+    [[nodiscard]] bool hasRoomForIcebergs(std::size_t count);
     [[nodiscard]] bool hasRoomForUavs(std::size_t count);
     [[nodiscard]] Point copyStep_m() const;
 

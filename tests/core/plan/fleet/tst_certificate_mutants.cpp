@@ -21,11 +21,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** Path to a value in a document: names of members and indices of entries. */
-using Path = QStringList;
+/** JsonPath to a value in a document: names of members and indices of entries. */
+using JsonPath = QStringList;
 
 /** The path with every index replaced by a star: the kind of the value. */
-QString kindOf(Path path)
+QString kindOf(JsonPath path)
 {
     for (QString& part : path)
         if (part.front().isDigit())
@@ -33,22 +33,23 @@ QString kindOf(Path path)
     return path.join(u'/');
 }
 
-void collect(const QJsonValue& value, const Path& path, std::map<QString, std::vector<Path>>& found)
+void collect(const QJsonValue& value, const JsonPath& path,
+             std::map<QString, std::vector<JsonPath>>& found)
 {
     if (!path.isEmpty())
         found[kindOf(path)].push_back(path);
     if (value.isObject()) {
         const QJsonObject object = value.toObject();
         for (auto it = object.begin(); it != object.end(); ++it)
-            collect(it.value(), path + Path{it.key()}, found);
+            collect(it.value(), path + JsonPath{it.key()}, found);
     } else if (value.isArray()) {
         const QJsonArray array = value.toArray();
         for (qsizetype i = 0; i < array.size(); ++i)
-            collect(array.at(i), path + Path{QString::number(i)}, found);
+            collect(array.at(i), path + JsonPath{QString::number(i)}, found);
     }
 }
 
-QJsonValue valueAt(const QJsonValue& root, const Path& path)
+QJsonValue valueAt(const QJsonValue& root, const JsonPath& path)
 {
     if (path.isEmpty())
         return root;
@@ -58,7 +59,7 @@ QJsonValue valueAt(const QJsonValue& root, const Path& path)
 }
 
 /** Returns the document with another value at that path; an undefined value removes it. */
-QJsonValue with(const QJsonValue& root, const Path& path, const QJsonValue& value)
+QJsonValue with(const QJsonValue& root, const JsonPath& path, const QJsonValue& value)
 {
     if (path.isEmpty())
         return value;
@@ -272,17 +273,17 @@ QString untruthOf(FleetProblem problem, const QJsonValue& value)
 QJsonValue honest(const QJsonValue& root)
 {
     const std::optional<FleetProblem> read = problemOf(root.toObject());
-    const Path proof{u"proofs"_s, u"0"_s};
+    const JsonPath proof{u"proofs"_s, u"0"_s};
     const FleetPlan plan = planOf(valueAt(root, proof));
     if (!read)
         return root;
     FleetProblem problem = *read;
-    problem.mu = valueAt(root, proof + Path{u"mu"_s}).toDouble();
+    problem.mu = valueAt(root, proof + JsonPath{u"mu"_s}).toDouble();
     if (!isFleetPlan(problem, plan) || problem.icebergCount() > 8)
         return root;
     const double cost = fleetObjective(problem, plan) + objectiveShift(problem);
     const double optimum = optimumOf(problem);
-    return with(with(root, proof + Path{u"cost"_s}, cost), proof + Path{u"bound"_s},
+    return with(with(root, proof + JsonPath{u"cost"_s}, cost), proof + JsonPath{u"bound"_s},
                 std::min(cost, optimum) * (1 - 1e-9));
 }
 
@@ -370,7 +371,7 @@ private slots:
         for (int k = 0; k < kSound; ++k) {
             Random random(static_cast<std::uint64_t>(k), 301);
             const QJsonValue root = parsed(certificateJson(sound(k)));
-            std::map<QString, std::vector<Path>> found;
+            std::map<QString, std::vector<JsonPath>> found;
             collect(root, {}, found);
             write(0, root);
             QCOMPARE(accepted(1).size(), 1U);
@@ -378,8 +379,8 @@ private slots:
             for (int m = 0; m < kOfEach; ++m) {
                 auto kind = found.begin();
                 std::advance(kind, static_cast<int>(random.below(found.size())));
-                const std::vector<Path>& paths = kind->second;
-                const Path& path = paths[random.below(paths.size())];
+                const std::vector<JsonPath>& paths = kind->second;
+                const JsonPath& path = paths[random.below(paths.size())];
                 QJsonValue mutant =
                     with(root, path, changed(valueAt(root, path), kind->first, random));
                 ++changes[kind->first];

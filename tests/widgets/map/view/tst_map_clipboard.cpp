@@ -243,6 +243,9 @@ private slots:
         map.view.edits().duplicateSelected();
         QCOMPARE(map.scenario().icebergs.size(), kMostIcebergs);
         QVERIFY(!hasErrors(map.document.issues()));
+        map.view.edits().addIcebergAt({0, 0});
+        QCOMPARE(refused.count(), 3);
+        QCOMPARE(map.scenario().icebergs.size(), kMostIcebergs);
     }
 
     void lockedMapCopiesOnly()
