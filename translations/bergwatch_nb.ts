@@ -8031,7 +8031,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Drift time constant</source>
-        <translation>Driften endrer seg på</translation>
+        <translation>Driftens tidskonstant</translation>
     </message>
     <message>
         <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
@@ -8475,7 +8475,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Acceptance radius</source>
-        <translation>Godkjenningsradius</translation>
+        <translation>Passeringsradius</translation>
     </message>
     <message>
         <source>Distance at which an iceberg counts as reached; at 0 it is reached when it is in view.</source>
@@ -9876,7 +9876,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Swept ar&amp;ea</source>
-        <translation>S&amp;ett område</translation>
+        <translation>Avsøkt områd&amp;e</translation>
     </message>
     <message>
         <source>S&amp;how true positions</source>
