@@ -663,7 +663,7 @@
     </message>
     <message>
         <source>Unsaved run</source>
-        <translation>Flyvning ikke gemt</translation>
+        <translation>Ikke gemt flyvning</translation>
     </message>
     <message>
         <source>Save the run?</source>
@@ -687,7 +687,7 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Annuller</translation>
+        <translation>Annullér</translation>
     </message>
     <message>
         <source>Remove icebergs</source>
@@ -1744,7 +1744,7 @@
     </message>
     <message>
         <source>Drag to turn the UAV.</source>
-        <translation>Træk drejer dronen.</translation>
+        <translation>Træk for at dreje dronen.</translation>
     </message>
     <message>
         <source>Drag to move the corner. To remove it, click it and press Del.</source>
@@ -2457,7 +2457,7 @@
     </message>
     <message>
         <source>a disk</source>
-        <translation>en cirkel</translation>
+        <translation>en cirkelskive</translation>
     </message>
     <message>
         <source>by position</source>
@@ -3050,7 +3050,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>recorded %1, replayed %2</source>
-        <translation>gemt %1, genfløjet %2</translation>
+        <translation>optaget %1, afspillet %2</translation>
     </message>
     <message>
         <source>at %1 s: recorded %2, replayed %3</source>
@@ -3222,7 +3222,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>a number is out of range</source>
-        <translation>et tal er uden for det tilladte område</translation>
+        <translation>et tal er uden for grænserne</translation>
     </message>
     <message>
         <source>id is too long</source>
@@ -4127,13 +4127,13 @@ Tilstødende område %4</translation>
     <message numerus="yes">
         <source>%n UAV(s) taken over</source>
         <translation>
-            <numerusform>%n drone overtaget</numerusform>
-            <numerusform>%n droner overtaget</numerusform>
+            <numerusform>%n drone taget med</numerusform>
+            <numerusform>%n droner taget med</numerusform>
         </translation>
     </message>
     <message>
         <source>area taken over</source>
-        <translation>området overtaget</translation>
+        <translation>området taget med</translation>
     </message>
     <message>
         <source>area taken over as geofence</source>
@@ -4141,7 +4141,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>asset taken over</source>
-        <translation>objektet overtaget</translation>
+        <translation>objektet taget med</translation>
     </message>
     <message numerus="yes">
         <source>%n no-fly area(s) taken over</source>
@@ -4575,7 +4575,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Search given up</source>
-        <translation>Eftersøgningen af det er opgivet</translation>
+        <translation>Eftersøgning opgivet</translation>
     </message>
     <message>
         <source>Given up</source>
@@ -5676,7 +5676,7 @@ Tilstødende område %4</translation>
     <message>
         <source>search and bound</source>
         <comment>solver</comment>
-        <translation>søgning med grænser</translation>
+        <translation>søgning og grænse</translation>
     </message>
     <message>
         <source>COIN-OR CBC</source>
@@ -6659,7 +6659,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Plans made</source>
-        <translation>Lagte planer</translation>
+        <translation>Planer lavet</translation>
     </message>
     <message>
         <source>Planned by</source>
@@ -6772,7 +6772,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>camera of a UAV</source>
-        <translation>kamera på en UAV</translation>
+        <translation>kamera på en drone</translation>
     </message>
     <message>
         <source>GPS beacon</source>
@@ -7138,7 +7138,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Quantity shown over time</source>
-        <translation>Det, der vises over tid</translation>
+        <translation>Størrelse vist over tid</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -7146,7 +7146,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Choose the lines to show</source>
-        <translation>Hvilke linjer der vises</translation>
+        <translation>Vælg viste linjer</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -7800,7 +7800,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Preview of the page</source>
-        <translation>Siden, som den skrives</translation>
+        <translation>Forhåndsvisning af siden</translation>
     </message>
     <message>
         <source>Page</source>
@@ -8031,7 +8031,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Drift time constant</source>
-        <translation>Driften ændrer sig på</translation>
+        <translation>Driftens tidskonstant</translation>
     </message>
     <message>
         <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
@@ -8764,7 +8764,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Saves the run to a file.</source>
-        <translation>Bevarer flyvningen i en fil.</translation>
+        <translation>Gemmer flyvningen i en fil.</translation>
     </message>
     <message>
         <source>Report</source>
@@ -8796,7 +8796,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>changed in flight</source>
-        <translation>ændret undervejs</translation>
+        <translation>ændret under flyvning</translation>
     </message>
     <message>
         <source>being computed, %1 %</source>
@@ -8811,7 +8811,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Flight to %1 discarded</source>
-        <translation>Flyvning til %1 opgivet</translation>
+        <translation>Flyvning til %1 kasseret</translation>
     </message>
 </context>
 <context>
@@ -8881,7 +8881,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Visible part of the map</source>
-        <translation>Det, kortet viser</translation>
+        <translation>Synlig del af kortet</translation>
     </message>
     <message>
         <source>Rectangle in the middle of the map</source>
@@ -9320,7 +9320,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Visible part of the &amp;map</source>
-        <translation>Det, &amp;kortet viser</translation>
+        <translation>Synlig del af &amp;kortet</translation>
     </message>
     <message>
         <source>South</source>
@@ -9610,7 +9610,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Removes the background</source>
-        <translation>Viser ikke længere nogen baggrund</translation>
+        <translation>Fjerner baggrunden</translation>
     </message>
     <message>
         <source>Choose a file…</source>
@@ -10466,7 +10466,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Arrival of the UAV</source>
-        <translation>Hvornår UAV&apos;en er der</translation>
+        <translation>Dronens ankomst</translation>
     </message>
     <message>
         <source>95 % now</source>
@@ -11413,7 +11413,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Total time limit</source>
-        <translation>Tid til det hele</translation>
+        <translation>Tidsgrænse i alt</translation>
     </message>
     <message>
         <source>A solver that does not finish a size skips the larger ones.</source>

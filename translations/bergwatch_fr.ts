@@ -579,7 +579,7 @@
     </message>
     <message>
         <source>File in use</source>
-        <translation>Fichier en cours d&apos;utilisation</translation>
+        <translation>Fichier déjà ouvert</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is open in another window.</source>
@@ -882,11 +882,11 @@
     </message>
     <message>
         <source>Landed</source>
-        <translation>Atterrissage effectué</translation>
+        <translation>Atterrissage</translation>
     </message>
     <message>
         <source>Took off</source>
-        <translation>Décollage effectué</translation>
+        <translation>Décollage</translation>
     </message>
     <message>
         <source>iceberg left the area</source>
@@ -938,7 +938,7 @@
     </message>
     <message>
         <source>Back inside the geofence</source>
-        <translation>De nouveau à l&apos;intérieur de la barrière virtuelle</translation>
+        <translation>De retour dans la barrière virtuelle</translation>
     </message>
     <message>
         <source>Told to resume</source>
@@ -1744,7 +1744,7 @@
     </message>
     <message>
         <source>Drag to turn the UAV.</source>
-        <translation>Faire glisser oriente le drone.</translation>
+        <translation>Faites glisser pour orienter le drone.</translation>
     </message>
     <message>
         <source>Drag to move the corner. To remove it, click it and press Del.</source>
@@ -6155,7 +6155,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>flown</source>
-        <translation>en vol</translation>
+        <translation>effectué</translation>
     </message>
     <message>
         <source>Distance planned, km</source>
@@ -7138,7 +7138,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Quantity shown over time</source>
-        <translation>Ce qui est affiché au cours du temps</translation>
+        <translation>Grandeur affichée dans le temps</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -7800,7 +7800,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Preview of the page</source>
-        <translation>La page telle qu&apos;elle est écrite</translation>
+        <translation>Aperçu de la page</translation>
     </message>
     <message>
         <source>Page</source>
@@ -8031,7 +8031,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Drift time constant</source>
-        <translation>La dérive change en</translation>
+        <translation>Constante de temps</translation>
     </message>
     <message>
         <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
@@ -8131,7 +8131,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Stand-off ring</source>
-        <translation>Distance de sécurité</translation>
+        <translation>Anneau de sécurité</translation>
     </message>
     <message>
         <source>Least distance of UAVs from the asset; for a ship, from its whole track.</source>
@@ -8764,7 +8764,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Saves the run to a file.</source>
-        <translation>Conserve le vol dans un fichier.</translation>
+        <translation>Enregistre le vol dans un fichier.</translation>
     </message>
     <message>
         <source>Report</source>
@@ -8811,7 +8811,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Flight to %1 discarded</source>
-        <translation>Vol vers %1 abandonné</translation>
+        <translation>Vol jusqu&apos;à %1 abandonné</translation>
     </message>
 </context>
 <context>
@@ -8881,7 +8881,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Visible part of the map</source>
-        <translation>Ce que montre la carte</translation>
+        <translation>Partie visible de la carte</translation>
     </message>
     <message>
         <source>Rectangle in the middle of the map</source>
@@ -9320,7 +9320,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Visible part of the &amp;map</source>
-        <translation>Ce que montre la ca&amp;rte</translation>
+        <translation>Partie visible de la ca&amp;rte</translation>
     </message>
     <message>
         <source>South</source>
@@ -9610,7 +9610,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Removes the background</source>
-        <translation>N&apos;affiche plus de fond de carte</translation>
+        <translation>Retire le fond de carte</translation>
     </message>
     <message>
         <source>Choose a file…</source>
@@ -10072,7 +10072,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>&amp;Return home now</source>
-        <translation>Rentrer à la &amp;base maintenant</translation>
+        <translation>Rentrer à la &amp;base</translation>
     </message>
     <message>
         <source>Hold here</source>
@@ -10466,7 +10466,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Arrival of the UAV</source>
-        <translation>Quand le drone y est</translation>
+        <translation>Arrivée du drone</translation>
     </message>
     <message>
         <source>95 % now</source>
@@ -11413,7 +11413,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Total time limit</source>
-        <translation>Temps pour l&apos;ensemble</translation>
+        <translation>Limite de temps totale</translation>
     </message>
     <message>
         <source>A solver that does not finish a size skips the larger ones.</source>
@@ -12202,7 +12202,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <name>berg::ValueTable</name>
     <message>
         <source>Show values as a table</source>
-        <translation>Afficher les valeurs sous forme de tableau</translation>
+        <translation>Afficher les valeurs en tableau</translation>
     </message>
     <message>
         <source>Values: %1</source>

@@ -1068,7 +1068,7 @@
     </message>
     <message>
         <source>Path</source>
-        <translation>Vei</translation>
+        <translation>Bane</translation>
     </message>
     <message>
         <source>Table of the order with legs, coordinates and arrivals; of a path or what was flown one row for each point.</source>
@@ -1277,7 +1277,7 @@
     </message>
     <message>
         <source>Time of flight</source>
-        <translation>Flytid</translation>
+        <translation>Flygetid</translation>
     </message>
     <message>
         <source>End, UTC</source>
@@ -1337,7 +1337,7 @@
     </message>
     <message>
         <source>Endurance left</source>
-        <translation>Flytid igjen</translation>
+        <translation>Utholdenhet igjen</translation>
     </message>
     <message>
         <source>Endurance</source>
@@ -1537,7 +1537,7 @@
     </message>
     <message>
         <source>Out of radio range</source>
-        <translation>Utenfor rekkevidde</translation>
+        <translation>Utenfor radiorekkevidde</translation>
     </message>
     <message>
         <source>Probability of being in view on arrival: %1</source>
@@ -1744,7 +1744,7 @@
     </message>
     <message>
         <source>Drag to turn the UAV.</source>
-        <translation>Dra dreier UAV-en.</translation>
+        <translation>Dra for å dreie UAV-en.</translation>
     </message>
     <message>
         <source>Drag to move the corner. To remove it, click it and press Del.</source>
@@ -2457,7 +2457,7 @@
     </message>
     <message>
         <source>a disk</source>
-        <translation>en sirkel</translation>
+        <translation>en sirkelskive</translation>
     </message>
     <message>
         <source>by position</source>
@@ -2850,7 +2850,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Assign iceberg</source>
-        <translation>Overlat isfjell</translation>
+        <translation>Tildel isfjell</translation>
     </message>
     <message>
         <source>Order UAV</source>
@@ -3050,7 +3050,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>recorded %1, replayed %2</source>
-        <translation>lagret %1, fløyet på nytt %2</translation>
+        <translation>registrert %1, avspilt %2</translation>
     </message>
     <message>
         <source>at %1 s: recorded %2, replayed %3</source>
@@ -3222,11 +3222,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>a number is out of range</source>
-        <translation>et tall er utenfor gyldig område</translation>
+        <translation>et tall er utenfor grensene</translation>
     </message>
     <message>
         <source>id is too long</source>
-        <translation>ID-en er for lang</translation>
+        <translation>id-en er for lang</translation>
     </message>
     <message>
         <source>is no point</source>
@@ -4127,13 +4127,13 @@ Tilstøtende område %4</translation>
     <message numerus="yes">
         <source>%n UAV(s) taken over</source>
         <translation>
-            <numerusform>%n UAV overtatt</numerusform>
-            <numerusform>%n UAV-er overtatt</numerusform>
+            <numerusform>%n UAV tatt med</numerusform>
+            <numerusform>%n UAV-er tatt med</numerusform>
         </translation>
     </message>
     <message>
         <source>area taken over</source>
-        <translation>området overtatt</translation>
+        <translation>området tatt med</translation>
     </message>
     <message>
         <source>area taken over as geofence</source>
@@ -4141,7 +4141,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>asset taken over</source>
-        <translation>objektet overtatt</translation>
+        <translation>objektet tatt med</translation>
     </message>
     <message numerus="yes">
         <source>%n no-fly area(s) taken over</source>
@@ -4495,7 +4495,7 @@ Tilstøtende område %4</translation>
     <name>MapLegend</name>
     <message>
         <source>In view now: σ is 0</source>
-        <translation>I synsfeltet nå: σ er 0</translation>
+        <translation>I syne nå: σ er 0</translation>
     </message>
     <message>
         <source>Plan, next leg thicker</source>
@@ -4519,7 +4519,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Appears later, with time</source>
-        <translation>Kommer senere, med tidspunkt</translation>
+        <translation>Dukker opp senere, med tidspunkt</translation>
     </message>
     <message>
         <source>Compared: %1</source>
@@ -4535,11 +4535,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>In view</source>
-        <translation>I sikte</translation>
+        <translation>I syne</translation>
     </message>
     <message>
         <source>Appears later</source>
-        <translation>Kommer senere</translation>
+        <translation>Dukker opp senere</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -4563,7 +4563,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>In view now</source>
-        <translation>I synsfeltet nå</translation>
+        <translation>I syne nå</translation>
     </message>
     <message>
         <source>Lost: not found where expected</source>
@@ -4790,7 +4790,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Flight time</source>
-        <translation>Flytid</translation>
+        <translation>Flygetid</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -4972,11 +4972,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Cross-track error</source>
-        <translation>Avvik fra etappen</translation>
+        <translation>Sideavvik</translation>
     </message>
     <message>
         <source>Cross-track error, m, positive to the left</source>
-        <translation>Avvik fra etappen, m, positivt mot venstre</translation>
+        <translation>Sideavvik, m, positivt mot venstre</translation>
     </message>
     <message>
         <source>m</source>
@@ -5028,7 +5028,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Cross-track error at %1: %2.</source>
-        <translation>Avvik fra etappen ved %1: %2.</translation>
+        <translation>Sideavvik ved %1: %2.</translation>
     </message>
     <message>
         <source>Zeta %1</source>
@@ -5676,7 +5676,7 @@ Tilstøtende område %4</translation>
     <message>
         <source>search and bound</source>
         <comment>solver</comment>
-        <translation>søk og skranke</translation>
+        <translation>søk og grense</translation>
     </message>
     <message>
         <source>COIN-OR CBC</source>
@@ -6459,7 +6459,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Stuck</source>
-        <translation>Fast</translation>
+        <translation>Hengende</translation>
     </message>
     <message>
         <source>yes</source>
@@ -6627,7 +6627,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Took off</source>
-        <translation>Lettet</translation>
+        <translation>Tok av</translation>
     </message>
     <message>
         <source>Landed</source>
@@ -6667,7 +6667,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Distance planned</source>
-        <translation>Strekning planlagt</translation>
+        <translation>Planlagt avstand</translation>
     </message>
     <message>
         <source>95 % within</source>
@@ -6824,7 +6824,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>stuck</source>
-        <translation>fast</translation>
+        <translation>hengende</translation>
     </message>
     <message>
         <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
@@ -6865,7 +6865,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Stuck</source>
-        <translation>Fast</translation>
+        <translation>Hengende</translation>
     </message>
     <message>
         <source>How the next iceberg is chosen.</source>
@@ -7042,7 +7042,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Back to latest</source>
-        <translation>Tilbake til siste</translation>
+        <translation>Tilbake til nyeste</translation>
     </message>
     <message>
         <source>Goes to the latest instant of the flight.</source>
@@ -7138,7 +7138,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Quantity shown over time</source>
-        <translation>Hva som vises over tid</translation>
+        <translation>Størrelsen som vises over tid</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -7146,7 +7146,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Choose the lines to show</source>
-        <translation>Hvilke linjer som vises</translation>
+        <translation>Velg linjene som vises</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -7225,7 +7225,7 @@ mot %2</translation>
     </message>
     <message>
         <source>No problems found</source>
-        <translation>Ingenting å rette</translation>
+        <translation>Ingen feil funnet</translation>
     </message>
     <message>
         <source>Findings about the scenario</source>
@@ -7800,7 +7800,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Preview of the page</source>
-        <translation>Siden slik den skrives</translation>
+        <translation>Forhåndsvisning av siden</translation>
     </message>
     <message>
         <source>Page</source>
@@ -8595,7 +8595,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>no separation</source>
-        <translation>ingen avstandskrav</translation>
+        <translation>ikke noe avstandskrav</translation>
     </message>
     <message>
         <source>Separation</source>
@@ -8764,7 +8764,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Saves the run to a file.</source>
-        <translation>Tar vare på flygingen i en fil.</translation>
+        <translation>Lagrer flygingen i en fil.</translation>
     </message>
     <message>
         <source>Report</source>
@@ -8796,7 +8796,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>changed in flight</source>
-        <translation>endret underveis</translation>
+        <translation>endret under flyging</translation>
     </message>
     <message>
         <source>being computed, %1 %</source>
@@ -8811,7 +8811,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Flight to %1 discarded</source>
-        <translation>Flyging til %1 oppgitt</translation>
+        <translation>Flyging til %1 forkastet</translation>
     </message>
 </context>
 <context>
@@ -8881,7 +8881,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Visible part of the map</source>
-        <translation>Det kartet viser</translation>
+        <translation>Synlig del av kartet</translation>
     </message>
     <message>
         <source>Rectangle in the middle of the map</source>
@@ -8985,7 +8985,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>&amp;Seed</source>
-        <translation>&amp;Startverdi</translation>
+        <translation>&amp;Startfrø</translation>
     </message>
     <message>
         <source>R&amp;eplace existing icebergs</source>
@@ -9320,7 +9320,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Visible part of the &amp;map</source>
-        <translation>Det &amp;kartet viser</translation>
+        <translation>Synlig del av &amp;kartet</translation>
     </message>
     <message>
         <source>South</source>
@@ -9610,7 +9610,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Removes the background</source>
-        <translation>Viser ikke lenger noen bakgrunn</translation>
+        <translation>Fjerner bakgrunnen</translation>
     </message>
     <message>
         <source>Choose a file…</source>
@@ -9940,11 +9940,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Step one &amp;tick</source>
-        <translation>Steg på ett ti&amp;dsskritt</translation>
+        <translation>Ett ti&amp;dssteg frem</translation>
     </message>
     <message>
         <source>Step back one t&amp;ick</source>
-        <translation>Steg tilbake ett t&amp;idsskritt</translation>
+        <translation>Ett t&amp;idssteg tilbake</translation>
     </message>
     <message>
         <source>&amp;Next event</source>
@@ -10399,7 +10399,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>In view</source>
-        <translation>I synsfelt</translation>
+        <translation>I syne</translation>
     </message>
     <message>
         <source>Probability that the iceberg is in view when the UAV reaches its estimate</source>
@@ -10412,7 +10412,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Lost: searched for %1</source>
         <comment>times and chances of finding it</comment>
-        <translation>Mistet: letes etter %1</translation>
+        <translation>Tapt: letes etter %1</translation>
     </message>
     <message>
         <source>Returning home</source>
@@ -10466,7 +10466,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Arrival of the UAV</source>
-        <translation>Når UAV-en er der</translation>
+        <translation>UAV-ens ankomst</translation>
     </message>
     <message>
         <source>95 % now</source>
@@ -10686,7 +10686,7 @@ for enhver strategi og enhver svingradius.</translation>
     </message>
     <message>
         <source>The run has ended.</source>
-        <translation>Turen er slutt.</translation>
+        <translation>Flygingen er slutt.</translation>
     </message>
     <message>
         <source>Fly again from the start (Space)</source>
@@ -11413,7 +11413,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Total time limit</source>
-        <translation>Tid til alt</translation>
+        <translation>Tidsgrense i alt</translation>
     </message>
     <message>
         <source>A solver that does not finish a size skips the larger ones.</source>
@@ -11941,7 +11941,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>First seed</source>
-        <translation>Første frø</translation>
+        <translation>Første startfrø</translation>
     </message>
     <message>
         <source>Further scenarios use the seeds that follow.</source>
@@ -12268,7 +12268,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Assign iceberg</source>
-        <translation>Overlat isfjell</translation>
+        <translation>Tildel isfjell</translation>
     </message>
     <message>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
