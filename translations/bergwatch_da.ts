@@ -404,7 +404,7 @@
     </message>
     <message>
         <source>--dt, --duration: the time step is longer than the duration</source>
-        <translation>--dt, --duration: tidstrinnet er længere end varigheden</translation>
+        <translation>--dt, --duration: tidsskridtet er længere end varigheden</translation>
     </message>
     <message>
         <source>--first-seed needs --random N; scenario files have their own seeds</source>
@@ -990,7 +990,7 @@
     </message>
     <message>
         <source>Nothing to visit now: circling</source>
-        <translation>Intet at besøge nu: cirkler</translation>
+        <translation>Intet at besøge nu: kredser</translation>
     </message>
 </context>
 <context>
@@ -2699,7 +2699,7 @@
     </message>
     <message>
         <source>Makes airspace that the operation may enter no-fly areas, so that the UAVs stay out of it.</source>
-        <translation>Luftrum, som operationen kan komme ind i, bliver til flyveforbudsområder: så holder dronerne sig uden for det.</translation>
+        <translation>Gør luftrum, som operationen kan komme ind i, til flyveforbudsområder, så dronerne holder sig uden for det.</translation>
     </message>
     <message>
         <source>Make entered airspace no-fly areas</source>
@@ -2707,7 +2707,7 @@
     </message>
     <message>
         <source>Removes all airspace. Undo restores it.</source>
-        <translation>Det hele; Fortryd henter det tilbage.</translation>
+        <translation>Fjerner alt luftrum. Fortryd henter det tilbage.</translation>
     </message>
     <message>
         <source>Remove airspace</source>
@@ -2719,7 +2719,7 @@
     </message>
     <message>
         <source>Proposed volume for a permit application; check it with your authority. Shown on the map, in KML and GeoJSON, and on a second page of the flight brief.</source>
-        <translation>Forslag til en ansøgning om tilladelse, som skal afklares med myndigheden: på kortet, i KML og GeoJSON og som side to i flyvebriefingen.</translation>
+        <translation>Foreslået volumen til en ansøgning om tilladelse; afklar det med myndigheden. Vises på kortet, i KML og GeoJSON og på en ekstra side i flyvebriefingen.</translation>
     </message>
     <message>
         <source>Contingency volume %1 wide, %2 high
@@ -3886,7 +3886,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the time between two commands is too long for the UAV to follow a leg</source>
-        <translation>tiden mellem to kommandoer er for lang til, at dronen kan følge en strækning</translation>
+        <translation>tiden mellem to kommandoer er for lang til, at dronen kan følge en etape</translation>
     </message>
     <message>
         <source>must not be exceeded: wind of %1, limit %2</source>

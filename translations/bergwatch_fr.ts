@@ -990,7 +990,7 @@
     </message>
     <message>
         <source>Nothing to visit now: circling</source>
-        <translation>Rien à visiter pour l&apos;instant : tourne en rond</translation>
+        <translation>Rien à visiter pour l&apos;instant : vol d&apos;attente</translation>
     </message>
 </context>
 <context>
@@ -3570,7 +3570,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>airspace left out: a height has no unit</source>
-        <translation>espace aérien laissé de côté : une hauteur n&apos;a pas d&apos;unité</translation>
+        <translation>espace aérien omis : une hauteur n&apos;a pas d&apos;unité</translation>
     </message>
     <message>
         <source>members that this version does not know are not used: &quot;%1&quot;</source>
@@ -7575,7 +7575,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Trade-off τ, policy, solver and route</source>
-        <translation>Compromis τ, stratégie, solveur et itinéraire</translation>
+        <translation>Compromis τ, stratégie, solveur et route</translation>
     </message>
     <message>
         <source>Pareto curve</source>
@@ -11292,8 +11292,8 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message numerus="yes">
         <source>Airspace of %1: %n areas added, %2 already present, %3 farther than 100 km, %4 left out</source>
         <translation>
-            <numerusform>Espace aérien de %1 : %n zone ajoutée, %2 déjà présentes, %3 à plus de 100 km, %4 laissées de côté</numerusform>
-            <numerusform>Espace aérien de %1 : %n zones ajoutées, %2 déjà présentes, %3 à plus de 100 km, %4 laissées de côté</numerusform>
+            <numerusform>Espace aérien de %1 : %n zone ajoutée, %2 déjà présentes, %3 à plus de 100 km, %4 omises</numerusform>
+            <numerusform>Espace aérien de %1 : %n zones ajoutées, %2 déjà présentes, %3 à plus de 100 km, %4 omises</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -11683,7 +11683,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Flown as in the study, which is under View, Study.</source>
-        <translation>Joué comme dans l&apos;étude, qui se trouve sous « Affichage », « Étude de τ et des stratégies ».</translation>
+        <translation>Joué comme dans l&apos;étude, qui se trouve sous « Affichage », « Étude ».</translation>
     </message>
     <message>
         <source>Fly Figure 5 of the paper</source>
