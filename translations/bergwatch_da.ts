@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>An area needs at least three corners. Esc cancels the drawing.</source>
-        <translation>Et område skal have tre hjørner. Esc kasserer det, der er tegnet.</translation>
+        <translation>Et område skal have mindst tre hjørner. Esc annullerer tegningen.</translation>
     </message>
     <message numerus="yes">
         <source>An area has at most %n corners.</source>
@@ -24,11 +24,11 @@
     </message>
     <message>
         <source>Click the first corner or press Enter to close the area. Backspace removes a corner, Esc cancels.</source>
-        <translation>Klik på det første hjørne eller tryk på Enter for at lukke området. Backspace fjerner ét hjørne, Esc alle.</translation>
+        <translation>Klik på det første hjørne, eller tryk på Enter for at lukke området. Backspace fjerner et hjørne, Esc annullerer.</translation>
     </message>
     <message>
         <source>Click to set the next corner. Backspace removes a corner, Esc cancels.</source>
-        <translation>Klik sætter det næste hjørne. Backspace fjerner ét, Esc kasserer området.</translation>
+        <translation>Klik for at sætte det næste hjørne. Backspace fjerner et hjørne, Esc annullerer.</translation>
     </message>
     <message>
         <source>Drag a corner or the middle of an edge; clicking starts a new area. Esc leaves the tool.</source>
@@ -36,7 +36,7 @@
     </message>
     <message>
         <source>Click to set the first corner of the area. Esc leaves the tool.</source>
-        <translation>Klik sætter områdets første hjørne. Esc forlader værktøjet.</translation>
+        <translation>Klik for at sætte områdets første hjørne. Esc forlader værktøjet.</translation>
     </message>
     <message>
         <source>Add no-fly area</source>
@@ -51,7 +51,7 @@
     </message>
     <message>
         <source>Click to set the first corner of a no-fly area, or drag a corner or the middle of an edge of an existing one. Esc leaves the tool.</source>
-        <translation>Klik sætter det første hjørne af et flyveforbudsområde. Hjørner og kantmidter af dem, der findes, kan trækkes. Esc forlader værktøjet.</translation>
+        <translation>Klik for at sætte det første hjørne af et flyveforbudsområde, eller træk i et hjørne eller midten af en kant på et eksisterende. Esc forlader værktøjet.</translation>
     </message>
 </context>
 <context>
@@ -88,7 +88,7 @@
     </message>
     <message>
         <source>interrupted: the table is incomplete</source>
-        <translation>afbrudt: tabellen slutter for tidligt</translation>
+        <translation>afbrudt: tabellen er ufuldstændig</translation>
     </message>
     <message>
         <source>warning</source>
@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>interrupted, nothing written</source>
-        <translation>afbrudt, intet er skrevet</translation>
+        <translation>afbrudt, intet blev skrevet</translation>
     </message>
     <message>
         <source>proving the curve</source>
@@ -124,11 +124,11 @@
     </message>
     <message>
         <source>--output: no format has the suffix of %1; choose one with --format: %2</source>
-        <translation>--output: intet format har filendelsen på %1; --format vælger et af %2</translation>
+        <translation>--output: intet format har filendelsen på %1; vælg et med --format: %2</translation>
     </message>
     <message>
         <source>--format %1: the program bergwatch paints this format, but it is neither in this folder nor on the PATH</source>
-        <translation>--format %1: tegnes af programmet bergwatch, som hverken findes ved siden af dette eller i PATH</translation>
+        <translation>--format %1: programmet bergwatch tegner dette format, men det findes hverken i denne mappe eller i PATH</translation>
     </message>
     <message>
         <source>%1: %2 is not a UTC time such as 2026-05-01T12:00:00Z</source>
@@ -144,11 +144,11 @@
     </message>
     <message>
         <source>--position-error: %1 is neither a number of metres nor one of %2</source>
-        <translation>--position-error: %1 er hverken meter eller en af %2</translation>
+        <translation>--position-error: %1 er hverken et antal meter eller en af %2</translation>
     </message>
     <message>
         <source>--with-tracks needs --at: tracks consist of the sightings after that time</source>
-        <translation>--with-tracks kræver --at: sporene er det, der blev observeret efter det tidspunkt</translation>
+        <translation>--with-tracks kræver --at: spor består af observationerne efter det tidspunkt</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -164,7 +164,7 @@
     </message>
     <message>
         <source>the MPI processes have different options</source>
-        <translation>MPI-processerne har fået forskellige tilvalg</translation>
+        <translation>MPI-processerne har forskellige tilvalg</translation>
     </message>
     <message>
         <source>%1 is none of %2</source>
@@ -196,15 +196,15 @@
     </message>
     <message>
         <source>%1 exists; use --force to overwrite it</source>
-        <translation>%1: findes allerede; --force overskriver den</translation>
+        <translation>%1 findes; brug --force for at overskrive den</translation>
     </message>
     <message>
         <source>%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order.</source>
-        <translation>%1: %2 og %3 modsiger hinanden: en af de to tager fejl. Stol ikke på denne rækkefølge.</translation>
+        <translation>%1: %2 og %3 modsiger hinanden. En af de to er forkert; brug ikke denne rækkefølge.</translation>
     </message>
     <message>
         <source>there is not enough memory</source>
-        <translation>der er ikke hukommelse nok til dette</translation>
+        <translation>der er ikke hukommelse nok</translation>
     </message>
     <message>
         <source>This is a planning problem: use &apos;solve&apos;.</source>
@@ -228,11 +228,11 @@
     </message>
     <message>
         <source>This is not a Bergwatch file. To read sightings, use &apos;import&apos;.</source>
-        <translation>Er dette en fil fra Bergwatch? Observationer læses af »import«.</translation>
+        <translation>Dette er ikke en Bergwatch-fil. Brug »import« for at læse observationer.</translation>
     </message>
     <message>
         <source>there is no completion script for %1</source>
-        <translation>der findes intet script til %1</translation>
+        <translation>der findes intet fuldførelsesscript til %1</translation>
     </message>
     <message>
         <source>Try &apos;%1 --help&apos;.</source>
@@ -252,7 +252,7 @@
     </message>
     <message>
         <source>a run file is replayed exactly as flown; --tau, --policy, --duration, --dt, --seed and --no-noise apply to scenarios only</source>
-        <translation>en gemt flyvning afspilles, som den blev fløjet; --tau, --policy, --duration, --dt, --seed og --no-noise gælder scenarier</translation>
+        <translation>en flyvningsfil afspilles nøjagtigt, som den blev fløjet; --tau, --policy, --duration, --dt, --seed og --no-noise gælder kun scenarier</translation>
     </message>
     <message>
         <source>replaying</source>
@@ -260,11 +260,11 @@
     </message>
     <message>
         <source>--bound does not apply to runs with reported sightings</source>
-        <translation>--bound gælder det, dronen selv ser; i denne flyvning blev et isbjerg meldt set</translation>
+        <translation>--bound gælder ikke flyvninger med meldte observationer</translation>
     </message>
     <message>
         <source>--bound does not apply to runs in which the wind changed</source>
-        <translation>--bound gælder scenariets vind; i denne flyvning ændrede den sig</translation>
+        <translation>--bound gælder ikke flyvninger, hvor vinden ændrede sig</translation>
     </message>
     <message>
         <source>bounding</source>
@@ -272,11 +272,11 @@
     </message>
     <message>
         <source>interrupted: the flight is complete, but its lower bound is missing</source>
-        <translation>afbrudt: flyvningen er fuldført, dens nedre grænse mangler</translation>
+        <translation>afbrudt: flyvningen er fuldført, men dens nedre grænse mangler</translation>
     </message>
     <message>
         <source>incomplete: %1 of %2 missions are flown; the results use only cases with all settings</source>
-        <translation>ikke fuldført: %1 af %2 missioner er fløjet; kun tilfælde med alle indstillinger regnes med</translation>
+        <translation>ufuldstændig: %1 af %2 missioner er fløjet; resultaterne bruger kun tilfælde med alle indstillinger</translation>
     </message>
     <message>
         <source>--reference: %1 is not POLICY[:TAU] with one of %2</source>
@@ -284,7 +284,7 @@
     </message>
     <message>
         <source>--reference: this study does not contain %1</source>
-        <translation>--reference: %1 flyves ikke i dette studie</translation>
+        <translation>--reference: dette studie indeholder ikke %1</translation>
     </message>
     <message>
         <source>--tau: %1 is not A:B:STEP with 0 &lt;= A &lt;= B &lt;= 100</source>
@@ -292,7 +292,7 @@
     </message>
     <message>
         <source>--tau: with %1 there are more than %2 values</source>
-        <translation>--tau: med %1 bliver det mere end %2 værdier</translation>
+        <translation>--tau: med %1 bliver der flere end %2 værdier</translation>
     </message>
     <message>
         <source>--policies: %1 is none of %2</source>
@@ -300,7 +300,7 @@
     </message>
     <message>
         <source>--regime needs --random N; scenario files define their own drift</source>
-        <translation>--regime gælder --random N; scenarier siger selv, hvordan isbjerge driver</translation>
+        <translation>--regime kræver --random N; scenariefiler bestemmer selv driften</translation>
     </message>
     <message>
         <source>name scenarios, or use --random N</source>
@@ -312,15 +312,15 @@
     </message>
     <message>
         <source>--shard needs --study FILE, in which the part is stored</source>
-        <translation>--shard: delen kræver en fil at blive gemt i: --study FILE</translation>
+        <translation>--shard kræver --study FILE, hvor delen gemmes</translation>
     </message>
     <message>
         <source>--shard: to write tables and reports of all shards, use &apos;study&apos;</source>
-        <translation>--shard: filerne for alle dele skrives af »study«</translation>
+        <translation>--shard: brug »study« for at skrive tabeller og rapporter for alle dele</translation>
     </message>
     <message>
         <source>--replace-study needs --study FILE</source>
-        <translation>--replace-study: gælder --study FILE</translation>
+        <translation>--replace-study kræver --study FILE</translation>
     </message>
     <message>
         <source>flying %1 missions</source>
@@ -328,7 +328,7 @@
     </message>
     <message>
         <source>interrupted: %1 of %2 missions are stored in %3; repeat the command to continue</source>
-        <translation>afbrudt: %1 af %2 missioner er gemt i %3; den samme kommando fortsætter</translation>
+        <translation>afbrudt: %1 af %2 missioner er gemt i %3; gentag kommandoen for at fortsætte</translation>
     </message>
     <message>
         <source>there is no option &apos;%1&apos;</source>
@@ -368,7 +368,7 @@
     </message>
     <message>
         <source>--format airspace accepts only --into, --output, --force and --json</source>
-        <translation>--format airspace kan kun bruges sammen med --into, --output, --force og --json</translation>
+        <translation>--format airspace tillader kun --into, --output, --force og --json</translation>
     </message>
     <message>
         <source>%1 is airspace; use --format airspace with --into SCENARIO</source>
@@ -380,11 +380,11 @@
     </message>
     <message>
         <source>--bound does not apply to runs from which an iceberg was removed</source>
-        <translation>--bound gælder alle isbjerge; i denne flyvning blev ét fjernet</translation>
+        <translation>--bound gælder ikke flyvninger, hvor et isbjerg blev fjernet</translation>
     </message>
     <message>
         <source>--output: this format writes one file per UAV; choose a UAV with --uav</source>
-        <translation>--output: dette format har en fil for hver drone; vælg én med --uav</translation>
+        <translation>--output: dette format skriver én fil pr. drone; vælg en drone med --uav</translation>
     </message>
     <message>
         <source>%1: &apos;-&apos; is not possible here; give a file name</source>
@@ -404,11 +404,11 @@
     </message>
     <message>
         <source>--dt, --duration: the time step is longer than the duration</source>
-        <translation>--dt, --duration: tidstrinnet er længere end varigheden</translation>
+        <translation>--dt, --duration: tidsskridtet er længere end varigheden</translation>
     </message>
     <message>
         <source>--first-seed needs --random N; scenario files have their own seeds</source>
-        <translation>--first-seed gælder --random N; scenarier har egne frø</translation>
+        <translation>--first-seed kræver --random N; scenariefiler har egne startværdier</translation>
     </message>
     <message>
         <source>%1 sightings are too far from the origin of the scenario, %2; import them without --into, or choose others with --area</source>
@@ -473,7 +473,7 @@
     </message>
     <message>
         <source>Mean total uncertainty of all icebergs: ζ divided by the flown time.</source>
-        <translation>Zeta over tid: hvor usikre alle isbjerge tilsammen var i gennemsnit.</translation>
+        <translation>Gennemsnitlig samlet usikkerhed for alle isbjerge: ζ divideret med den fløjne tid.</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Number of plans made.</source>
-        <translation>Antal gange besøgsrækkefølgen blev planlagt.</translation>
+        <translation>Antal planer, der er lavet.</translation>
     </message>
     <message>
         <source>Distance flown through the air.</source>
@@ -525,11 +525,11 @@
     </message>
     <message>
         <source>Distance that %1 has flown through the air.</source>
-        <translation>Det, %1 har fløjet gennem luften.</translation>
+        <translation>Distance, som %1 har fløjet gennem luften.</translation>
     </message>
     <message>
         <source>Icebergs reached as targets.</source>
-        <translation>Isbjerge, der var mål og blev nået.</translation>
+        <translation>Isbjerge, der blev nået som mål.</translation>
     </message>
 </context>
 <context>
@@ -559,11 +559,11 @@
     </message>
     <message>
         <source>Your changes will be lost if you don&apos;t save them.</source>
-        <translation>De går tabt, hvis du ikke gemmer dem.</translation>
+        <translation>Ændringerne går tabt, hvis du ikke gemmer dem.</translation>
     </message>
     <message>
         <source>Your changes will be lost if you don&apos;t save them. The flight in progress ends unless you cancel.</source>
-        <translation>De går tabt, hvis du ikke gemmer dem. Den igangværende flyvning slutter, medmindre du annullerer.</translation>
+        <translation>Ændringerne går tabt, hvis du ikke gemmer dem. Den igangværende flyvning slutter, medmindre du annullerer.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -587,7 +587,7 @@
     </message>
     <message>
         <source>%1 has it open. You can open a copy and save it under another name. If both windows save to this file, the last one wins.</source>
-        <translation>%1 har den åben. En kopi kan ændres frit og gemmes under et andet navn; hvis begge vinduer gemmer i filen, gælder det sidste.</translation>
+        <translation>%1 har den åben. Du kan åbne en kopi og gemme den under et andet navn. Hvis begge vinduer gemmer i denne fil, gælder det sidste.</translation>
     </message>
     <message>
         <source>Open a copy</source>
@@ -619,11 +619,11 @@
     </message>
     <message>
         <source>Another program has changed &quot;%1&quot;.</source>
-        <translation>»%1« er ændret af et andet program.</translation>
+        <translation>Et andet program har ændret »%1«.</translation>
     </message>
     <message>
         <source>You have no unsaved changes.</source>
-        <translation>Du har ingen egne ændringer, der ikke er gemt.</translation>
+        <translation>Du har ingen ændringer, der ikke er gemt.</translation>
     </message>
     <message>
         <source>Open it again</source>
@@ -651,7 +651,7 @@
     </message>
     <message>
         <source>What has been flown so far stays in the list of runs.</source>
-        <translation>Så langt den nåede, bliver den stående på listen over flyvninger.</translation>
+        <translation>Det, der er fløjet indtil nu, bliver stående på listen over flyvninger.</translation>
     </message>
     <message>
         <source>End the flight</source>
@@ -663,7 +663,7 @@
     </message>
     <message>
         <source>Unsaved run</source>
-        <translation>Flyvning ikke gemt</translation>
+        <translation>Ikke gemt flyvning</translation>
     </message>
     <message>
         <source>Save the run?</source>
@@ -671,7 +671,7 @@
     </message>
     <message>
         <source>The flight will be lost if you don&apos;t save it.</source>
-        <translation>Det fløjne går tabt, hvis du ikke gemmer det.</translation>
+        <translation>Flyvningen går tabt, hvis du ikke gemmer den.</translation>
     </message>
     <message>
         <source>Save the run before the flight ends?</source>
@@ -687,7 +687,7 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Annuller</translation>
+        <translation>Annullér</translation>
     </message>
     <message>
         <source>Remove icebergs</source>
@@ -722,11 +722,11 @@
     </message>
     <message>
         <source>Undo &quot;%1&quot; of %2?</source>
-        <translation>Fortryd &quot;%1&quot; fra %2?</translation>
+        <translation>Fortryd »%1« fra %2?</translation>
     </message>
     <message>
         <source>The flight goes back to that time and continues without the change. The flight since then is discarded; &quot;Restore&quot; brings it back.</source>
-        <translation>Flyvningen går tilbage til det tidspunkt og fortsætter uden ændringen. Det, der er fløjet siden, opgives; &quot;Hent flyvningen tilbage&quot; vender tilbage til det.</translation>
+        <translation>Flyvningen går tilbage til det tidspunkt og fortsætter uden ændringen. Flyvningen siden da kasseres; »Hent flyvningen tilbage« gendanner den.</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -737,7 +737,7 @@
     <name>DriftArrow</name>
     <message>
         <source>The arrow shows the drift over %1. Shift snaps to steps of %2°; Esc cancels.</source>
-        <translation>Pilen er driften over %1. Skift holder sig til trin på %2°, Esc fortryder.</translation>
+        <translation>Pilen viser driften over %1. Skift går i trin på %2°; Esc annullerer.</translation>
     </message>
     <message>
         <source>Heading %1</source>
@@ -768,7 +768,7 @@
     </message>
     <message>
         <source>This file is of a different type than expected here.</source>
-        <translation>Filen er af en anden type end den, der ventes her.</translation>
+        <translation>Filen er af en anden type, end der ventes her.</translation>
     </message>
     <message>
         <source>The file was made by a newer version of Bergwatch. Update the program to open it.</source>
@@ -776,7 +776,7 @@
     </message>
     <message>
         <source>These values are not valid. Correct them and try again.</source>
-        <translation>De angivne værdier kan ikke bruges. Ret dem, og prøv igen.</translation>
+        <translation>Værdierne er ugyldige. Ret dem, og prøv igen.</translation>
     </message>
     <message>
         <source>This version of Bergwatch cannot do that.</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>The replay of the run differs from the recording. The file may come from another version of Bergwatch.</source>
-        <translation>Da flyvningen blev fløjet igen, gav den et andet resultat end det, der var gemt. Den kan komme fra en anden version af Bergwatch.</translation>
+        <translation>Afspilningen af flyvningen afviger fra optagelsen. Filen kan komme fra en anden version af Bergwatch.</translation>
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
@@ -990,7 +990,7 @@
     </message>
     <message>
         <source>Nothing to visit now: circling</source>
-        <translation>Intet at besøge nu: cirkler</translation>
+        <translation>Intet at besøge nu: kredser</translation>
     </message>
 </context>
 <context>
@@ -1048,7 +1048,7 @@
     </message>
     <message>
         <source>Table with the uncertainty of every iceberg over the time of the flight.</source>
-        <translation>Tabel med hvert isbjergs usikkerhed gennem flyvningen.</translation>
+        <translation>Tabel med hvert isbjergs usikkerhed over flyvningens tid.</translation>
     </message>
     <message>
         <source>Decisions</source>
@@ -1056,7 +1056,7 @@
     </message>
     <message>
         <source>Table with plans, visits and what else happened in the flight.</source>
-        <translation>Tabel med planer, besøg og hvad der ellers skete under flyvningen.</translation>
+        <translation>Tabel med planer, besøg og andre hændelser under flyvningen.</translation>
     </message>
     <message>
         <source>Zeta</source>
@@ -1064,7 +1064,7 @@
     </message>
     <message>
         <source>Table with zeta over the time of the flight.</source>
-        <translation>Tabel med zeta gennem flyvningen.</translation>
+        <translation>Tabel med zeta over flyvningens tid.</translation>
     </message>
     <message>
         <source>Path</source>
@@ -1128,7 +1128,7 @@
     </message>
     <message>
         <source>Zeta and the uncertainty of every iceberg over the time of the flight.</source>
-        <translation>Zeta og hvert isbjergs usikkerhed gennem flyvningen.</translation>
+        <translation>Zeta og hvert isbjergs usikkerhed over flyvningens tid.</translation>
     </message>
     <message>
         <source>Pictures and print</source>
@@ -1184,7 +1184,7 @@
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
-        <translation>Til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler; og en side mere, hvis der er et operationsvolumen.</translation>
+        <translation>Til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler; plus en anden side, hvis der er et operationsvolumen.</translation>
     </message>
 </context>
 <context>
@@ -1345,11 +1345,11 @@
     </message>
     <message>
         <source>Positions are WGS 84. Icebergs drift: each is listed where it was when reached. Courses and distances are over ground.</source>
-        <translation>Positioner i WGS 84: isbjerge driver, hvert er angivet, hvor det var, da det blev nået. Kurser og distancer er over grund.</translation>
+        <translation>Positionerne er i WGS 84. Isbjerge driver: hvert er angivet, hvor det var, da det blev nået. Kurser og distancer er over grunden.</translation>
     </message>
     <message>
         <source>Positions are WGS 84. Icebergs drift: each is listed where it is expected at arrival. Courses and distances are over ground.</source>
-        <translation>Positioner i WGS 84: isbjerge driver, hvert er angivet, hvor det ventes ved ankomsten. Kurser og distancer er over grund.</translation>
+        <translation>Positionerne er i WGS 84. Isbjerge driver: hvert er angivet, hvor det ventes ved ankomsten. Kurser og distancer er over grunden.</translation>
     </message>
     <message>
         <source>Origin %1</source>
@@ -1421,15 +1421,15 @@
     </message>
     <message>
         <source>and %1 more; export CSV for the whole list</source>
-        <translation>og %1 til; hele listen: eksportér CSV</translation>
+        <translation>og %1 til; eksportér CSV for hele listen</translation>
     </message>
     <message>
         <source>and %1 more UAVs; export CSV for the whole list</source>
-        <translation>og %1 droner til; hele listen: eksportér CSV</translation>
+        <translation>og %1 droner til; eksportér CSV for hele listen</translation>
     </message>
     <message>
         <source>Lost, not found where expected (%1): %2</source>
-        <translation>Mistet, ikke hvor de ventedes (%1): %2</translation>
+        <translation>Mistet, ikke fundet, hvor de ventedes (%1): %2</translation>
     </message>
     <message>
         <source>Search given up (%1): %2</source>
@@ -1445,7 +1445,7 @@
     </message>
     <message>
         <source>The order is not proven optimal: %1.</source>
-        <translation>Det er ikke bevist, at rækkefølgen er den bedste: %1.</translation>
+        <translation>Rækkefølgen er ikke bevist optimal: %1.</translation>
     </message>
     <message>
         <source>Geofence in force: stay inside the area.</source>
@@ -1453,7 +1453,7 @@
     </message>
     <message>
         <source>UAVs share an altitude layer: keep them %1 apart. They do not avoid each other.</source>
-        <translation>Droner i ét højdelag: hold dem %1 fra hinanden, intet styrer dem fri.</translation>
+        <translation>Droner deler et højdelag: hold dem %1 fra hinanden. De undviger ikke hinanden.</translation>
     </message>
     <message>
         <source>Nothing to visit</source>
@@ -1489,7 +1489,7 @@
     </message>
     <message>
         <source>The planner reached its limit without an order. The UAV flies the rest of the previous plan, or to the nearest iceberg.</source>
-        <translation>Planlæggeren nåede sin grænse uden en rækkefølge: dronen flyver resten af den forrige plan eller til det nærmeste isbjerg.</translation>
+        <translation>Planlæggeren nåede sin grænse uden en rækkefølge. Dronen flyver resten af den forrige plan eller til det nærmeste isbjerg.</translation>
     </message>
     <message>
         <source>Nothing to visit for %1</source>
@@ -1505,7 +1505,7 @@
     </message>
     <message>
         <source>Times do not include the loiter turns, which add %1 at each iceberg, %2 in total.</source>
-        <translation>Tiderne er uden kredsninger: %1 mere ved hvert isbjerg, %2 i alt.</translation>
+        <translation>Tiderne er uden kredsninger, som lægger %1 til ved hvert isbjerg, %2 i alt.</translation>
     </message>
     <message>
         <source>With the loiter turns the endurance is too short: %1</source>
@@ -1545,7 +1545,7 @@
     </message>
     <message>
         <source>Straight legs that leave the geofence or cross a no-fly area: %1. The UAV flies around.</source>
-        <translation>Lige etaper, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1. Dronen flyver udenom.</translation>
+        <translation>Lige etaper, der forlader geohegnet eller krydser et flyveforbudsområde: %1. Dronen flyver udenom.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -1613,19 +1613,19 @@
     </message>
     <message>
         <source>Release to apply this wind from now on. Esc cancels.</source>
-        <translation>Slip: denne vind blæser fra nu af. Esc fortryder.</translation>
+        <translation>Slip for at bruge denne vind fra nu af. Esc annullerer.</translation>
     </message>
     <message>
         <source>Release to keep this wind. Shift snaps to steps of %1°; Esc cancels.</source>
-        <translation>Slip for at beholde denne vind. Skift holder sig til trin på %1°, Esc fortryder.</translation>
+        <translation>Slip for at beholde denne vind. Skift går i trin på %1°; Esc annullerer.</translation>
     </message>
     <message>
         <source>Release to move the asset here now. Esc cancels.</source>
-        <translation>Slip: objektet er her fra nu af. Esc fortryder.</translation>
+        <translation>Slip for at flytte objektet hertil nu. Esc annullerer.</translation>
     </message>
     <message>
         <source>The UAV makes little headway in this wind. Esc cancels.</source>
-        <translation>Dronen kommer næsten ikke frem mod denne vind. Esc fortryder.</translation>
+        <translation>Dronen kommer næsten ikke frem i denne vind. Esc annullerer.</translation>
     </message>
 </context>
 <context>
@@ -1655,7 +1655,7 @@
     </message>
     <message>
         <source>It runs again when the next plan is needed.</source>
-        <translation>Den spørges igen, når den næste plan er nødvendig.</translation>
+        <translation>Den kører igen, når den næste plan er nødvendig.</translation>
     </message>
     <message>
         <source>Home can no longer be reached in time</source>
@@ -1671,7 +1671,7 @@
     </message>
     <message>
         <source>They fly at about the same altitude. The required separation is %1.</source>
-        <translation>De flyver i omtrent samme højde. Den indstillede adskillelse er %1.</translation>
+        <translation>De flyver i omtrent samme højde. Den krævede adskillelse er %1.</translation>
     </message>
     <message>
         <source>Wind above its limit: %1, limit %2</source>
@@ -1683,7 +1683,7 @@
     </message>
     <message>
         <source>On the ground. Choose Resume to continue</source>
-        <translation>På jorden. Vælg Fortsæt for at gå videre</translation>
+        <translation>På jorden. Vælg Fortsæt for at flyve videre</translation>
     </message>
     <message>
         <source>%1 is lost</source>
@@ -1691,7 +1691,7 @@
     </message>
     <message>
         <source>%1 is lost; the search was abandoned</source>
-        <translation>%1 er mistet, eftersøgningen blev opgivet</translation>
+        <translation>%1 er mistet; eftersøgningen blev opgivet</translation>
     </message>
     <message>
         <source>It was not in view where it was expected.</source>
@@ -1699,7 +1699,7 @@
     </message>
     <message>
         <source>Makes little headway: wind %1, airspeed %2</source>
-        <translation>Kommer næsten ikke fremad: vind %1, flyvefart %2</translation>
+        <translation>Kommer næsten ikke frem: vind %1, flyvefart %2</translation>
     </message>
 </context>
 <context>
@@ -1717,7 +1717,7 @@
     </message>
     <message>
         <source>Release to keep this heading. Shift snaps to steps of %1°; Esc cancels.</source>
-        <translation>Slip for at beholde denne kurs. Skift holder sig til trin på %1°, Esc fortryder.</translation>
+        <translation>Slip for at beholde denne kurs. Skift går i trin på %1°; Esc annullerer.</translation>
     </message>
     <message>
         <source>Add corner</source>
@@ -1729,34 +1729,34 @@
     </message>
     <message>
         <source>Release to place the corner here. Esc cancels.</source>
-        <translation>Slip for at sætte hjørnet her. Esc fortryder.</translation>
+        <translation>Slip for at sætte hjørnet her. Esc annullerer.</translation>
     </message>
     <message numerus="yes">
         <source>Drag to give all %n selected icebergs the same drift.</source>
         <translation>
-            <numerusform>Træk giver %n valgt isbjerg denne drift.</numerusform>
-            <numerusform>Træk giver alle %n valgte isbjerge samme drift.</numerusform>
+            <numerusform>Træk for at give %n valgt isbjerg denne drift.</numerusform>
+            <numerusform>Træk for at give alle %n valgte isbjerge samme drift.</numerusform>
         </translation>
     </message>
     <message>
         <source>Drag to set the drift of the iceberg.</source>
-        <translation>Træk sætter isbjergets drift.</translation>
+        <translation>Træk for at sætte isbjergets drift.</translation>
     </message>
     <message>
         <source>Drag to turn the UAV.</source>
-        <translation>Træk drejer dronen.</translation>
+        <translation>Træk for at dreje dronen.</translation>
     </message>
     <message>
         <source>Drag to move the corner. To remove it, click it and press Del.</source>
-        <translation>Træk flytter hjørnet, et klik efterfulgt af Del fjerner det.</translation>
+        <translation>Træk for at flytte hjørnet. Klik på det, og tryk på Del for at fjerne det.</translation>
     </message>
     <message>
         <source>Drag to add a corner here.</source>
-        <translation>Træk laver et nyt hjørne her.</translation>
+        <translation>Træk for at tilføje et hjørne her.</translation>
     </message>
     <message>
         <source>An area needs at least three corners. Delete the whole area instead.</source>
-        <translation>Et område har mindst tre hjørner. Fjern hele området.</translation>
+        <translation>Et område skal have mindst tre hjørner. Slet hele området i stedet.</translation>
     </message>
     <message>
         <source>Without this corner the outline would cross itself.</source>
@@ -1772,11 +1772,11 @@
     </message>
     <message>
         <source>Drag to change the wind from now on. In flight this cannot be undone.</source>
-        <translation>Træk ændrer vinden fra nu af; under flyvning kan det ikke fortrydes.</translation>
+        <translation>Træk for at ændre vinden fra nu af. Under flyvning kan det ikke fortrydes.</translation>
     </message>
     <message>
         <source>Drag to set the wind. The arrow points downwind.</source>
-        <translation>Træk sætter vinden: pilen peger derhen, hvor den blæser.</translation>
+        <translation>Træk for at sætte vinden. Pilen peger derhen, hvor vinden blæser.</translation>
     </message>
 </context>
 <context>
@@ -1794,11 +1794,11 @@
     </message>
     <message>
         <source>Name of the iceberg, or its id if it has none</source>
-        <translation>Isbjergets navn, dets id, hvis det ikke har noget</translation>
+        <translation>Isbjergets navn, eller dets id, hvis det ikke har noget navn</translation>
     </message>
     <message>
         <source>Uncertainty of the position now; the bar is on the scale of the map</source>
-        <translation>Positionens usikkerhed nu; bjælken følger kortets skala</translation>
+        <translation>Positionens usikkerhed nu; bjælken følger skalaen på kortet</translation>
     </message>
     <message>
         <source>State</source>
@@ -1830,7 +1830,7 @@
     </message>
     <message>
         <source>Time until the UAV arrives, by the present plan</source>
-        <translation>Tid fra nu, til dronen er der, efter den gældende plan</translation>
+        <translation>Tid, til dronen er fremme, efter den nuværende plan</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -1838,7 +1838,7 @@
     </message>
     <message>
         <source>Number of times it was reached as the target</source>
-        <translation>Hvor ofte det var målet og blev nået</translation>
+        <translation>Antal gange, det blev nået som mål</translation>
     </message>
     <message>
         <source>Position east of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
@@ -1858,7 +1858,7 @@
     </message>
     <message>
         <source>Drift direction, degrees clockwise from north</source>
-        <translation>Hvorhen det driver, i grader med uret fra nord</translation>
+        <translation>Driftens retning, i grader med uret fra nord</translation>
     </message>
     <message>
         <source>Last seen, s ago</source>
@@ -1886,7 +1886,7 @@
     </message>
     <message>
         <source>Closest point of approach: smallest predicted distance from the asset within the next hour. A warning sign beside the name means that the iceberg will enter the inner ring</source>
-        <translation>Nærmeste passage (closest point of approach): mindste afstand til objektet inden for den næste time, efter estimatet. Et advarselstegn ved navnet: det kommer ind i den indre ring</translation>
+        <translation>Nærmeste passage: mindste forudsagte afstand fra objektet inden for den næste time. Et advarselstegn ved navnet betyder, at isbjerget kommer ind i den indre ring</translation>
     </message>
     <message>
         <source>TCPA</source>
@@ -1902,11 +1902,11 @@
     </message>
     <message>
         <source>UAV that plans to visit it</source>
-        <translation>Den drone, der har det i sin plan</translation>
+        <translation>Den drone, der planlægger at besøge det</translation>
     </message>
     <message>
         <source>Position, in flight the estimate. Type or paste any form; a whole coordinate sets both</source>
-        <translation>Hvor det er, under flyvning estimatet; kan skrives og sættes ind i enhver form, en hel koordinat sætter begge</translation>
+        <translation>Position, under flyvning estimatet. Skriv eller indsæt enhver form; en hel koordinat udfylder begge</translation>
     </message>
     <message>
         <source>Drift east, %1</source>
@@ -1914,7 +1914,7 @@
     </message>
     <message>
         <source>Known drift to the east, without the current</source>
-        <translation>Kendt drift mod øst; strømmen kommer oveni</translation>
+        <translation>Kendt drift mod øst, uden strømmen</translation>
     </message>
     <message>
         <source>Drift north, %1</source>
@@ -1922,7 +1922,7 @@
     </message>
     <message>
         <source>Known drift to the north, without the current</source>
-        <translation>Kendt drift mod nord; strømmen kommer oveni</translation>
+        <translation>Kendt drift mod nord, uden strømmen</translation>
     </message>
     <message>
         <source>Latitude</source>
@@ -1938,7 +1938,7 @@
     </message>
     <message>
         <source>Radius around the present position that contains the iceberg with a probability of 95 %</source>
-        <translation>Med 95 % er isbjerget inden for en cirkel med denne radius om positionen nu</translation>
+        <translation>Radius om den nuværende position, der indeholder isbjerget med 95 % sandsynlighed</translation>
     </message>
 </context>
 <context>
@@ -2032,7 +2032,7 @@
     </message>
     <message>
         <source>It is still approaching after one hour; this is its distance then.</source>
-        <translation>Det kommer stadig nærmere om en time, til denne afstand på det tidspunkt.</translation>
+        <translation>Det nærmer sig stadig efter en time; dette er afstanden da.</translation>
     </message>
     <message>
         <source>target of %1</source>
@@ -2327,7 +2327,7 @@
     </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
-        <translation>Linje %1: %2 læses med måneden først, hvilket intet i filen afgør. Vælg under Datoer, hvis dagen kommer først.</translation>
+        <translation>Linje %1: %2 læses med måneden først; intet i filen afgør det. Vælg under Datoer, hvis dagen kommer først.</translation>
     </message>
     <message>
         <source>Source</source>
@@ -2457,7 +2457,7 @@
     </message>
     <message>
         <source>a disk</source>
-        <translation>en cirkel</translation>
+        <translation>en cirkelskive</translation>
     </message>
     <message>
         <source>by position</source>
@@ -2531,7 +2531,7 @@
     </message>
     <message>
         <source>Landing place other than the start.</source>
-        <translation>Den lander et andet sted, end den starter.</translation>
+        <translation>Et andet landingssted end starten.</translation>
     </message>
     <message>
         <source>Land where it starts</source>
@@ -2579,7 +2579,7 @@
     </message>
     <message>
         <source>Position of the radio link to the UAVs. Its range is a ring on the map.</source>
-        <translation>Herfra holdes radioforbindelsen til dronerne. Dens rækkevidde er en ring på kortet.</translation>
+        <translation>Positionen for radioforbindelsen til dronerne. Rækkevidden er en ring på kortet.</translation>
     </message>
     <message>
         <source>Change ground station</source>
@@ -2635,7 +2635,7 @@
     </message>
     <message>
         <source>Course over ground, clockwise from north.</source>
-        <translation>Hvorhen det sejler, med uret fra nord.</translation>
+        <translation>Kurs over grunden, med uret fra nord.</translation>
     </message>
     <message>
         <source>Drift</source>
@@ -2643,7 +2643,7 @@
     </message>
     <message>
         <source>Known drift, without the current.</source>
-        <translation>Kendt drift; strømmen kommer oveni.</translation>
+        <translation>Kendt drift, uden strømmen.</translation>
     </message>
     <message>
         <source>Drift towards</source>
@@ -2651,11 +2651,11 @@
     </message>
     <message>
         <source>Drift direction, clockwise from north.</source>
-        <translation>Hvorhen det driver, med uret fra nord.</translation>
+        <translation>Driftens retning, med uret fra nord.</translation>
     </message>
     <message>
         <source>Any form; a whole coordinate sets both.</source>
-        <translation>I enhver form; en hel koordinat sætter begge.</translation>
+        <translation>Enhver form; en hel koordinat udfylder begge.</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -2671,7 +2671,7 @@
     </message>
     <message>
         <source>Direction the wind blows from, clockwise from north.</source>
-        <translation>Hvorfra den blæser, med uret fra nord.</translation>
+        <translation>Den retning, vinden blæser fra, med uret fra nord.</translation>
     </message>
     <message>
         <source>%1 from %2</source>
@@ -2691,7 +2691,7 @@
     </message>
     <message>
         <source>Direction the current flows to, clockwise from north.</source>
-        <translation>Hvorhen den løber, med uret fra nord.</translation>
+        <translation>Den retning, strømmen løber mod, med uret fra nord.</translation>
     </message>
     <message>
         <source>Change operation</source>
@@ -2699,7 +2699,7 @@
     </message>
     <message>
         <source>Makes airspace that the operation may enter no-fly areas, so that the UAVs stay out of it.</source>
-        <translation>Luftrum, som operationen kan komme ind i, bliver til flyveforbudsområder: så holder dronerne sig uden for det.</translation>
+        <translation>Gør luftrum, som operationen kan komme ind i, til flyveforbudsområder, så dronerne holder sig uden for det.</translation>
     </message>
     <message>
         <source>Make entered airspace no-fly areas</source>
@@ -2707,7 +2707,7 @@
     </message>
     <message>
         <source>Removes all airspace. Undo restores it.</source>
-        <translation>Det hele; Fortryd henter det tilbage.</translation>
+        <translation>Fjerner alt luftrum. Fortryd henter det tilbage.</translation>
     </message>
     <message>
         <source>Remove airspace</source>
@@ -2719,7 +2719,7 @@
     </message>
     <message>
         <source>Proposed volume for a permit application; check it with your authority. Shown on the map, in KML and GeoJSON, and on a second page of the flight brief.</source>
-        <translation>Forslag til en ansøgning om tilladelse, som skal afklares med myndigheden: på kortet, i KML og GeoJSON og som side to i flyvebriefingen.</translation>
+        <translation>Foreslået volumen til en ansøgning om tilladelse; afklar det med myndigheden. Vises på kortet, i KML og GeoJSON og på en ekstra side i flyvebriefingen.</translation>
     </message>
     <message>
         <source>Contingency volume %1 wide, %2 high
@@ -2799,7 +2799,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>When last seen, the iceberg was within this radius with a probability of 95 %: the square root of 5.99 σ₀.</source>
-        <translation>Med 95 % var isbjerget inden for en cirkel med denne radius, da det sidst blev set: kvadratroden af 5,99 σ₀.</translation>
+        <translation>Da isbjerget sidst blev set, var det inden for denne radius med 95 % sandsynlighed: kvadratroden af 5,99 σ₀.</translation>
     </message>
     <message>
         <source>Seen by</source>
@@ -2807,7 +2807,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Sets the usual uncertainty of this source, also for icebergs placed later.</source>
-        <translation>Sætter usikkerheden til den sædvanlige for denne kilde, også for isbjerge, der placeres fra nu af.</translation>
+        <translation>Sætter den sædvanlige usikkerhed for denne kilde, også for isbjerge, der placeres senere.</translation>
     </message>
     <message>
         <source>as typed</source>
@@ -2894,7 +2894,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>nested deeper than %1 levels</source>
-        <translation>har mere end %1 niveauer inden i hinanden</translation>
+        <translation>er indlejret dybere end %1 niveauer</translation>
     </message>
     <message>
         <source>line %1: %2</source>
@@ -3026,7 +3026,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>must name a policy; visitation needs taus</source>
-        <translation>skal angive en strategi; visitation kræver taus</translation>
+        <translation>skal angive en strategi; visitation kræver værdier af τ</translation>
     </message>
     <message>
         <source>must be I of N with 1 &lt;= I &lt;= N</source>
@@ -3034,7 +3034,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>differs: parts of one study are wanted</source>
-        <translation>afviger: delene skal være af samme studie</translation>
+        <translation>afviger: her kræves dele af samme studie</translation>
     </message>
     <message>
         <source>setting %1 of case %2 has two different outcomes: the parts were not flown by the same program</source>
@@ -3050,19 +3050,19 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>recorded %1, replayed %2</source>
-        <translation>gemt %1, genfløjet %2</translation>
+        <translation>optaget %1, afspillet %2</translation>
     </message>
     <message>
         <source>at %1 s: recorded %2, replayed %3</source>
-        <translation>ved %1 s: gemt %2, genfløjet %3</translation>
+        <translation>ved %1 s: optaget %2, afspillet %3</translation>
     </message>
     <message>
         <source>at %1 s: the replay has another</source>
-        <translation>ved %1 s: genflyvningen har en anden</translation>
+        <translation>ved %1 s: afspilningen har en anden</translation>
     </message>
     <message>
         <source>at %1 s: not reached by the replay</source>
-        <translation>ved %1 s: ikke nået af genflyvningen</translation>
+        <translation>ved %1 s: ikke nået af afspilningen</translation>
     </message>
     <message>
         <source>solves were cut by the clock, so this run is not bound to repeat</source>
@@ -3154,7 +3154,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>columns of the format %1 cannot be mapped</source>
-        <translation>kolonner i formatet %1 kan ikke vælges</translation>
+        <translation>kolonner i formatet %1 kan ikke tilknyttes</translation>
     </message>
     <message>
         <source>holds no sightings</source>
@@ -3166,7 +3166,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>no column holds it; name one with a mapping</source>
-        <translation>ingen kolonne indeholder det; angiv en i en tilknytning</translation>
+        <translation>ingen kolonne indeholder det; tilknyt en</translation>
     </message>
     <message>
         <source>columns %1 and %2 are both called &quot;%3&quot;: rename one</source>
@@ -3222,7 +3222,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>a number is out of range</source>
-        <translation>et tal er uden for det tilladte område</translation>
+        <translation>et tal er uden for grænserne</translation>
     </message>
     <message>
         <source>id is too long</source>
@@ -3426,11 +3426,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>dates such as %1 are read month first, which nothing in the file tells: --dates day-first or month-first says how</source>
-        <translation>datoer som %1 læses med måneden først, uden at noget i filen fortæller det: --dates day-first eller month-first siger hvordan</translation>
+        <translation>datoer som %1 læses med måneden først; intet i filen afgør det: --dates day-first eller month-first afgør det</translation>
     </message>
     <message>
         <source>differs: this is the file of another study (--replace-study replaces it)</source>
-        <translation>er forskellig: dette er filen til et andet studie (--replace-study erstatter den)</translation>
+        <translation>afviger: dette er filen til et andet studie (--replace-study erstatter den)</translation>
     </message>
     <message>
         <source>was changed by another program: each shard needs a file of its own</source>
@@ -3510,7 +3510,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home</source>
-        <translation>er så tæt på geohegnet eller et flyveforbudsområde, at dronen ikke kan starte der igen og være sikker på at komme hjem</translation>
+        <translation>er så tæt på geohegnet eller et flyveforbudsområde, at dronen ikke kan starte derfra igen og være sikker på at komme hjem</translation>
     </message>
     <message>
         <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
@@ -3566,7 +3566,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
-        <translation>kolonnen »%1« forstås ikke: omdøb den, eller tilknyt den</translation>
+        <translation>kolonnen »%1« genkendes ikke: omdøb den, eller tilknyt den</translation>
     </message>
     <message>
         <source>airspace left out: a height has no unit</source>
@@ -3594,7 +3594,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the time zone &quot;%1&quot; is a name: write offsets from UTC, such as +02:00</source>
-        <translation>tidszonen &quot;%1&quot; er et navn: skriv afvigelser fra UTC, som +02:00</translation>
+        <translation>tidszonen »%1« er et navn: skriv afvigelser fra UTC, som +02:00</translation>
     </message>
     <message>
         <source>there is nothing on line %1 or below it</source>
@@ -3602,7 +3602,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>nothing tells which rows are sightings of one iceberg: choose one of these</source>
-        <translation>intet fortæller, hvilke rækker der er observationer af ét isbjerg: vælg en af disse</translation>
+        <translation>filen siger ikke, hvilke rækker der er observationer af ét isbjerg: vælg en af disse</translation>
     </message>
     <message>
         <source>icebergs: %1, greatest speed between two sightings: %2 m/s</source>
@@ -3614,7 +3614,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>has several places: each is taken as an iceberg</source>
-        <translation>har flere steder: hvert tages som et isbjerg</translation>
+        <translation>har flere positioner: hver regnes som et isbjerg</translation>
     </message>
     <message>
         <source>has points beside lines or areas: only the points are taken</source>
@@ -3630,7 +3630,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>has the name of another track, but an iceberg cannot have drifted along both: it is taken as another iceberg</source>
-        <translation>har samme navn som et andet spor, men et isbjerg kan ikke være drevet langs begge: det tages som et andet isbjerg</translation>
+        <translation>har samme navn som et andet spor, men et isbjerg kan ikke være drevet langs begge: det regnes som et andet isbjerg</translation>
     </message>
     <message>
         <source>the property that names the iceberg is the same at two places at once: the ids of the features are taken instead</source>
@@ -3638,11 +3638,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>has more times than places: the times left over are not taken</source>
-        <translation>har flere tider end steder: de overskydende tider tages ikke med</translation>
+        <translation>har flere tider end positioner: de overskydende tider bruges ikke</translation>
     </message>
     <message>
         <source>the place can be read in more than one way: decimals follow a point</source>
-        <translation>stedet kan læses på flere måder: decimaler står efter et punktum</translation>
+        <translation>positionen kan læses på flere måder: decimaler skrives med punktum</translation>
     </message>
     <message>
         <source>coordinates are no degrees, and the file names no coordinate system: save it in WGS 84 (EPSG:4326)</source>
@@ -3654,7 +3654,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the coordinate system &quot;%1&quot; is not known: save the file in WGS 84 (EPSG:4326)</source>
-        <translation>koordinatsystemet &quot;%1&quot; er ukendt: gem filen i WGS 84 (EPSG:4326)</translation>
+        <translation>koordinatsystemet »%1« er ukendt: gem filen i WGS 84 (EPSG:4326)</translation>
     </message>
     <message>
         <source>is not well-formed JSON</source>
@@ -3662,11 +3662,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>links to another file, which is not read: import that file as well</source>
-        <translation>linker til en anden fil, som ikke læses: importér også den fil</translation>
+        <translation>henviser til en anden fil, som ikke læses: importér også den fil</translation>
     </message>
     <message>
         <source>the first document of the archive does not link to this one; it is read all the same</source>
-        <translation>arkivets første dokument linker ikke til dette; det læses alligevel</translation>
+        <translation>arkivets første dokument henviser ikke til dette; det læses alligevel</translation>
     </message>
     <message>
         <source>a document of the archive cannot be read</source>
@@ -3674,7 +3674,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>airspace left out: it has no outline</source>
-        <translation>luftrum udeladt: det har intet omrids</translation>
+        <translation>luftrum udeladt: det mangler omrids</translation>
     </message>
     <message>
         <source>outline left out: no airspace begins above it</source>
@@ -3702,19 +3702,19 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>airspace taken down to the sea: its floor is missing or cannot be read</source>
-        <translation>luftrum taget med helt ned til havet: gulvet mangler eller kan ikke læses</translation>
+        <translation>luftrum taget med ned til havet: gulvet mangler eller kan ikke læses</translation>
     </message>
     <message>
         <source>airspace taken without end above: its ceiling is missing or cannot be read</source>
-        <translation>luftrum taget med uden ende opad: loftet mangler eller kan ikke læses</translation>
+        <translation>luftrum taget med uden øvre grænse: loftet mangler eller kan ikke læses</translation>
     </message>
     <message>
         <source>airspace taken with an outline round its own, which touches or crosses itself</source>
-        <translation>luftrum taget med med et omrids om sit eget, som berører eller krydser sig selv</translation>
+        <translation>luftrum taget med i et større omrids: dets eget berører eller krydser sig selv</translation>
     </message>
     <message>
         <source>airspace taken with an outline round its own, which has too many corners</source>
-        <translation>luftrum taget med med et omrids om sit eget, som har for mange hjørner</translation>
+        <translation>luftrum taget med i et større omrids: dets eget har for mange hjørner</translation>
     </message>
     <message>
         <source>line not understood and not used</source>
@@ -3738,7 +3738,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>taken without a number that is out of range</source>
-        <translation>medtaget uden et tal, der er uden for det gyldige område</translation>
+        <translation>medtaget uden et tal, der er uden for grænserne</translation>
     </message>
     <message>
         <source>a range, a limit or an estimate is read as one number</source>
@@ -3750,7 +3750,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>taken without a time, which it does not have</source>
-        <translation>medtaget uden tidspunkt, for det har intet</translation>
+        <translation>medtaget uden tidspunkt, som mangler</translation>
     </message>
     <message>
         <source>taken without its time, which is years from all others</source>
@@ -3758,7 +3758,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>its time is moved by 1024 weeks, as a GPS clock has lost count of them</source>
-        <translation>tidspunktet er flyttet 1024 uger, fordi et GPS-ur har mistet tællingen af dem</translation>
+        <translation>tidspunktet er flyttet 1024 uger, fordi et GPS-ur har mistet tallet</translation>
     </message>
     <message>
         <source>its id is too long and is shortened</source>
@@ -3778,7 +3778,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>a scenario holds at most %1 no-fly areas, not %2</source>
-        <translation>et scenarie rummer højst %1 flyveforbudsområder, ikke %2</translation>
+        <translation>et scenarie har højst %1 flyveforbudsområder, ikke %2</translation>
     </message>
     <message>
         <source>a scenario holds at most %1 airspace areas, not %2</source>
@@ -3786,7 +3786,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is the id of %2 already: each iceberg and UAV needs a unique id</source>
-        <translation>»%1« er allerede id&apos;et for %2: hvert isbjerg og hver drone skal have sit eget id</translation>
+        <translation>»%1« er allerede id&apos;et for %2: hvert isbjerg og hver drone skal have et unikt id</translation>
     </message>
     <message>
         <source>a scenario holds from 1 to %1 UAVs, not %2</source>
@@ -3826,11 +3826,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the wind must be slower than the UAV flies: wind of %1, airspeed of %2 %3</source>
-        <translation>vinden skal være svagere end dronens fart: vind på %1, flyvefart for %2 %3</translation>
+        <translation>vinden skal være langsommere, end dronen flyver: vind på %1, flyvefart på %2 %3</translation>
     </message>
     <message>
         <source>the UAV will make little headway in this wind: wind of %1, airspeed of %2 %3</source>
-        <translation>dronen vil næsten ikke komme frem i denne vind: vind på %1, flyvefart for %2 %3</translation>
+        <translation>dronen vil næsten ikke komme frem i denne vind: vind på %1, flyvefart på %2 %3</translation>
     </message>
     <message>
         <source>must not be shorter than the time step</source>
@@ -3866,7 +3866,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>another UAV of this altitude layer starts so near that they fly apart first; let their altitudes differ by %1</source>
-        <translation>en anden drone i dette højdelag starter så nær, at de først flyver fra hinanden; lad højderne afvige med %1</translation>
+        <translation>en anden drone i dette højdelag starter så nær, at de først flyver fra hinanden; giv dem højder med %1 forskel</translation>
     </message>
     <message>
         <source>is too short to reach the nearest iceberg and return</source>
@@ -3886,7 +3886,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the time between two commands is too long for the UAV to follow a leg</source>
-        <translation>tiden mellem to kommandoer er for lang til, at dronen kan følge en strækning</translation>
+        <translation>tiden mellem to kommandoer er for lang til, at dronen kan følge en etape</translation>
     </message>
     <message>
         <source>must not be exceeded: wind of %1, limit %2</source>
@@ -3898,15 +3898,15 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>this weather brings icing at its altitude, in which the UAV must not be flown</source>
-        <translation>dette vejr giver isning i dens højde, hvor dronen ikke må flyves</translation>
+        <translation>dette vejr giver isning i dronens højde, og dronen må ikke flyves i isning</translation>
     </message>
     <message>
         <source>leaves less reserve than waiting for the other UAVs of the altitude layer may take, %1; separate altitudes, or a greater reserve, avoid it</source>
-        <translation>giver mindre reserve, end det kan tage at vente på de andre droner i højdelaget, %1; forskellige højder eller en større reserve undgår det</translation>
+        <translation>giver mindre reserve, end det kan tage at vente på de andre droner i højdelaget, %1; forskellige højder eller en større reserve forhindrer det</translation>
     </message>
     <message>
         <source>keeps %1 free for a recovery slot, as other UAVs of the altitude layer land on the same pad; separate altitudes or pads avoid it</source>
-        <translation>holder %1 fri til en eget landingsvindue, fordi andre droner i højdelaget lander på samme plads; forskellige højder eller pladser undgår det</translation>
+        <translation>holder %1 fri til et landingsvindue, fordi andre droner i højdelaget lander på samme plads; forskellige højder eller pladser forhindrer det</translation>
     </message>
     <message>
         <source>with the usual errors in wind and airspeed, 1 flight in 20 uses %1 or more of the reserve to come home</source>
@@ -3950,7 +3950,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>more icebergs than can be proven optimal; the plan comes with a bound</source>
-        <translation>flere isbjerge, end der kan bevises optimum for; planen kommer med en grænse</translation>
+        <translation>for mange isbjerge til at bevise planen optimal; planen får en grænse</translation>
     </message>
     <message>
         <source>this policy plans icebergs one by one; nearby icebergs are not grouped</source>
@@ -4030,7 +4030,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the file is about the whole flight, whatever is chosen to be exported</source>
-        <translation>filen handler om hele flyvningen, uanset hvad der er valgt at eksportere</translation>
+        <translation>filen handler om hele flyvningen, uanset hvad du vælger at eksportere</translation>
     </message>
     <message>
         <source>UAVs without an iceberg to visit: %1</source>
@@ -4127,32 +4127,32 @@ Tilstødende område %4</translation>
     <message numerus="yes">
         <source>%n UAV(s) taken over</source>
         <translation>
-            <numerusform>%n drone overtaget</numerusform>
-            <numerusform>%n droner overtaget</numerusform>
+            <numerusform>%n drone taget med</numerusform>
+            <numerusform>%n droner taget med</numerusform>
         </translation>
     </message>
     <message>
         <source>area taken over</source>
-        <translation>området overtaget</translation>
+        <translation>området taget med</translation>
     </message>
     <message>
         <source>area taken over as geofence</source>
-        <translation>området overtaget som geohegn</translation>
+        <translation>området taget med som geohegn</translation>
     </message>
     <message>
         <source>asset taken over</source>
-        <translation>objektet overtaget</translation>
+        <translation>objektet taget med</translation>
     </message>
     <message numerus="yes">
         <source>%n no-fly area(s) taken over</source>
         <translation>
-            <numerusform>%n flyveforbudsområde overtaget</numerusform>
-            <numerusform>%n flyveforbudsområder overtaget</numerusform>
+            <numerusform>%n flyveforbudsområde taget med</numerusform>
+            <numerusform>%n flyveforbudsområder taget med</numerusform>
         </translation>
     </message>
     <message>
         <source>UAVs, area and asset of the file not taken over: the scenario is in use</source>
-        <translation>droner, område og objekt i filen ikke overtaget: scenariet er i brug</translation>
+        <translation>droner, område og objekt i filen er ikke taget med: scenariet er i brug</translation>
     </message>
     <message numerus="yes">
         <source>%n UAV(s) left out: too many</source>
@@ -4171,8 +4171,8 @@ Tilstødende område %4</translation>
     <message numerus="yes">
         <source>%n area(s) left out: unreadable</source>
         <translation>
-            <numerusform>%n område udeladt: ulæseligt</numerusform>
-            <numerusform>%n områder udeladt: ulæselige</numerusform>
+            <numerusform>%n ulæseligt område udeladt</numerusform>
+            <numerusform>%n ulæselige områder udeladt</numerusform>
         </translation>
     </message>
     <message>
@@ -4189,7 +4189,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>area left out: it is in several parts</source>
-        <translation>området udeladt: det er i flere dele</translation>
+        <translation>området udeladt: det består af flere dele</translation>
     </message>
     <message numerus="yes">
         <source>%n further area(s) left out</source>
@@ -4207,11 +4207,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>area is no geofence: too many corners</source>
-        <translation>området er ikke geohegn: for mange hjørner</translation>
+        <translation>området er ikke et geohegn: for mange hjørner</translation>
     </message>
     <message>
         <source>area is no geofence: a UAV starts or lands outside</source>
-        <translation>området er ikke geohegn: en drone starter eller lander udenfor</translation>
+        <translation>området er ikke et geohegn: en drone starter eller lander udenfor</translation>
     </message>
     <message numerus="yes">
         <source>%n no-fly area(s) left out: a UAV starts or lands inside, or the heights are wrong</source>
@@ -4241,8 +4241,8 @@ Tilstødende område %4</translation>
     <message numerus="yes">
         <source>%n number(s) out of range left out</source>
         <translation>
-            <numerusform>%n tal uden for det tilladte område udeladt</numerusform>
-            <numerusform>%n tal uden for det tilladte område udeladt</numerusform>
+            <numerusform>%n tal uden for grænserne udeladt</numerusform>
+            <numerusform>%n tal uden for grænserne udeladt</numerusform>
         </translation>
     </message>
 </context>
@@ -4287,7 +4287,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>--theme: &quot;%1&quot; is not light, dark or both.</source>
-        <translation>--theme: »%1« er ikke light, dark eller both.</translation>
+        <translation>--theme: »%1« er hverken light, dark eller both.</translation>
     </message>
     <message>
         <source>--pictures: the name of a folder is missing.</source>
@@ -4295,7 +4295,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Opens the window with a scenario; with --pictures it only writes pictures.</source>
-        <translation>Åbner planlæggerens vindue med et scenarie; med --pictures tegner programmet kun.</translation>
+        <translation>Åbner vinduet med et scenarie; med --pictures skriver programmet kun billeder.</translation>
     </message>
     <message>
         <source>file</source>
@@ -4311,7 +4311,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Write a picture of the window with the scenario to &lt;file&gt;, then exit.</source>
-        <translation>Tegn vinduet med scenariet i &lt;fil&gt;, og afslut.</translation>
+        <translation>Skriv et billede af vinduet med scenariet i &lt;fil&gt;, og afslut.</translation>
     </message>
     <message>
         <source>Fly until this time before the screenshot.</source>
@@ -4323,7 +4323,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Store settings in &lt;file&gt; instead of your own settings file.</source>
-        <translation>Gem indstillinger i &lt;fil&gt; i stedet for dine egne.</translation>
+        <translation>Gem indstillinger i &lt;fil&gt; i stedet for din egen indstillingsfil.</translation>
     </message>
     <message>
         <source>--size: &quot;%1&quot; is not a size like 1920x1080.</source>
@@ -4351,7 +4351,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
-        <translation>Skriv håndbogen som websider og som PDF i &lt;mappe&gt;, med billederne dér.</translation>
+        <translation>Skriv håndbogen som websider og som PDF i &lt;mappe&gt;, hvor billederne ligger.</translation>
     </message>
     <message>
         <source>--manual takes no scenario file, --pictures or --screenshot.</source>
@@ -4359,11 +4359,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Longest wait before the screenshot for predictions and the lower bound, in seconds.</source>
-        <translation>Vent højst så længe på forudsigelser og nedre grænse før skærmbilledet.</translation>
+        <translation>Længste ventetid før skærmbilledet på forudsigelser og nedre grænse, i sekunder.</translation>
     </message>
     <message>
         <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
-        <translation>--wait: »%1« er ikke et antal sekunder på højst %2.</translation>
+        <translation>--wait: »%1« er ikke et antal sekunder op til %2.</translation>
     </message>
 </context>
 <context>
@@ -4419,7 +4419,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>The last UAV cannot be deleted: a scenario needs at least one.</source>
-        <translation>Den sidste drone bliver: et scenarie har mindst én.</translation>
+        <translation>Den sidste drone kan ikke slettes: et scenarie skal have mindst én.</translation>
     </message>
     <message numerus="yes">
         <source>Cut %n icebergs</source>
@@ -4567,7 +4567,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Lost: not found where expected</source>
-        <translation>Mistet: ikke der, hvor det skulle være</translation>
+        <translation>Mistet: ikke fundet, hvor det ventedes</translation>
     </message>
     <message>
         <source>Lost</source>
@@ -4575,7 +4575,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Search given up</source>
-        <translation>Eftersøgningen af det er opgivet</translation>
+        <translation>Eftersøgning opgivet</translation>
     </message>
     <message>
         <source>Given up</source>
@@ -4805,7 +4805,7 @@ Tilstødende område %4</translation>
     <name>MapTools</name>
     <message>
         <source>Drag to move the map, turn the wheel to zoom. Esc leaves the tool.</source>
-        <translation>Træk flytter kortet, hjulet zoomer. Esc forlader værktøjet.</translation>
+        <translation>Træk for at flytte kortet, brug hjulet til at zoome. Esc forlader værktøjet.</translation>
     </message>
     <message>
         <source>Move UAV</source>
@@ -4853,11 +4853,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Click to set the next point. Enter ends the line, Backspace removes a point, Esc clears.</source>
-        <translation>Klik sætter det næste punkt, Enter afslutter linjen, Backspace fjerner ét, Esc rydder.</translation>
+        <translation>Klik for at sætte det næste punkt. Enter afslutter linjen, Backspace fjerner et punkt, Esc rydder.</translation>
     </message>
     <message>
         <source>Click to start another line. Esc clears this one.</source>
-        <translation>Klik begynder en ny linje. Esc rydder denne.</translation>
+        <translation>Klik for at begynde en ny linje. Esc rydder denne.</translation>
     </message>
     <message>
         <source>Click points to measure the path between them: geodesic length, true bearing, time of flight.</source>
@@ -4904,7 +4904,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Nothing flown yet. Press Space to fly the plan</source>
-        <translation>Intet fløjet endnu: tryk på mellemrum for at flyve planen</translation>
+        <translation>Intet fløjet endnu. Tryk på mellemrum for at flyve planen</translation>
     </message>
     <message>
         <source>m²</source>
@@ -4940,7 +4940,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>At %1 zeta grows by %2 m² s per second; the mean since take-off is %3.</source>
-        <translation>Ved %1 vokser zeta med %2 m² s hvert sekund, siden start med %3 i gennemsnit.</translation>
+        <translation>Ved %1 vokser zeta med %2 m² s pr. sekund; gennemsnittet siden start er %3.</translation>
     </message>
     <message>
         <source>Distance flown</source>
@@ -4952,7 +4952,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Distance flown until %1: %2.</source>
-        <translation>Distance fløjet ved %1: %2.</translation>
+        <translation>Distance fløjet indtil %1: %2.</translation>
     </message>
     <message>
         <source>Turn rate</source>
@@ -5143,11 +5143,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Flight geography: all places that a plan may reach, plus a margin of %1 m.</source>
-        <translation>Flyvegeografi: alle steder, som en plan kan føre til, og %1 m omkring dem.</translation>
+        <translation>Flyvegeografi: alle steder, som en plan kan nå, plus en margin på %1 m.</translation>
     </message>
     <message>
         <source>Formulas and default constants: Digisky calculator 3.3.0, based on the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
-        <translation>Formler og sædvanlige konstanter: beregneren i Digisky 3.3.0, efter vejledningen fra schweiziske FOCA; ikke en myndigheds egen tekst.</translation>
+        <translation>Formler og standardværdier: beregneren Digisky 3.3.0, efter vejledningen fra schweiziske FOCA; ikke en myndigheds egen tekst.</translation>
     </message>
     <message>
         <source>The outlines are in the KML, KMZ and GeoJSON exports.</source>
@@ -5187,7 +5187,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Made by Bergwatch from the scenario. It does not imply that the operation may be flown.</source>
-        <translation>Lavet af Bergwatch ud fra scenariet. Det siger intet om, hvorvidt operationen må flyves.</translation>
+        <translation>Lavet af Bergwatch ud fra scenariet. Det betyder ikke, at operationen må flyves.</translation>
     </message>
     <message>
         <source>Checklist</source>
@@ -5269,7 +5269,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Click a line to go to that state; the disk marks the saved one.</source>
-        <translation>Klik på en linje for at gå tilbage eller frem til den; disketten viser, hvad der er gemt.</translation>
+        <translation>Klik på en linje for at gå til den tilstand; disketten viser den gemte.</translation>
     </message>
     <message>
         <source>History of edits</source>
@@ -5610,7 +5610,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
-        <translation>Klik tilføjer et isbjerg, træk videre for at sætte dets drift. Esc forlader værktøjet.</translation>
+        <translation>Klik for at tilføje et isbjerg, træk for at sætte dets drift. Esc forlader værktøjet.</translation>
     </message>
     <message>
         <source>Place UAV</source>
@@ -5618,7 +5618,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Release to keep this heading. Esc cancels.</source>
-        <translation>Slip for at beholde denne kurs. Esc fortryder.</translation>
+        <translation>Slip for at beholde denne kurs. Esc annullerer.</translation>
     </message>
     <message>
         <source>Move asset</source>
@@ -5630,19 +5630,19 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Release to place it here. Esc cancels.</source>
-        <translation>Slip for at placere det her. Esc fortryder.</translation>
+        <translation>Slip for at placere det her. Esc annullerer.</translation>
     </message>
     <message>
         <source>Click to move the asset here. Esc leaves the tool.</source>
-        <translation>Klik flytter objektet hertil. Esc forlader værktøjet.</translation>
+        <translation>Klik for at flytte objektet hertil. Esc forlader værktøjet.</translation>
     </message>
     <message>
         <source>Click to place the protected asset. Esc leaves the tool.</source>
-        <translation>Klik placerer det beskyttede objekt. Esc forlader værktøjet.</translation>
+        <translation>Klik for at placere det beskyttede objekt. Esc forlader værktøjet.</translation>
     </message>
     <message>
         <source>Click to add an iceberg that appears here now; drag to set its drift. In flight this cannot be undone.</source>
-        <translation>Klik tilføjer et isbjerg, der dukker op her og nu, træk videre for at sætte dets drift. Under flyvning kan det ikke fortrydes.</translation>
+        <translation>Klik for at tilføje et isbjerg, der dukker op her nu, træk for at sætte dets drift. Under flyvning kan det ikke fortrydes.</translation>
     </message>
     <message>
         <source>Add UAV</source>
@@ -5650,11 +5650,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Click to place the UAV; drag to set its heading. Ctrl+click adds another one. Esc leaves the tool.</source>
-        <translation>Klik placerer dronen, træk videre for at dreje den. Med Ctrl bliver det en ny. Esc forlader værktøjet.</translation>
+        <translation>Klik for at placere dronen, træk for at sætte dens kurs. Ctrl+klik tilføjer en ny. Esc forlader værktøjet.</translation>
     </message>
     <message>
         <source>Click to place %1; drag to set its heading. Ctrl+click adds another UAV. Esc leaves the tool.</source>
-        <translation>Klik placerer %1, træk videre for at dreje den. Med Ctrl bliver det en ny drone. Esc forlader værktøjet.</translation>
+        <translation>Klik for at placere %1, træk for at sætte kursen. Ctrl+klik tilføjer en ny drone. Esc forlader værktøjet.</translation>
     </message>
     <message>
         <source>Seen by %1.</source>
@@ -5676,7 +5676,7 @@ Tilstødende område %4</translation>
     <message>
         <source>search and bound</source>
         <comment>solver</comment>
-        <translation>søgning med grænser</translation>
+        <translation>søgning og grænse</translation>
     </message>
     <message>
         <source>COIN-OR CBC</source>
@@ -5757,7 +5757,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Following the existing route</source>
-        <translation>Følger den rute, der er lagt tidligere</translation>
+        <translation>Følger den eksisterende rute</translation>
     </message>
     <message>
         <source>under 1 ms</source>
@@ -5940,7 +5940,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
-        <translation>Afvejer usikkerhed, der ses tidligt, mod vejens længde med τ.</translation>
+        <translation>Afvejer det at se usikre isbjerge tidligt mod vejens længde, med τ.</translation>
     </message>
     <message>
         <source>Flies the shortest path past all icebergs, then the next one.</source>
@@ -5952,11 +5952,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Flies to the nearest iceberg out of view.</source>
-        <translation>Flyver til det nærmeste isbjerg uden for synsfeltet.</translation>
+        <translation>Flyver til det nærmeste isbjerg ude af syne.</translation>
     </message>
     <message>
         <source>Flies to the most uncertain iceberg.</source>
-        <translation>Flyver til isbjerget med den største usikkerhed.</translation>
+        <translation>Flyver til det mest usikre isbjerg.</translation>
     </message>
     <message>
         <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
@@ -5964,7 +5964,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
-        <translation>Forudsiger zeta for veje, der passerer isbjerge på afstand og ser flere på én gang.</translation>
+        <translation>Forudsiger zeta for baner, der passerer isbjerge på afstand og ser flere på én gang.</translation>
     </message>
     <message>
         <source>Weighted visiting order (published method)</source>
@@ -6271,11 +6271,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Differences vs the reference; the numbers are in the table of differences</source>
-        <translation>Forskelle fra referencen; tallene står i tabellen over forskelle</translation>
+        <translation>Forskelle i forhold til referencen; tallene står i tabellen over forskelle</translation>
     </message>
     <message>
         <source>mean difference of ζ vs %1, %</source>
-        <translation>middelforskel i ζ fra %1, %</translation>
+        <translation>middelforskel i ζ i forhold til %1, %</translation>
     </message>
     <message>
         <source>%1 (reference)</source>
@@ -6311,11 +6311,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>measured with noise, velocities uncertain by 0.1 m/s</source>
-        <translation>målt med støj, hastigheder ukendte med 0.1 m/s</translation>
+        <translation>målt med støj, hastigheder usikre med 0,1 m/s</translation>
     </message>
     <message>
         <source>measured with noise, unknown velocities that change like those of real icebergs</source>
-        <translation>målt med støj, med ukendte hastigheder, der ændrer sig som isbjerges</translation>
+        <translation>målt med støj, ukendte hastigheder, der ændrer sig som virkelige isbjerges</translation>
     </message>
     <message>
         <source>Random fields: %1, seeds %2 to %3. Icebergs in each: %4, in %5 m × %6 m, drifting at up to %7 m/s</source>
@@ -6323,7 +6323,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>initial σ of %1 to %2 m², growing by q = %3 m²/s</source>
-        <translation>σ først %1 til %2 m², vokser med q = %3 m²/s</translation>
+        <translation>σ ved starten %1 til %2 m², vokser med q = %3 m²/s</translation>
     </message>
     <message>
         <source>Scenarios</source>
@@ -6339,7 +6339,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>seeds for each scenario: %1, starting with its own, the same for every setting</source>
-        <translation>startværdier for hvert scenarie: %1, dets egen først, de samme for alle indstillinger</translation>
+        <translation>startværdier for hvert scenarie: %1, først dets egen, de samme for alle indstillinger</translation>
     </message>
     <message>
         <source>%1 to %2 by %3 (%4 values)</source>
@@ -6387,39 +6387,39 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>How to reproduce this report</source>
-        <translation>Sådan laves den igen</translation>
+        <translation>Sådan gendannes rapporten</translation>
     </message>
     <message>
         <source>This page contains the whole study with every scenario, seed and result, and Bergwatch opens it as a study file. To make the page again from these results:</source>
-        <translation>Denne side indeholder hele studiet, med alle scenarier, startværdier og resultater, og kan gives til Bergwatch som studiefil. Fra resultaterne i den:</translation>
+        <translation>Denne side indeholder hele studiet med alle scenarier, startværdier og resultater, og Bergwatch åbner den som en studiefil. Sådan laves siden igen ud fra disse resultater:</translation>
     </message>
     <message>
         <source>To fly the study again; the results depend neither on the machine nor on the number of threads:</source>
-        <translation>Fløjet igen; tallene afhænger hverken af maskinen eller af, hvor mange tråde der flyver:</translation>
+        <translation>Sådan flyves studiet igen; resultaterne afhænger hverken af maskinen eller af antallet af tråde:</translation>
     </message>
     <message>
         <source>To fly the study again with your scenario files; the results depend neither on the machine nor on the number of threads:</source>
-        <translation>Fløjet igen, med scenariefilerne ved navn; tallene afhænger hverken af maskinen eller af, hvor mange tråde der flyver:</translation>
+        <translation>Sådan flyves studiet igen med dine scenariefiler; resultaterne afhænger hverken af maskinen eller af antallet af tråde:</translation>
     </message>
     <message>
         <source>ζ is the total uncertainty σ of all icebergs, integrated over the flight. Lower is better.</source>
-        <translation>ζ er integralet over flyvningen af usikkerheden σ for alle isbjerge tilsammen: mindre er bedre.</translation>
+        <translation>ζ er den samlede usikkerhed σ for alle isbjerge, integreret over flyvningen. Lavere er bedre.</translation>
     </message>
     <message>
         <source>There is only one case, so there is no spread to show.</source>
-        <translation>Ét tilfælde, så der er ingen spredning at vise.</translation>
+        <translation>Der er kun ét tilfælde, så der er ingen spredning at vise.</translation>
     </message>
     <message>
         <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
-        <translation>Linjen er middelværdien over tilfældene (%1), båndene rummer den midterste halvdel og 80 % af dem. Linjer på tværs er middelværdien for strategier uden τ.</translation>
+        <translation>Linjen er middelværdien over tilfældene (%1); båndene indeholder den midterste halvdel og 80 % af dem. Vandrette linjer er middelværdier for strategier uden τ.</translation>
     </message>
     <message>
         <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
-        <translation>Hvert tilfælde sammenlignes med sig selv, med de samme isbjerge og den samme støj; stregerne er 95 %-intervaller for middelværdien (Students t). Til venstre for 0 er bedre end referencen.</translation>
+        <translation>Forskellene beregnes tilfælde for tilfælde, med de samme isbjerge og den samme støj; stregerne er 95 %-intervaller for middelværdien (Students t). Værdier til venstre for 0 er bedre end referencen.</translation>
     </message>
     <message>
         <source>Not every τ is drawn; the table contains all of them.</source>
-        <translation>Ikke alle τ er tegnet; alle står i tabellen.</translation>
+        <translation>Ikke alle τ er tegnet; tabellen indeholder dem alle.</translation>
     </message>
     <message>
         <source>ζ against τ</source>
@@ -6435,11 +6435,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>The τ with the lowest ζ of a case, chosen in hindsight; it is not known before the flight. If several are equal, the smallest counts.</source>
-        <translation>Den τ, der giver lavest ζ i et tilfælde, valgt bagefter: ingen kender den før flyvningen. Af lige gode tæller den mindste.</translation>
+        <translation>Den τ, der giver lavest ζ i et tilfælde, valgt bagefter; den er ikke kendt før flyvningen. Hvis flere er lige gode, tæller den mindste.</translation>
     </message>
     <message>
         <source>Stuck: at most two icebergs were targets in the second half of the flight.</source>
-        <translation>Fastlåst: højst to isbjerge som mål i den sidste halvdel af flyvningen.</translation>
+        <translation>Fastlåst: højst to isbjerge var mål i anden halvdel af flyvningen.</translation>
     </message>
     <message>
         <source>ζ of the case and its difference vs %1.</source>
@@ -6531,7 +6531,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>One case is too few to recommend a policy. Fly more cases.</source>
-        <translation>Ét tilfælde anbefaler ingen strategi: flyv flere.</translation>
+        <translation>Ét tilfælde er for lidt til at anbefale en strategi. Flyv flere tilfælde.</translation>
     </message>
     <message>
         <source>Lowest ζ: %1, %2 m² s.</source>
@@ -6559,7 +6559,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Missions flown: %1 of %2. The results below use only the cases that every setting has flown: %3 of %4.</source>
-        <translation>Fløjne missioner: %1 af %2. Alt herunder gælder de tilfælde, som alle indstillinger har fløjet: %3 af %4.</translation>
+        <translation>Fløjne missioner: %1 af %2. Resultaterne herunder bruger kun de tilfælde, som alle indstillinger har fløjet: %3 af %4.</translation>
     </message>
     <message>
         <source>Missions: %1. Cases: %2, each flown with every setting. Settings: %3.</source>
@@ -6579,7 +6579,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the shortest path through all icebergs, flown to its end, then solved again</source>
-        <translation>den korteste rute gennem alle isbjerge, fløjet til slutningen og så løst igen</translation>
+        <translation>den korteste vej gennem alle isbjerge, fløjet til slutningen og så løst igen</translation>
     </message>
     <message>
         <source>the shortest round tour, flown again and again</source>
@@ -6659,7 +6659,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Plans made</source>
-        <translation>Lagte planer</translation>
+        <translation>Planer lavet</translation>
     </message>
     <message>
         <source>Planned by</source>
@@ -6679,7 +6679,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>and %1 more; all of them: export log-html</source>
-        <translation>og %1 til; alle: eksportér log-html</translation>
+        <translation>og %1 til; eksportér log-html for at få alle</translation>
     </message>
     <message>
         <source>Nothing was flown</source>
@@ -6690,11 +6690,11 @@ Tilstødende område %4</translation>
     <name>SelectTool</name>
     <message>
         <source>Release to place it here. Esc cancels.</source>
-        <translation>Slip for at placere her. Esc fortryder flytningen.</translation>
+        <translation>Slip for at placere det her. Esc annullerer.</translation>
     </message>
     <message>
         <source>The scenario is locked during a flight. Stop the flight to change it.</source>
-        <translation>Låst, mens en flyvning er i gang. Stop flyvningen for at ændre scenariet.</translation>
+        <translation>Scenariet er låst under en flyvning. Stop flyvningen for at ændre det.</translation>
     </message>
     <message>
         <source>Everything inside the frame is selected.</source>
@@ -6702,15 +6702,15 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Click to select, drag to move. Ctrl+click adds; drag on open water to select a box.</source>
-        <translation>Klik vælger, træk flytter. Ctrl føjer til, et træk på vandet vælger det, der er inden for rammen.</translation>
+        <translation>Klik for at vælge, træk for at flytte. Ctrl+klik føjer til; træk på åbent vand for at vælge med en ramme.</translation>
     </message>
     <message>
         <source>Click to select. In flight you can drag the tip of the wind arrow and the asset.</source>
-        <translation>Klik vælger. Under flyvning kan spidsen af vindpilen og objektet trækkes.</translation>
+        <translation>Klik for at vælge. Under flyvning kan du trække i spidsen af vindpilen og i objektet.</translation>
     </message>
     <message>
         <source>Click to select. Choose Stop and edit to change the scenario.</source>
-        <translation>Klik vælger. Stop og redigér for at ændre scenariet.</translation>
+        <translation>Klik for at vælge. Vælg Stop og redigér for at ændre scenariet.</translation>
     </message>
 </context>
 <context>
@@ -6772,7 +6772,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>camera of a UAV</source>
-        <translation>kamera på en UAV</translation>
+        <translation>kamera på en drone</translation>
     </message>
     <message>
         <source>GPS beacon</source>
@@ -6873,7 +6873,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
-        <translation>Akkumuleret usikkerhed i m² s, middel af alle tilfælde: mindre er bedre.</translation>
+        <translation>Akkumuleret usikkerhed i m² s, gennemsnit af alle tilfælde: mindre er bedre.</translation>
     </message>
     <message>
         <source>Half of the cases have less.</source>
@@ -6885,11 +6885,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Mean of the differences, case by case, in per cent of the reference.</source>
-        <translation>Middel af forskellene, tilfælde for tilfælde, i procent af referencen.</translation>
+        <translation>Gennemsnittet af forskellene, tilfælde for tilfælde, i procent af referencen.</translation>
     </message>
     <message>
         <source>Confidence interval of the mean difference by Student&apos;s t.</source>
-        <translation>For den gennemsnitlige forskel: konfidensinterval efter Students t.</translation>
+        <translation>Konfidensinterval for den gennemsnitlige forskel efter Students t.</translation>
     </message>
     <message>
         <source>Cases in which no other setting has less ζ.</source>
@@ -6897,7 +6897,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Cases that visit at most two icebergs in the second half.</source>
-        <translation>Tilfælde, der flyver til højst to isbjerge i anden halvdel.</translation>
+        <translation>Tilfælde, der besøger højst to isbjerge i anden halvdel.</translation>
     </message>
     <message>
         <source>Case</source>
@@ -6925,7 +6925,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Seed of the true drift, the same for every setting.</source>
-        <translation>Det, den sande drift blev trukket fra: det samme for hver indstilling.</translation>
+        <translation>Startværdi for den sande drift, den samme for hver indstilling.</translation>
     </message>
     <message>
         <source>Accumulated uncertainty of this flight: less is better.</source>
@@ -6945,7 +6945,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>Visits at most two icebergs in the second half.</source>
-        <translation>Flyver til højst to isbjerge i anden halvdel.</translation>
+        <translation>Besøger højst to isbjerge i anden halvdel.</translation>
     </message>
 </context>
 <context>
@@ -6967,15 +6967,15 @@ Tilstødende område %4</translation>
     <name>TimeEntry</name>
     <message>
         <source>The day and month of &quot;%1&quot; are ambiguous. Type the date like 2026-11-29 12:00.</source>
-        <translation>Dag og måned i &quot;%1&quot; kan læses på to måder. Skriv det som 2026-11-29 12:00.</translation>
+        <translation>Dag og måned i »%1« kan læses på to måder. Skriv datoen som 2026-11-29 12:00.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has no date. Type it like 2026-11-29 12:00.</source>
-        <translation>&quot;%1&quot; har ingen dato. Skriv det som 2026-11-29 12:00.</translation>
+        <translation>»%1« har ingen dato. Skriv det som 2026-11-29 12:00.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a date and time. Type it like 2026-11-29 12:00 or 29 Nov 2026 12:00.</source>
-        <translation>&quot;%1&quot; er ikke en dato med klokkeslæt. Skriv det som 2026-11-29 12:00 eller 29 Nov 2026 12:00.</translation>
+        <translation>»%1« er ikke en dato med klokkeslæt. Skriv det som 2026-11-29 12:00 eller 29 Nov 2026 12:00.</translation>
     </message>
 </context>
 <context>
@@ -7004,18 +7004,18 @@ mod %2</translation>
     </message>
     <message>
         <source>The arrow points downwind. The ring is the airspeed of the slowest UAV (%1); beyond the dashed ring UAVs make little headway.</source>
-        <translation>Pilen peger derhen, hvor vinden blæser. Ringen er den langsomste drones flyvefart (%1); uden for den stiplede ring kommer droner næsten ikke frem mod vinden.</translation>
+        <translation>Pilen peger derhen, hvor vinden blæser. Ringen er den langsomste drones flyvefart (%1); uden for den stiplede ring kommer droner næsten ikke frem.</translation>
     </message>
     <message>
         <source>The small aircraft in the middle of a leg shows the heading flown there.</source>
-        <translation>Det lille fly midt på en etape viser den kurs, der styres der.</translation>
+        <translation>Det lille fly midt på en etape viser den kurs, der flyves der.</translation>
     </message>
 </context>
 <context>
     <name>WorkFailureText</name>
     <message>
         <source>Not enough memory. Close other programs or choose a smaller task.</source>
-        <translation>Der er ikke nok hukommelse til dette. Luk andre programmer, eller bed om mindre.</translation>
+        <translation>Ikke nok hukommelse. Luk andre programmer, eller vælg en mindre opgave.</translation>
     </message>
     <message>
         <source>Internal error: %1</source>
@@ -7030,7 +7030,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Removes this notice. It returns if the condition ends and occurs again.</source>
-        <translation>Fjerner den fra denne liste. Den kommer tilbage, når den har været ovre og sker igen.</translation>
+        <translation>Fjerner denne meddelelse. Den kommer tilbage, hvis tilstanden ophører og opstår igen.</translation>
     </message>
     <message>
         <source>Continue from here</source>
@@ -7038,7 +7038,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Discards the flight after this instant. From here you can change the trade-off and the policy and fly another path.</source>
-        <translation>Opgiver det, der blev fløjet efter dette øjeblik. Herfra kan afvejning og strategi ændres og en anden vej flyves.</translation>
+        <translation>Kasserer flyvningen efter dette øjeblik. Herfra kan du ændre afvejning og strategi og flyve en anden bane.</translation>
     </message>
     <message>
         <source>Back to latest</source>
@@ -7046,7 +7046,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Goes to the latest instant of the flight.</source>
-        <translation>Tilbage til slutningen af det fløjne.</translation>
+        <translation>Går til det seneste øjeblik af flyvningen.</translation>
     </message>
     <message>
         <source>Checks</source>
@@ -7054,7 +7054,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Lists all findings in the scenario.</source>
-        <translation>Viser alt, hvad der er fundet om scenariet.</translation>
+        <translation>Viser alle fund i scenariet.</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -7062,7 +7062,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Continues the flight where it was left.</source>
-        <translation>Genoptager flyvningen, hvor den blev forladt.</translation>
+        <translation>Fortsætter flyvningen, hvor den blev forladt.</translation>
     </message>
     <message>
         <source>No alarms</source>
@@ -7085,7 +7085,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Click to show it on the map.</source>
-        <translation>Klik for at vise den.</translation>
+        <translation>Klik for at vise det på kortet.</translation>
     </message>
     <message>
         <source>Acknowledged: %1</source>
@@ -7104,11 +7104,11 @@ mod %2</translation>
     </message>
     <message>
         <source>%1 contains no points, lines or polygons</source>
-        <translation>%1 indeholder ingen steder, linjer eller polygoner</translation>
+        <translation>%1 indeholder ingen punkter, linjer eller polygoner</translation>
     </message>
     <message>
         <source>The background map %1 cannot be read</source>
-        <translation>Baggrunden %1 kan ikke læses</translation>
+        <translation>Baggrundskortet %1 kan ikke læses</translation>
     </message>
     <message>
         <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
@@ -7138,7 +7138,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Quantity shown over time</source>
-        <translation>Det, der vises over tid</translation>
+        <translation>Størrelse vist over tid</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -7146,7 +7146,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Choose the lines to show</source>
-        <translation>Hvilke linjer der vises</translation>
+        <translation>Vælg viste linjer</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -7217,7 +7217,7 @@ mod %2</translation>
     </message>
     <message>
         <source>Warning: probably not intended</source>
-        <translation>Advarsel: sandsynligvis ikke det, du ønsker</translation>
+        <translation>Advarsel: sandsynligvis ikke tilsigtet</translation>
     </message>
     <message>
         <source>Hint: good to know</source>
@@ -7247,7 +7247,7 @@ mod %2</translation>
     </message>
     <message>
         <source>This chart compares runs of one scenario.</source>
-        <translation>Her vises sammenligningen af flyvninger af samme scenarie.</translation>
+        <translation>Dette diagram sammenligner flyvninger af samme scenarie.</translation>
     </message>
     <message>
         <source>%1.
@@ -7348,7 +7348,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Flies the same scenario along the shortest closed tour through all icebergs, as in Figure 5 of the paper, in the background.</source>
-        <translation>Flyver samme scenarie ad den korteste lukkede rundtur gennem alle isbjerge, som i figur 5 i artiklen, i baggrunden.</translation>
+        <translation>Flyver samme scenarie i baggrunden ad den korteste lukkede rundtur gennem alle isbjerge, som i figur 5 i artiklen.</translation>
     </message>
     <message>
         <source>Compare with the round tour</source>
@@ -7484,7 +7484,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>This chart compares each setting with a reference, case by case.</source>
-        <translation>Her sammenlignes hver indstilling med en reference, tilfælde for tilfælde.</translation>
+        <translation>Dette diagram sammenligner hver indstilling med en reference, tilfælde for tilfælde.</translation>
     </message>
     <message>
         <source>Less ζ is better: to the left</source>
@@ -7492,7 +7492,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Mean of the cases with its 95 % confidence interval</source>
-        <translation>Middel af tilfældene med 95 %-konfidensinterval</translation>
+        <translation>Gennemsnittet af tilfældene med 95 %-konfidensinterval</translation>
     </message>
     <message>
         <source>Difference of ζ vs %1, %</source>
@@ -7670,7 +7670,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>The file exists. Bergwatch asks before it overwrites it.</source>
-        <translation>Findes allerede: du bliver spurgt, før noget går tabt.</translation>
+        <translation>Filen findes. Bergwatch spørger, før den overskrives.</translation>
     </message>
     <message>
         <source>Working ...</source>
@@ -7784,7 +7784,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>How the file begins</source>
-        <translation>Hvordan filen begynder</translation>
+        <translation>Filens begyndelse</translation>
     </message>
     <message>
         <source>Map</source>
@@ -7800,7 +7800,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Preview of the page</source>
-        <translation>Siden, som den skrives</translation>
+        <translation>Forhåndsvisning af siden</translation>
     </message>
     <message>
         <source>Page</source>
@@ -7851,7 +7851,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Must exceed the wind speed.</source>
-        <translation>Altid hurtigere end vinden.</translation>
+        <translation>Skal være over vindens fart.</translation>
     </message>
     <message>
         <source>Maximum bank angle</source>
@@ -7883,7 +7883,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Height above sea level. UAVs at least %1 apart in height may pass each other.</source>
-        <translation>Højde over havet: droner med %1 højdeforskel går fri af hinanden.</translation>
+        <translation>Højde over havet. Droner med mindst %1 højdeforskel kan passere hinanden.</translation>
     </message>
     <message>
         <source>unlimited</source>
@@ -7895,7 +7895,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Longest flight; the UAV is home before it ends. At 0 it lands only when ordered to return.</source>
-        <translation>Længste flyvning: den er hjemme inden da; ved 0 lander den kun, når den får ordre til at flyve hjem.</translation>
+        <translation>Længste flyvning; dronen er hjemme, før den slutter. Ved 0 lander den kun efter ordre om at flyve hjem.</translation>
     </message>
     <message>
         <source>Home east</source>
@@ -7903,7 +7903,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Landing place, east of the scenario&apos;s origin.</source>
-        <translation>Hvor den lander, øst for scenariets origo.</translation>
+        <translation>Landingssted, øst for scenariets origo.</translation>
     </message>
     <message>
         <source>Home north</source>
@@ -7911,7 +7911,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Landing place, north of the scenario&apos;s origin.</source>
-        <translation>Hvor den lander, nord for scenariets origo.</translation>
+        <translation>Landingssted, nord for scenariets origo.</translation>
     </message>
     <message>
         <source>Turn-around</source>
@@ -7927,7 +7927,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Share of the endurance that plans leave unused.</source>
-        <translation>Den del af udholdenheden, som ingen flyvning planlægges at bruge.</translation>
+        <translation>Den del af udholdenheden, som planer ikke bruger.</translation>
     </message>
     <message>
         <source>by percentage</source>
@@ -7939,7 +7939,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Reserve as a time, in place of the percentage.</source>
-        <translation>En tid i stedet for procentdelen.</translation>
+        <translation>Reserve som en tid i stedet for procentdelen.</translation>
     </message>
     <message>
         <source>Climb</source>
@@ -7967,7 +7967,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Strongest wind in which the UAV may fly.</source>
-        <translation>Kraftigste vind, den flyves i.</translation>
+        <translation>Kraftigste vind, dronen må flyve i.</translation>
     </message>
     <message>
         <source>Gust limit</source>
@@ -7975,7 +7975,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Strongest gusts in which the UAV may fly.</source>
-        <translation>Kraftigste vindstød, den flyves i.</translation>
+        <translation>Kraftigste vindstød, dronen må flyve i.</translation>
     </message>
     <message>
         <source>Icing conditions</source>
@@ -7983,7 +7983,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Whether the UAV may fly below 0 °C in nearly saturated air.</source>
-        <translation>Om den må flyves under 0 °C i luft, der er næsten mættet.</translation>
+        <translation>Om dronen må flyve under 0 °C i næsten mættet luft.</translation>
     </message>
     <message>
         <source>each time step</source>
@@ -8003,7 +8003,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Known drift to the east, without the current.</source>
-        <translation>Kendt drift mod øst; strømmen kommer oveni.</translation>
+        <translation>Kendt drift mod øst, uden strømmen.</translation>
     </message>
     <message>
         <source>Drift north</source>
@@ -8011,7 +8011,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Known drift to the north, without the current.</source>
-        <translation>Kendt drift mod nord; strømmen kommer oveni.</translation>
+        <translation>Kendt drift mod nord, uden strømmen.</translation>
     </message>
     <message>
         <source>Drift error</source>
@@ -8027,15 +8027,15 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Long-term standard deviation of the drift about the current, along each axis. Example, a beacon off Canada: 0.15 m/s.</source>
-        <translation>Standardafvigelse for dets drift på lang sigt, langs hver akse, omkring strømmens. En bøje ud for Canada: 0,15 m/s.</translation>
+        <translation>Standardafvigelse på lang sigt for driften omkring strømmen, langs hver akse. Eksempel, en bøje ud for Canada: 0,15 m/s.</translation>
     </message>
     <message>
         <source>Drift time constant</source>
-        <translation>Driften ændrer sig på</translation>
+        <translation>Driftens tidskonstant</translation>
     </message>
     <message>
         <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
-        <translation>Den tid, hvori en kendt drift ophører med at være kendt: den aftager mod strømmen. 0: driften er konstant. En bøje ud for Canada: 36.000 s.</translation>
+        <translation>Den tid, hvori en kendt drift aftager mod strømmens. Ved 0 er driften konstant. Eksempel, en bøje ud for Canada: 36.000 s.</translation>
     </message>
     <message>
         <source>Growth q</source>
@@ -8043,7 +8043,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Growth of the uncertainty per second out of view.</source>
-        <translation>Det, usikkerheden vokser med pr. sekund ude af syne.</translation>
+        <translation>Usikkerhedens vækst pr. sekund ude af syne.</translation>
     </message>
     <message>
         <source>Uncertainty σ₀</source>
@@ -8059,7 +8059,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Time between the last sighting and the start; σ has grown since.</source>
-        <translation>Hvor længe før starten det sidst blev set; σ er vokset siden.</translation>
+        <translation>Tiden mellem den sidste observation og starten; σ er vokset siden.</translation>
     </message>
     <message>
         <source>Appears at</source>
@@ -8067,7 +8067,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Run time from which the iceberg is known; 0 is the start.</source>
-        <translation>Det tidspunkt i flyvningen, fra hvilket det er kendt; 0 er starten.</translation>
+        <translation>Det tidspunkt i flyvningen, hvor isbjerget bliver kendt; 0 er starten.</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -8075,7 +8075,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Half its length. It sets the size on the map and how far outside the area the iceberg is monitored.</source>
-        <translation>Halvdelen af dets længde: dets størrelse på kortet, og hvor langt uden for området det stadig overvåges.</translation>
+        <translation>Halvdelen af dets længde. Den bestemmer størrelsen på kortet, og hvor langt uden for området isbjerget overvåges.</translation>
     </message>
     <message>
         <source>Visited by</source>
@@ -8083,7 +8083,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>The only UAV that may visit it.</source>
-        <translation>Den drone, der som den eneste skal besøge det.</translation>
+        <translation>Den eneste drone, der må besøge det.</translation>
     </message>
     <message>
         <source>Speed east</source>
@@ -8107,7 +8107,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Distance within which icebergs matter to the asset.</source>
-        <translation>Hvor tæt på et isbjerg skal være for at have betydning for det.</translation>
+        <translation>Den afstand, inden for hvilken isbjerge har betydning for objektet.</translation>
     </message>
     <message>
         <source>Gain</source>
@@ -8115,7 +8115,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Additional weight of an iceberg at the asset.</source>
-        <translation>Hvor meget mere et isbjerg i nærheden af det betyder.</translation>
+        <translation>Ekstra vægt for et isbjerg ved objektet.</translation>
     </message>
     <message>
         <source>half the range</source>
@@ -8127,7 +8127,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>An iceberg predicted to enter it within an hour raises an alarm. At 0 it is half the range.</source>
-        <translation>Et isbjerg, der er på vej ind i den inden for en time, udløser alarm; ved 0 er ringen den halve rækkevidde.</translation>
+        <translation>Et isbjerg, der forudsiges at komme ind i den inden for en time, udløser alarm. Ved 0 er ringen den halve rækkevidde.</translation>
     </message>
     <message>
         <source>Stand-off ring</source>
@@ -8135,7 +8135,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Least distance of UAVs from the asset; for a ship, from its whole track.</source>
-        <translation>Ingen drone kommer nærmere; for et skib gælder det hele dets sejlads.</translation>
+        <translation>Mindste afstand fra droner til objektet; for et skib til hele dets spor.</translation>
     </message>
     <message>
         <source>Stand-off ceiling</source>
@@ -8143,7 +8143,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Height above which UAVs may cross the ring.</source>
-        <translation>Over denne højde må droner flyve hen over ringen.</translation>
+        <translation>Højde, over hvilken droner må krydse ringen.</translation>
     </message>
     <message>
         <source>Shown on the map.</source>
@@ -8159,7 +8159,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>UAVs below this height may pass under the area.</source>
-        <translation>Droner, der flyver lavere end dette, flyver under det.</translation>
+        <translation>Droner under denne højde må passere under området.</translation>
     </message>
     <message>
         <source>Ceiling</source>
@@ -8167,7 +8167,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>UAVs above this height may pass over the area.</source>
-        <translation>Droner, der flyver højere end dette, flyver over det.</translation>
+        <translation>Droner over denne højde må passere over området.</translation>
     </message>
     <message>
         <source>Corner of the airspace</source>
@@ -8215,7 +8215,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Range of the link; the lowest value means the radio horizon of the antenna and the UAV&apos;s altitude.</source>
-        <translation>Hvor langt forbindelsen rækker; ved den laveste værdi til radiohorisonten for antennen og dronens højde.</translation>
+        <translation>Forbindelsens rækkevidde; den laveste værdi betyder radiohorisonten for antennen og dronens højde.</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -8223,7 +8223,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Distance around all places of the plan, for turns and replanning. Not used with a geofence.</source>
-        <translation>Omkring alle steder, som en plan kan føre til, af hensyn til drej og ændringer af planen. Med geohegn bruges den ikke.</translation>
+        <translation>Afstand omkring alle planens steder, til drej og nye planer. Bruges ikke med geohegn.</translation>
     </message>
     <message>
         <source>UAV size</source>
@@ -8231,7 +8231,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Largest dimension of a UAV; half of it is added to the ground-risk buffer.</source>
-        <translation>Største mål på en drone; halvdelen af det gør jordrisikobufferen bredere.</translation>
+        <translation>Største mål på en drone; halvdelen lægges til jordrisikobufferen.</translation>
     </message>
     <message>
         <source>Satellite position error</source>
@@ -8271,7 +8271,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Sets the turn radius v²/(g tan bank). Same source: 30°.</source>
-        <translation>Giver drejeradius v²/(g tan krængning). Samme kilde: 30°.</translation>
+        <translation>Bestemmer drejeradius v²/(g tan krængning). Samme kilde: 30°.</translation>
     </message>
     <message>
         <source>Height error</source>
@@ -8287,7 +8287,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Share of the speed that is climb during the reaction time. Same source: 0.707, a climb of 45°.</source>
-        <translation>Den del af farten, der fører opad i reaktionstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
+        <translation>Den del af farten, der er stigning i reaktionstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
     </message>
     <message>
         <source>Pull-up part</source>
@@ -8295,7 +8295,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Height needed to level out, as a share of v²/g. Same source: 0.3.</source>
-        <translation>Den del af v²/g, som udretning til vandret flyvning kræver. Samme kilde: 0,3.</translation>
+        <translation>Den højde, som udretning kræver, som andel af v²/g. Samme kilde: 0,3.</translation>
     </message>
     <message>
         <source>Buffer ratio</source>
@@ -8335,7 +8335,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Names printed in the flight brief. If empty, the brief has a blank line.</source>
-        <translation>Hvem der flyver; udskrives i flyvebriefingen; tomt: en blank linje.</translation>
+        <translation>Navne, der trykkes i flyvebriefingen. Hvis feltet er tomt, får briefingen en blank linje.</translation>
     </message>
     <message>
         <source>Call sign</source>
@@ -8343,7 +8343,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Printed in the flight brief. If empty, the brief has a blank line.</source>
-        <translation>Udskrives i flyvebriefingen. Er feltet tomt, bliver det en blank linje.</translation>
+        <translation>Trykkes i flyvebriefingen. Hvis feltet er tomt, får briefingen en blank linje.</translation>
     </message>
     <message>
         <source>Contacts</source>
@@ -8359,7 +8359,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>How the UAVs are commanded, and what they do if the link is lost.</source>
-        <translation>Hvordan dronerne styres, og hvad de gør uden den.</translation>
+        <translation>Hvordan dronerne styres, og hvad de gør, hvis forbindelsen mistes.</translation>
     </message>
     <message>
         <source>Checklist</source>
@@ -8367,7 +8367,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>One item per line, printed with a box to tick.</source>
-        <translation>Én linje pr. punkt; udskrives med et felt til afkrydsning.</translation>
+        <translation>Ét punkt pr. linje, trykt med et felt til afkrydsning.</translation>
     </message>
     <message>
         <source>not known</source>
@@ -8403,7 +8403,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Coordinate of the origin, in any format; a full coordinate or a place name sets both. Everything moves with it.</source>
-        <translation>For origo, i enhver form; en hel koordinat eller et navn sætter begge. Alt flytter med.</translation>
+        <translation>Origos koordinat, i enhver form; en hel koordinat eller et stednavn udfylder begge. Alt flytter med.</translation>
     </message>
     <message>
         <source>Longitude</source>
@@ -8415,7 +8415,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Exact: a sighting gives the true position. Filter: position and velocity are estimated from noisy measurements, and icebergs can get lost.</source>
-        <translation>Eksakt: et isbjerg i synsfeltet er der, hvor det ses. Filter: målinger med støj, hvorfra position og hastighed estimeres, og isbjerge kan blive mistet.</translation>
+        <translation>Eksakt: en observation giver den sande position. Filter: position og hastighed estimeres ud fra målinger med støj, og isbjerge kan blive mistet.</translation>
     </message>
     <message>
         <source>Position error</source>
@@ -8467,7 +8467,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Time to make a plan in flight; until it is ready the UAV continues with the previous plan.</source>
-        <translation>Hvor lang tid en plan tager under flyvning; indtil den foreligger, følger dronen fortsat den forrige.</translation>
+        <translation>Den tid, det tager at lave en plan under flyvning; indtil den er klar, følger dronen den forrige plan.</translation>
     </message>
     <message>
         <source>in view</source>
@@ -8479,7 +8479,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Distance at which an iceberg counts as reached; at 0 it is reached when it is in view.</source>
-        <translation>Hvor tæt dronen skal komme på et isbjerg; ved 0 er det nået, når det er i synsfeltet.</translation>
+        <translation>Den afstand, hvor et isbjerg regnes som nået; ved 0 er det nået, når det er i synsfeltet.</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -8487,7 +8487,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Shape of the area that the camera covers.</source>
-        <translation>Formen på det, kameraet dækker.</translation>
+        <translation>Formen på det område, kameraet dækker.</translation>
     </message>
     <message>
         <source>Group nearby icebergs</source>
@@ -8499,7 +8499,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Title of the scenario, shown on the map.</source>
-        <translation>Scenariets titel, der vises på kortet.</translation>
+        <translation>Scenariets titel, vist på kortet.</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -8507,7 +8507,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Any text, stored in the file.</source>
-        <translation>Valgfri tekst, gemmes i filen.</translation>
+        <translation>Valgfri tekst, der gemmes i filen.</translation>
     </message>
     <message>
         <source>Start (UTC)</source>
@@ -8531,7 +8531,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Seed of the random drift: the same seed repeats the run.</source>
-        <translation>Bestemmer den tilfældige drift: samme startværdi, samme flyvning.</translation>
+        <translation>Startværdi for den tilfældige drift: den samme startværdi gentager flyvningen.</translation>
     </message>
     <message>
         <source>Time step</source>
@@ -8539,7 +8539,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Step of the simulation; a smaller step is more exact and slower.</source>
-        <translation>Simuleringens skridt; korte er nøjagtige og langsomme.</translation>
+        <translation>Simuleringens skridt; et mindre skridt er mere nøjagtigt og langsommere.</translation>
     </message>
     <message>
         <source>Random drift</source>
@@ -8555,7 +8555,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Towards the east; must be below the UAV&apos;s airspeed.</source>
-        <translation>Mod øst; altid langsommere, end dronen flyver.</translation>
+        <translation>Mod øst; skal være under dronens flyvefart.</translation>
     </message>
     <message>
         <source>Wind north</source>
@@ -8563,7 +8563,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Towards the north; must be below the UAV&apos;s airspeed.</source>
-        <translation>Mod nord; altid langsommere, end dronen flyver.</translation>
+        <translation>Mod nord; skal være under dronens flyvefart.</translation>
     </message>
     <message>
         <source>Current east</source>
@@ -8603,7 +8603,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
-        <translation>Droner holdes så langt fra hinanden, medmindre der er %1 forskel på deres højder.</translation>
+        <translation>Mindste afstand mellem droner med mindre end %1 højdeforskel.</translation>
     </message>
 </context>
 <context>
@@ -8720,7 +8720,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>ζ compared with the prediction for the policy before take-off.</source>
-        <translation>ζ i forhold til det, der blev forudsagt for strategien før start.</translation>
+        <translation>ζ sammenlignet med forudsigelsen for strategien før start.</translation>
     </message>
     <message>
         <source>Lower bound</source>
@@ -8756,7 +8756,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Compares the run with others.</source>
-        <translation>Stiller flyvningen ved siden af andre.</translation>
+        <translation>Sammenligner flyvningen med andre.</translation>
     </message>
     <message>
         <source>Save run</source>
@@ -8764,7 +8764,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Saves the run to a file.</source>
-        <translation>Bevarer flyvningen i en fil.</translation>
+        <translation>Gemmer flyvningen i en fil.</translation>
     </message>
     <message>
         <source>Report</source>
@@ -8780,7 +8780,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Predicted range of ζ for 90 % of flights.</source>
-        <translation>ζ for ni ud af ti flyvninger blev forudsagt at ligge i dette interval.</translation>
+        <translation>Forudsagt område for ζ i 90 % af flyvningerne.</translation>
     </message>
     <message>
         <source>below %1 to %2</source>
@@ -8796,7 +8796,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>changed in flight</source>
-        <translation>ændret undervejs</translation>
+        <translation>ændret under flyvning</translation>
     </message>
     <message>
         <source>being computed, %1 %</source>
@@ -8811,7 +8811,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Flight to %1 discarded</source>
-        <translation>Flyvning til %1 opgivet</translation>
+        <translation>Flyvning til %1 kasseret</translation>
     </message>
 </context>
 <context>
@@ -8822,7 +8822,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Ready. Press Space to fly</source>
-        <translation>Klar: tryk på mellemrum for at flyve</translation>
+        <translation>Klar. Tryk på mellemrum for at flyve</translation>
     </message>
     <message>
         <source>Flying</source>
@@ -8842,14 +8842,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
-        <translation>Tryk på I, og klik på kortet for at placere et, træk videre for at lade det drive, eller importér observationer.</translation>
+        <translation>Tryk på I, og klik på kortet for at placere et isbjerg, træk for at sætte driften, eller importér observationer.</translation>
     </message>
 </context>
 <context>
     <name>berg::GenerateDialog</name>
     <message>
         <source>There is no room for this many icebergs at this spacing. Choose fewer icebergs, a smaller spacing or a larger area.</source>
-        <translation>Der er ikke plads til så mange så langt fra hinanden. Vælg færre, en mindre afstand eller et større område.</translation>
+        <translation>Der er ikke plads til så mange isbjerge med denne afstand. Vælg færre isbjerge, en mindre afstand eller et større område.</translation>
     </message>
     <message>
         <source>The area is too thin to place icebergs in.</source>
@@ -8881,7 +8881,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Visible part of the map</source>
-        <translation>Det, kortet viser</translation>
+        <translation>Synlig del af kortet</translation>
     </message>
     <message>
         <source>Rectangle in the middle of the map</source>
@@ -8933,7 +8933,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Drift direction, clockwise from north</source>
-        <translation>Retning, de driver mod, fra nord</translation>
+        <translation>Driftens retning, med uret fra nord</translation>
     </message>
     <message>
         <source>Spread to either side</source>
@@ -8973,7 +8973,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>The same seed generates the same field again.</source>
-        <translation>Det samme tal giver det samme felt igen.</translation>
+        <translation>Den samme startværdi giver det samme felt igen.</translation>
     </message>
     <message>
         <source>&amp;Another</source>
@@ -8998,8 +8998,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message numerus="yes">
         <source>The scenario will have %n icebergs.</source>
         <translation>
-            <numerusform>Scenariet rummer derefter ét isbjerg.</numerusform>
-            <numerusform>Scenariet rummer derefter %n isbjerge.</numerusform>
+            <numerusform>Scenariet får %n isbjerg.</numerusform>
+            <numerusform>Scenariet får %n isbjerge.</numerusform>
         </translation>
     </message>
     <message>
@@ -9008,7 +9008,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Unknown, changing within 10 h</source>
-        <translation>Ikke kendt, ændrer sig inden for 10 t</translation>
+        <translation>Ukendt, ændrer sig inden for 10 t</translation>
     </message>
     <message>
         <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
@@ -9062,7 +9062,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>In flight the icebergs cannot be edited. Stop the flight to paste.</source>
-        <translation>Under flyvning kan isbjergene ikke redigeres. Stop flyvningen for at sætte ind.</translation>
+        <translation>Isbjergene kan ikke redigeres under flyvning. Stop flyvningen for at sætte ind.</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -9089,7 +9089,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>The column &quot;%1&quot; is computed from others. Nothing was pasted.</source>
-        <translation>Kolonnen »%1« følger af de andre. Intet blev sat ind.</translation>
+        <translation>Kolonnen »%1« beregnes ud fra andre. Intet blev sat ind.</translation>
     </message>
 </context>
 <context>
@@ -9112,11 +9112,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Line of the file that names the columns, if a title precedes it.</source>
-        <translation>Linjen i filen med kolonnernes navne, når en titel står over den.</translation>
+        <translation>Den linje i filen, der navngiver kolonnerne, hvis en titel står over den.</translation>
     </message>
     <message>
         <source>&amp;Header line</source>
-        <translation>&amp;Linje med overskrifter</translation>
+        <translation>Overskrifts&amp;linje</translation>
     </message>
     <message>
         <source>Columns as for the last file with this header.</source>
@@ -9143,7 +9143,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>No sighting can be imported.</source>
-        <translation>Ingen af observationerne er taget med.</translation>
+        <translation>Ingen observation kan importeres.</translation>
     </message>
     <message>
         <source>Import sightings from %1</source>
@@ -9223,7 +9223,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Choose below which rows belong to the same iceberg.</source>
-        <translation>Vælg nedenfor, hvilke rækker der er observationer af ét isbjerg.</translation>
+        <translation>Vælg nedenfor, hvilke rækker der hører til samme isbjerg.</translation>
     </message>
     <message>
         <source>Faster than 1.5 m/s or on land: %1. Check columns, units and ids.</source>
@@ -9254,7 +9254,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>The file does not say which rows belong to the same iceberg. Choose:</source>
-        <translation>Intet i filen fortæller, hvilke rækker der er observationer af ét isbjerg. Vælg:</translation>
+        <translation>Filen siger ikke, hvilke rækker der hører til samme isbjerg. Vælg:</translation>
     </message>
     <message numerus="yes">
         <source>%n icebergs</source>
@@ -9292,7 +9292,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Growth of the uncertainty if there are too few sightings to estimate it.</source>
-        <translation>Usikkerhedens vækst, hvor der er for få observationer til at anslå den.</translation>
+        <translation>Usikkerhedens vækst, hvis der er for få observationer til at anslå den.</translation>
     </message>
     <message>
         <source>This scenario</source>
@@ -9304,7 +9304,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Icebergs already in this scenario are updated by their ids.</source>
-        <translation>Isbjerge, som dette scenarie allerede har, opdateres efter deres id&apos;er.</translation>
+        <translation>Isbjerge, der allerede er i dette scenarie, opdateres efter deres id&apos;er.</translation>
     </message>
     <message>
         <source>&amp;Into</source>
@@ -9320,7 +9320,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Visible part of the &amp;map</source>
-        <translation>Det, &amp;kortet viser</translation>
+        <translation>Synlig del af &amp;kortet</translation>
     </message>
     <message>
         <source>South</source>
@@ -9344,7 +9344,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Sightings after the start become the true motion of an iceberg. Requires a start time.</source>
-        <translation>Observationer efter starten bliver et isbjergs sande bevægelse. Angiv starten for at bruge det.</translation>
+        <translation>Observationer efter starten bliver et isbjergs sande bevægelse. Kræver et starttidspunkt.</translation>
     </message>
     <message>
         <source>Position &amp;error</source>
@@ -9356,7 +9356,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Standard deviation of an unknown drift along each axis. With 0 the drift counts as known and constant.</source>
-        <translation>Standardafvigelse for driften, hvor den ikke er kendt, langs hver akse. Med 0 regnes driften for kendt og konstant.</translation>
+        <translation>Standardafvigelse for en ukendt drift langs hver akse. Med 0 regnes driften for kendt og konstant.</translation>
     </message>
     <message>
         <source>Drift &amp;changes in</source>
@@ -9364,7 +9364,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Time after which a known drift is no longer valid. 0 means never.</source>
-        <translation>Den tid, hvori en kendt drift ophører med at være kendt. 0: aldrig.</translation>
+        <translation>Tid, hvorefter en kendt drift ikke længere gælder. 0 betyder aldrig.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -9380,7 +9380,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>How to read dates such as 05/02/2021.</source>
-        <translation>Hvordan datoer som 05/02/2021 skal forstås.</translation>
+        <translation>Hvordan datoer som 05/02/2021 skal læses.</translation>
     </message>
     <message>
         <source>Dat&amp;es</source>
@@ -9388,11 +9388,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>UTC time that becomes the start of the scenario. Otherwise its start stays, or moves to the last sighting if that is later.</source>
-        <translation>UTC-tid, der bliver scenariets start. Ellers bliver starten stående, eller flyttes til den seneste observation, hvor den er senere.</translation>
+        <translation>UTC-tid, der bliver scenariets start. Ellers bliver starten stående, eller den flyttes til den seneste observation, hvis den er senere.</translation>
     </message>
     <message>
         <source>Standard deviation of a position along each axis if the file states none and no column names the source.</source>
-        <translation>Standardafvigelse for en position langs hver akse, hvor filen ikke angiver nogen og ingen kolonne nævner kilden.</translation>
+        <translation>Standardafvigelse for en position langs hver akse, hvis filen ikke angiver nogen og ingen kolonne nævner kilden.</translation>
     </message>
     <message>
         <source>As stated in the file</source>
@@ -9404,7 +9404,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Sensor that found the positions. Rows whose column “source”, “method” or “sensor” names another source use its error.</source>
-        <translation>Hvad positionerne blev fundet med. Rækker, hvis kolonne »source«, »method« eller »sensor« nævner en anden kilde, har fejlen for den.</translation>
+        <translation>Den sensor, der fandt positionerne. Rækker, hvor kolonnen »source«, »method« eller »sensor« nævner en anden kilde, bruger dens fejl.</translation>
     </message>
     <message>
         <source>Seen b&amp;y</source>
@@ -9488,7 +9488,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Edits apply to all of them.</source>
-        <translation>Det, der indtastes her, gælder for dem alle.</translation>
+        <translation>Ændringer gælder for dem alle.</translation>
     </message>
     <message>
         <source>UAV %1</source>
@@ -9507,7 +9507,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
-        <translation>Id&apos;et »%1« er optaget. Hvert isbjerg og hver drone skal have sit eget.</translation>
+        <translation>Id&apos;et »%1« er optaget. Hvert isbjerg og hver drone skal have et unikt id.</translation>
     </message>
     <message>
         <source>Change id</source>
@@ -9515,7 +9515,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Select an object on the map to edit it.</source>
-        <translation>Vælg noget på kortet for at redigere det.</translation>
+        <translation>Vælg et objekt på kortet for at redigere det.</translation>
     </message>
     <message>
         <source>Asset</source>
@@ -9531,11 +9531,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Identifies the iceberg in files and lists; must be unique.</source>
-        <translation>Navngiver isbjerget i filer og lister; hvert id findes kun én gang.</translation>
+        <translation>Identificerer isbjerget i filer og lister; skal være unikt.</translation>
     </message>
     <message>
         <source>Identifies the UAV in files and lists; must be unique.</source>
-        <translation>Navngiver dronen i filer og lister; hvert id findes kun én gang.</translation>
+        <translation>Identificerer dronen i filer og lister; skal være unikt.</translation>
     </message>
     <message>
         <source>A UAV needs an id.</source>
@@ -9582,11 +9582,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Opacity; at the left end the layer is hidden</source>
-        <translation>Dækkraft; helt til venstre er det skjult</translation>
+        <translation>Dækkraft; helt til venstre er laget skjult</translation>
     </message>
     <message>
         <source>Time covered by drift arrows; arrows too long for the map are shortened and dashed</source>
-        <translation>Hvor langt frem driftpilene ser; de, der er for lange til kortet, er afkortet og stiplet</translation>
+        <translation>Den tid, driftpilene dækker; pile, der er for lange til kortet, er afkortet og stiplet</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -9610,7 +9610,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Removes the background</source>
-        <translation>Viser ikke længere nogen baggrund</translation>
+        <translation>Fjerner baggrunden</translation>
     </message>
     <message>
         <source>Choose a file…</source>
@@ -9618,7 +9618,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
-        <translation>Dit eget kort under alt andet: GeoJSON, KML eller KMZ, f.eks. et iskort</translation>
+        <translation>Dit eget kort under alle lag, f.eks. et iskort: GeoJSON, KML eller KMZ</translation>
     </message>
     <message>
         <source>Background file: %1</source>
@@ -9714,8 +9714,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message numerus="yes">
         <source>%n icebergs and the UAVs on the sea. Arrow keys move the map or the selection, plus and minus zoom, F fits. The iceberg table lists the icebergs.</source>
         <translation>
-            <numerusform>%n isbjerg og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser. Isbjergtabellen viser dem række for række.</numerusform>
-            <numerusform>%n isbjerge og dronen på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F tilpasser. Isbjergtabellen viser dem række for række.</numerusform>
+            <numerusform>%n isbjerg og dronerne på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F viser alt. Isbjergtabellen viser isbjergene.</numerusform>
+            <numerusform>%n isbjerge og dronerne på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F viser alt. Isbjergtabellen viser isbjergene.</numerusform>
         </translation>
     </message>
     <message>
@@ -9884,7 +9884,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Shows the true positions of the icebergs beside the estimates. When off, the map shows only what an operator would see.</source>
-        <translation>Hvor isbjergene i virkeligheden er, ved siden af hvor observatøren mener, de er; fra: kun det, en operatør ville se</translation>
+        <translation>Viser isbjergenes sande positioner ved siden af estimaterne. Når det er slået fra, viser kortet kun det, en operatør ville se.</translation>
     </message>
     <message>
         <source>F&amp;light</source>
@@ -10032,7 +10032,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Finish drawing, undo last point</source>
-        <translation>Luk det, der tegnes, fjern dets sidste punkt</translation>
+        <translation>Afslut tegningen, fortryd sidste punkt</translation>
     </message>
     <message>
         <source>Enter, Backspace</source>
@@ -10048,7 +10048,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Cancel drawing, leave tool, clear selection</source>
-        <translation>Forlad det, der tegnes, værktøjet, markeringen</translation>
+        <translation>Annullér tegningen, forlad værktøjet, ryd markeringen</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -10064,7 +10064,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans and simulates UAV missions that monitor drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlægger, flyver og måler dronemissioner, der holder øje med drivende isbjerge.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-licens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområder lavet med Natural Earth.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlægger og simulerer dronemissioner, der overvåger drivende isbjerge.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-licens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområder lavet med Natural Earth.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>No-fly area</source>
@@ -10213,7 +10213,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>The replay of this run differs from the recording: %1</source>
-        <translation>Fløjet igen giver denne flyvning et andet resultat: %1</translation>
+        <translation>Afspilningen af denne flyvning afviger fra optagelsen: %1</translation>
     </message>
 </context>
 <context>
@@ -10224,15 +10224,15 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>&quot;%1&quot; cannot be read. Type it like %2.</source>
-        <translation>&quot;%1&quot; kan ikke læses. Skriv det som %2.</translation>
+        <translation>»%1« kan ikke læses. Skriv det som %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is above the highest value. %2 was set.</source>
-        <translation>&quot;%1&quot; er over den højeste værdi. %2 blev valgt.</translation>
+        <translation>»%1« er over den højeste værdi. %2 blev sat.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is below the lowest value. %2 was set.</source>
-        <translation>&quot;%1&quot; er under den laveste værdi. %2 blev valgt.</translation>
+        <translation>»%1« er under den laveste værdi. %2 blev sat.</translation>
     </message>
 </context>
 <context>
@@ -10259,15 +10259,15 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Not everything can stay at its place: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
-        <translation>Ikke alt kunne blive, hvor det er: et scenarie rækker %1 fra sit origo. Flyt alt med, eller vælg et nærmere sted.</translation>
+        <translation>Ikke alt kan blive, hvor det er: et scenarie rækker %1 fra sit origo. Flyt alt med, eller vælg et nærmere sted.</translation>
     </message>
     <message>
         <source>The origin moves to %1, %2 away. Positions, courses and drift on the Earth stay the same.</source>
-        <translation>Origo flyttes til %1, %2 væk. Steder, kurser og drift på Jorden forbliver de samme.</translation>
+        <translation>Origo flyttes til %1, %2 væk. Positioner, kurser og drift på Jorden forbliver de samme.</translation>
     </message>
     <message>
         <source>Everything moves to %1, %2 away, and keeps its position relative to the origin.</source>
-        <translation>Alt flyttes til %1, %2 væk, og beholder sin plads omkring origo.</translation>
+        <translation>Alt flyttes til %1, %2 væk, og beholder sin position i forhold til origo.</translation>
     </message>
     <message>
         <source>The origin is here now.</source>
@@ -10282,7 +10282,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Polar chart showing the location of the map. Click a place to move the map there.</source>
-        <translation>Polarkort over, hvor kortet er. Et klik vælger et sted for kortet.</translation>
+        <translation>Polarkort, der viser kortets placering. Klik på et sted for at flytte kortet dertil.</translation>
     </message>
 </context>
 <context>
@@ -10355,7 +10355,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Distance from the previous iceberg, or from the UAV</source>
-        <translation>Distance fra det forrige, for det første fra dronen</translation>
+        <translation>Distance fra det forrige isbjerg eller fra dronen</translation>
     </message>
     <message>
         <source>Arrival</source>
@@ -10382,7 +10382,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>It has no iceberg to visit.</source>
-        <translation>Der er intet for den at besøge.</translation>
+        <translation>Den har intet isbjerg at besøge.</translation>
     </message>
     <message>
         <source>%1, flown %2</source>
@@ -10395,7 +10395,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Den er på vej hjem, på jorden eller venter: den planlægges igen ved start, eller når den fortsætter.</translation>
+        <translation>Ingen plan, mens dronen er på vej hjem, på jorden eller venter. En ny laves, når den fortsætter.</translation>
     </message>
     <message>
         <source>In view</source>
@@ -10403,7 +10403,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Probability that the iceberg is in view when the UAV reaches its estimate</source>
-        <translation>Sandsynlighed for, at isbjerget er i synsfeltet, når dronen er over estimatet af det</translation>
+        <translation>Sandsynlighed for, at isbjerget er i synsfeltet, når dronen når estimatet af det</translation>
     </message>
     <message>
         <source>%1 (search)</source>
@@ -10432,7 +10432,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Uncertainty of the position on arrival</source>
-        <translation>Positionens usikkerhed, når dronen er der</translation>
+        <translation>Positionens usikkerhed ved ankomsten</translation>
     </message>
     <message>
         <source>%1, flown by %2</source>
@@ -10466,7 +10466,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Arrival of the UAV</source>
-        <translation>Hvornår UAV&apos;en er der</translation>
+        <translation>Dronens ankomst</translation>
     </message>
     <message>
         <source>95 % now</source>
@@ -10503,13 +10503,13 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Predicted for straight legs to the icebergs as they drift,
 without sightings en route and without new plans.</source>
         <translation>Forudsagt for lige etaper til isbjergene, som de driver,
-uden noget set undervejs og uden nye planer.</translation>
+uden observationer undervejs og uden nye planer.</translation>
     </message>
     <message>
         <source>Predicted for the path on the map, with every iceberg that comes into view
 on it, without new plans.</source>
         <translation>Forudsagt for banen på kortet, med hvert isbjerg, der kommer i syne
-undervejs, og uden nye planer.</translation>
+undervejs, uden nye planer.</translation>
     </message>
     <message>
         <source>No useful lower bound on ζ</source>
@@ -10518,8 +10518,8 @@ undervejs, og uden nye planer.</translation>
     <message>
         <source>The lower bound is proven for this scenario and its random drift,
 for any policy and any turn radius.</source>
-        <translation>Denne grænse er bevist for dette scenarie og den støj, det trækker,
-uanset strategi, og uanset hvor snævert dronen drejer.</translation>
+        <translation>Den nedre grænse er bevist for dette scenarie og dets tilfældige drift,
+for enhver strategi og enhver drejeradius.</translation>
     </message>
     <message>
         <source>Out of radio range for %1</source>
@@ -10531,7 +10531,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Dronen er på vej hjem, på jorden eller venter: den planlægges igen ved start, eller når den fortsætter.</translation>
+        <translation>Ingen plan, mens dronen er på vej hjem, på jorden eller venter. En ny laves, når den fortsætter.</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1</source>
@@ -10563,15 +10563,15 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>Expected ζ at %1 with this plan: %2</source>
-        <translation>Forventet ζ ved %1, hvis denne plan flyves: %2</translation>
+        <translation>Forventet ζ ved %1 med denne plan: %2</translation>
     </message>
     <message>
         <source>Expected ζ at the end with this plan: %1</source>
-        <translation>Forventet ζ, hvis denne plan flyves til slutningen: %1</translation>
+        <translation>Forventet ζ til slut med denne plan: %1</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1, ζ %2</source>
-        <translation>Mod planen før: %1, ζ %2</translation>
+        <translation>Sammenlignet med den forrige plan: %1, ζ %2</translation>
     </message>
     <message>
         <source>Lower bound on ζ: being computed, %1 %</source>
@@ -10587,7 +10587,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>Nothing to visit: there are no icebergs yet, all of them are in view, or none can be visited without using the reserve.</source>
-        <translation>Intet at besøge: der er ingen isbjerge endnu, alle er i syne, eller ingen kan besøges før reserven.</translation>
+        <translation>Intet at besøge: der er ingen isbjerge endnu, alle er i syne, eller ingen kan besøges uden at bruge reserven.</translation>
     </message>
     <message>
         <source>Longest time unseen: %1 (%2)</source>
@@ -10607,7 +10607,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>Sum of each iceberg&apos;s σ times the number of places after it in the order: larger if uncertain icebergs come early.</source>
-        <translation>Hvert isbjergs σ gange antallet af pladser efter dets egen i rækkefølgen: jo før de usikre kommer, jo mere.</translation>
+        <translation>Summen af hvert isbjergs σ gange antallet af pladser efter det i rækkefølgen: større, hvis usikre isbjerge kommer tidligt.</translation>
     </message>
     <message>
         <source>Objective</source>
@@ -10615,7 +10615,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>Distance cost minus uncertainty reward: the objective that the solver minimises.</source>
-        <translation>Vægtet distance minus usikkerhedsgevinst: den målfunktion, løseren minimerer.</translation>
+        <translation>Afstandsomkostning minus usikkerhedsgevinst: den målfunktion, løseren minimerer.</translation>
     </message>
     <message>
         <source>Distance weight μ</source>
@@ -10651,7 +10651,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>Planned length of the whole order through the air, with turns; in wind the mean of both directions. The solver weighs this length and the trade-off chart shows it. The plan panel shows the length of this sortie over ground.</source>
-        <translation>Længden af hele rækkefølgen, som den blev planlagt, gennem luften, i vind middel af begge retninger, og med drejningerne: det, som løseren vejer, som i afvejningsdiagrammet. Planpanelet har længden af dette togt over grunden.</translation>
+        <translation>Planlagt længde af hele rækkefølgen gennem luften, med drej; i vind middel af begge retninger. Løseren vejer denne længde, og afvejningsdiagrammet viser den. Planpanelet viser længden af dette togt over grunden.</translation>
     </message>
 </context>
 <context>
@@ -10682,7 +10682,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>This scenario cannot be flown. Fix the reported errors first.</source>
-        <translation>Dette scenarie kan ikke flyves. Ret først det, der er meldt.</translation>
+        <translation>Dette scenarie kan ikke flyves. Ret de meldte fejl først.</translation>
     </message>
     <message>
         <source>The run has ended.</source>
@@ -10718,7 +10718,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>Time shown. Type a time to look back, e.g. 3:20.</source>
-        <translation>Vist tid. Skriv en tid for at se tilbage på den, f.eks. 3:20.</translation>
+        <translation>Vist tid. Skriv en tid for at se tilbage, f.eks. 3:20.</translation>
     </message>
     <message>
         <source>Length of the run</source>
@@ -10742,7 +10742,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>Scenario locked in flight. τ and policy can be changed while flying; the plan follows at once.</source>
-        <translation>Scenariet er låst under flyvning. τ og strategi kan ændres under flyvningen; planen følger straks med.</translation>
+        <translation>Scenariet er låst under flyvning. τ og strategi kan ændres; planen følger straks med.</translation>
     </message>
     <message>
         <source>Scenario locked</source>
@@ -10750,7 +10750,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a time. Type it like 3:20 or 45 min.</source>
-        <translation>&quot;%1&quot; er ikke en tid. Skriv den som 3:20 eller 45 min.</translation>
+        <translation>»%1« er ikke en tid. Skriv den som 3:20 eller 45 min.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a time of this run. Type it like 1215Z, 3:20 or 45 min.</source>
@@ -10758,7 +10758,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>Time shown. Type a time to look back, e.g. 1215Z, or 3:20 since the start.</source>
-        <translation>Tiden, der vises. Skriv en for at se tilbage på den, f.eks. 1215Z eller, siden start, 3:20.</translation>
+        <translation>Vist tid. Skriv en tid for at se tilbage, f.eks. 1215Z eller 3:20 siden starten.</translation>
     </message>
     <message>
         <source>End of the run</source>
@@ -10805,7 +10805,7 @@ uanset strategi, og uanset hvor snævert dronen drejer.</translation>
     </message>
     <message>
         <source>%1; too slow to compare: %2</source>
-        <translation>%1; for langsomme til sammenligning: %2</translation>
+        <translation>%1; for langsom til sammenligning: %2</translation>
     </message>
     <message>
         <source>Not predicted: flying it %1 times in advance takes more than %2.</source>
@@ -10934,7 +10934,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Restart Bergwatch to apply the new text size.</source>
-        <translation>Teksten får denne størrelse, når Bergwatch startes igen.</translation>
+        <translation>Start Bergwatch igen for at bruge den nye tekststørrelse.</translation>
     </message>
     <message>
         <source>Night (red)</source>
@@ -10970,7 +10970,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>UTC, if the scenario has a start time</source>
-        <translation>UTC, hvor scenariet har en start</translation>
+        <translation>UTC, hvis scenariet har et starttidspunkt</translation>
     </message>
     <message>
         <source>Elapsed since the start</source>
@@ -11002,7 +11002,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>True and magnetic, declination entered by hand...</source>
-        <translation>Retvisende og magnetiske, misvisning skrives ind …</translation>
+        <translation>Retvisende og magnetiske, indtastet misvisning …</translation>
     </message>
 </context>
 <context>
@@ -11028,7 +11028,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, and then save them.</source>
-        <translation>Bergwatch sluttede uventet. Ændringer, der ikke var gemt, blev bevaret. Gendan dem, og gem derefter.</translation>
+        <translation>Bergwatch sluttede uventet. Ændringer, der ikke var gemt, blev bevaret. Gendan dem, og gem dem derefter.</translation>
     </message>
     <message>
         <source>&amp;Restore</source>
@@ -11093,7 +11093,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>The run is saved as soon as the current plan is made.</source>
-        <translation>Flyvningen gemmes, når den plan, der er under udarbejdelse, er lavet.</translation>
+        <translation>Flyvningen gemmes, så snart den nuværende plan er lavet.</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -11151,11 +11151,11 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Flown runs are listed here. The button below flies this scenario along the shortest round tour for comparison.</source>
-        <translation>Flyvninger, du har gennemført, kommer hertil. Knappen nedenfor flyver dette scenarie ad den korteste rundtur ved siden af dine egne indstillinger.</translation>
+        <translation>Gennemførte flyvninger står her. Knappen nedenfor flyver dette scenarie ad den korteste rundtur til sammenligning.</translation>
     </message>
     <message>
         <source>Its scenario differs from that of A: they cannot be compared.</source>
-        <translation>Et andet scenarie end A&apos;s: de kan ikke sammenlignes.</translation>
+        <translation>Scenariet er et andet end A&apos;s: de kan ikke sammenlignes.</translation>
     </message>
     <message>
         <source>Make this run the reference A</source>
@@ -11185,7 +11185,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <name>berg::RunTimeLine</name>
     <message>
         <source>%1: point of no return; a later return uses the reserve</source>
-        <translation>%1: planens sidste vendepunkt; senere kræves reserven for at komme hjem</translation>
+        <translation>%1: sidste vendepunkt; en senere hjemtur bruger af reserven</translation>
     </message>
 </context>
 <context>
@@ -11242,7 +11242,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>%1 has it open. Changes saved there would be lost.</source>
-        <translation>%1 har den åben. Det, der gemmes der, ville gå tabt.</translation>
+        <translation>%1 har den åben. Ændringer, der gemmes der, ville gå tabt.</translation>
     </message>
     <message>
         <source>Saved %1</source>
@@ -11250,7 +11250,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Saved %1; a backup copy cannot be written to its folder</source>
-        <translation>Gemte %1; dens mappe tager ikke imod en sikkerhedskopi</translation>
+        <translation>Gemte %1; en sikkerhedskopi kan ikke skrives i dens mappe</translation>
     </message>
     <message>
         <source>No files yet</source>
@@ -11299,13 +11299,13 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message numerus="yes">
         <source>%n areas: a scenario can have at most %1</source>
         <translation>
-            <numerusform>%n område: et scenario har plads til højst %1</numerusform>
-            <numerusform>%n områder: et scenario har plads til højst %1</numerusform>
+            <numerusform>%n område: et scenarie kan højst have %1</numerusform>
+            <numerusform>%n områder: et scenarie kan højst have %1</numerusform>
         </translation>
     </message>
     <message>
         <source>Airspace cannot be imported in flight. Stop the flight before importing.</source>
-        <translation>Luftrum kan ikke importeres under flyvningen. Stop flyvningen for at importere det.</translation>
+        <translation>Luftrum kan ikke importeres under flyvning. Stop flyvningen, før du importerer.</translation>
     </message>
     <message>
         <source>Clipboard</source>
@@ -11313,7 +11313,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>The flight has continued in the meantime, so nothing was reported.</source>
-        <translation>Flyvningen er gået videre i mellemtiden: intet blev meldt.</translation>
+        <translation>Flyvningen er fortsat i mellemtiden, så intet blev meldt.</translation>
     </message>
     <message numerus="yes">
         <source>Reported %n icebergs from %1</source>
@@ -11377,15 +11377,15 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <name>berg::SolveTimePanel</name>
     <message>
         <source>Proves the optimum by dynamic programming or by the bound of Bergwatch&apos;s engine.</source>
-        <translation>Beviser optimum ved dynamisk programmering eller ved vores egen løsers grænse.</translation>
+        <translation>Beviser optimum ved dynamisk programmering eller ved Bergwatch-løserens grænse.</translation>
     </message>
     <message>
         <source>Searches, and proves as much as about a second of work allows.</source>
-        <translation>Søger, og beviser så langt, som omtrent et sekunds arbejde rækker.</translation>
+        <translation>Søger, og beviser så meget, som omtrent et sekunds beregning tillader.</translation>
     </message>
     <message>
         <source>COIN-OR CBC on a MILP with a variable for each leg and position. Independent of Bergwatch&apos;s engine.</source>
-        <translation>COIN-OR CBC på et MILP med en variabel for hver etape og plads. Bruger intet fra vores egen løser.</translation>
+        <translation>COIN-OR CBC på et MILP med en variabel for hver etape og plads. Uafhængig af Bergwatchs løser.</translation>
     </message>
     <message>
         <source>COIN-OR CBC on the MILP as the paper prints it. Slow beyond 8 icebergs.</source>
@@ -11393,7 +11393,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>COIN-OR CBC on the few legs that the bound of Bergwatch&apos;s engine leaves.</source>
-        <translation>COIN-OR CBC på de få etaper, som vores løsers grænse lader tilbage.</translation>
+        <translation>COIN-OR CBC på de få etaper, som Bergwatch-løserens grænse lader tilbage.</translation>
     </message>
     <message>
         <source>Icebergs, up to</source>
@@ -11413,11 +11413,11 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Total time limit</source>
-        <translation>Tid til det hele</translation>
+        <translation>Tidsgrænse i alt</translation>
     </message>
     <message>
         <source>A solver that does not finish a size skips the larger ones.</source>
-        <translation>En løser, der ikke bliver færdig med en størrelse, får ikke en større.</translation>
+        <translation>En løser, der ikke bliver færdig med en størrelse, springer de større over.</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>
@@ -11437,7 +11437,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Start measures this machine on the problems of the paper, for comparison with the paper&apos;s times.</source>
-        <translation>Start måler denne maskine ved siden af artiklens, med artiklens problemer.</translation>
+        <translation>Start måler denne maskine på artiklens problemer til sammenligning med artiklens tider.</translation>
     </message>
     <message>
         <source>Measured in %1.</source>
@@ -11453,7 +11453,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Stopped. The times measured so far are kept.</source>
-        <translation>Stoppet. Det målte er beholdt.</translation>
+        <translation>Stoppet. De tider, der er målt indtil nu, er beholdt.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -11523,7 +11523,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Drag left to visit the most uncertain icebergs first, right for a shorter route. Ticks mark where another order becomes optimal.</source>
-        <translation>Til venstre kommer de mest usikre isbjerge først, til højre bliver ruten kortere. Mærkerne viser, hvor en anden rækkefølge bliver den bedste.</translation>
+        <translation>Træk til venstre for at besøge de mest usikre isbjerge først, til højre for en kortere rute. Mærkerne viser, hvor en anden rækkefølge bliver optimal.</translation>
     </message>
     <message>
         <source>3. Press Space</source>
@@ -11531,18 +11531,18 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Press Space to fly and to pause. Drag the time line to look back. Stop and edit returns to the start.</source>
-        <translation>Mellemrum flyver planen og sætter den på pause; træk langs tidslinjen for at se tilbage. Stop og redigér går tilbage til starten.</translation>
+        <translation>Tryk på mellemrum for at flyve og holde pause. Træk tidslinjen for at se tilbage. Stop og redigér går tilbage til starten.</translation>
     </message>
     <message>
         <source>After this tour, press I and click on the map to place an iceberg. Drag it to move it, double-click it to set its drift and the uncertainty of its position. The plan follows at once.</source>
-        <translation>Efter denne rundvisning: tryk på I, og klik på kortet: et isbjerg. Træk det for at flytte det, dobbeltklik på det for at angive dets drift, og hvor usikker dets position er. Planen følger straks med.</translation>
+        <translation>Efter denne rundvisning: tryk på I, og klik på kortet for at placere et isbjerg. Træk det for at flytte det, dobbeltklik på det for at sætte dets drift og positionens usikkerhed. Planen følger straks med.</translation>
     </message>
 </context>
 <context>
     <name>berg::StatusLine</name>
     <message>
         <source>Shows the findings about the scenario.</source>
-        <translation>Viser, hvad der er fundet om scenariet.</translation>
+        <translation>Viser fundene om scenariet.</translation>
     </message>
     <message>
         <source>%1   %2 E  %3 N</source>
@@ -11566,7 +11566,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Choose what to fly and press Start, or load a figure from the paper.</source>
-        <translation>Vælg, hvad der skal flyves, og tryk på Start, eller tag en figur fra artiklen.</translation>
+        <translation>Vælg, hvad der skal flyves, og tryk på Start, eller indlæs en figur fra artiklen.</translation>
     </message>
     <message>
         <source>Trade-off τ</source>
@@ -11610,7 +11610,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>stuck: visits at most two icebergs in the second half</source>
-        <translation>fastlåst: flyver til højst to isbjerge i anden halvdel</translation>
+        <translation>fastlåst: besøger højst to isbjerge i anden halvdel</translation>
     </message>
     <message>
         <source>%1 vs %2</source>
@@ -11753,7 +11753,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Saves the study with all flights so far, also while it is running.</source>
-        <translation>Gemmer studiet med alt, der er fløjet, også mens det flyves.</translation>
+        <translation>Gemmer studiet med alle flyvninger indtil nu, også mens det kører.</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -11813,7 +11813,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Repeats this case exactly and shows it on the map and the time line.</source>
-        <translation>Flyver dette tilfælde igen, ens i hvert tal, og viser det på kortet og tidslinjen.</translation>
+        <translation>Gentager dette tilfælde nøjagtigt og viser det på kortet og tidslinjen.</translation>
     </message>
     <message>
         <source>Choose a point of the picture or a setting, then a case.</source>
@@ -11837,7 +11837,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Lowest ζ: %1. One case is too few for a recommendation: fly more of them.</source>
-        <translation>Laveste ζ: %1. Ét tilfælde giver ingen anbefaling: flyv flere.</translation>
+        <translation>Laveste ζ: %1. Ét tilfælde er for lidt til en anbefaling: flyv flere.</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -11882,7 +11882,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Flies the missing missions of the study shown.</source>
-        <translation>Flyver det, der mangler i det viste studie.</translation>
+        <translation>Flyver de missioner, der mangler i det viste studie.</translation>
     </message>
     <message>
         <source>Progress of the study</source>
@@ -11906,7 +11906,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>The flights so far are kept.</source>
-        <translation>Det, der er fløjet, bevares.</translation>
+        <translation>Flyvningerne indtil nu bevares.</translation>
     </message>
     <message>
         <source>Start study</source>
@@ -11945,7 +11945,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Further scenarios use the seeds that follow.</source>
-        <translation>De andre har de startværdier, der følger.</translation>
+        <translation>De næste scenarier bruger de startværdier, der følger.</translation>
     </message>
     <message>
         <source>Icebergs</source>
@@ -11987,7 +11987,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Step between two values of τ.</source>
-        <translation>Mellem to værdier af τ.</translation>
+        <translation>Trin mellem to værdier af τ.</translation>
     </message>
     <message numerus="yes">
         <source>%n random scenarios</source>
@@ -12006,7 +12006,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Too many values of τ. Choose a larger step.</source>
-        <translation>Det er for mange værdier af τ. Vælg et større trin.</translation>
+        <translation>For mange værdier af τ. Vælg et større trin.</translation>
     </message>
     <message>
         <source>Choose at least one policy.</source>
@@ -12018,7 +12018,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Knowledge of the drift in random scenarios, and how icebergs are observed.</source>
-        <translation>Hvad der er kendt om driften i tilfældige scenarier, og hvordan isbjerge ses.</translation>
+        <translation>Kendskabet til driften i tilfældige scenarier, og hvordan isbjerge observeres.</translation>
     </message>
     <message>
         <source>As published</source>
@@ -12042,7 +12042,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Measured; velocities are uncertain by 0.1 m/s along each axis.</source>
-        <translation>Målt; hastighederne er ukendte med 0,1 m/s langs hver akse.</translation>
+        <translation>Målt; hastighederne er usikre med 0,1 m/s langs hver akse.</translation>
     </message>
     <message>
         <source>Real drift</source>
@@ -12050,7 +12050,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Measured; velocities are unknown and change, as observed for icebergs with beacons.</source>
-        <translation>Målt; hastighederne er ukendte og ændrer sig, som for isbjerge med bøjer.</translation>
+        <translation>Målt; hastighederne er ukendte og ændrer sig, som observeret for isbjerge med bøjer.</translation>
     </message>
     <message>
         <source>Drift</source>
@@ -12134,7 +12134,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>This build of Bergwatch does not include this solver.</source>
-        <translation>Denne udgave af Bergwatch er bygget uden denne løser.</translation>
+        <translation>Denne udgave af Bergwatch indeholder ikke denne løser.</translation>
     </message>
     <message>
         <source>The chosen policy does not use this.</source>
@@ -12146,7 +12146,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
-        <translation>Lille: isbjerge med stor usikkerhed kommer først. Stor: ruten bliver kort. Piletaster ændrer τ med 0,01, Page-taster med 0,25.</translation>
+        <translation>Lille: de mest usikre isbjerge kommer først. Stor: ruten bliver kort. Piletaster ændrer τ med 0,01, Page-taster med 0,25.</translation>
     </message>
     <message>
         <source>Trade-off τ from 0 to 100.</source>
@@ -12154,7 +12154,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Solver of the plan. Automatic proves small problems optimal and searches in large ones.</source>
-        <translation>Det, der laver planen. Automatisk beviser små problemer og søger i store.</translation>
+        <translation>Planens løser. Automatisk beviser små problemer optimale og søger i store.</translation>
     </message>
     <message>
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
@@ -12195,7 +12195,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Reading unsaved work</source>
-        <translation>Læser arbejde, der ikke er gemt</translation>
+        <translation>Læser ikke gemt arbejde</translation>
     </message>
 </context>
 <context>
@@ -12260,7 +12260,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>You are viewing an earlier instant. To change this, continue from here or go back to the latest.</source>
-        <translation>Du ser tilbage. Fortsæt herfra, eller gå tilbage til det seneste for at ændre dette.</translation>
+        <translation>Du ser på et tidligere øjeblik. Fortsæt herfra, eller gå tilbage til det seneste for at ændre dette.</translation>
     </message>
     <message>
         <source>Change wind</source>

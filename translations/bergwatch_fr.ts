@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>An area needs at least three corners. Esc cancels the drawing.</source>
-        <translation>Une zone a besoin de trois sommets. Esc abandonne le tracé.</translation>
+        <translation>Une zone a besoin d&apos;au moins trois sommets. Esc annule le tracé.</translation>
     </message>
     <message numerus="yes">
         <source>An area has at most %n corners.</source>
@@ -24,11 +24,11 @@
     </message>
     <message>
         <source>Click the first corner or press Enter to close the area. Backspace removes a corner, Esc cancels.</source>
-        <translation>Un clic sur le premier sommet ou Entrée ferme la zone. Retour arrière retire un sommet, Esc les retire tous.</translation>
+        <translation>Cliquez sur le premier sommet ou appuyez sur Entrée pour fermer la zone. Retour arrière retire un sommet, Esc annule.</translation>
     </message>
     <message>
         <source>Click to set the next corner. Backspace removes a corner, Esc cancels.</source>
-        <translation>Un clic place le sommet suivant. Retour arrière en retire un, Esc abandonne la zone.</translation>
+        <translation>Cliquez pour placer le sommet suivant. Retour arrière retire un sommet, Esc annule.</translation>
     </message>
     <message>
         <source>Drag a corner or the middle of an edge; clicking starts a new area. Esc leaves the tool.</source>
@@ -36,7 +36,7 @@
     </message>
     <message>
         <source>Click to set the first corner of the area. Esc leaves the tool.</source>
-        <translation>Un clic place le premier sommet de la zone. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour placer le premier sommet de la zone. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Add no-fly area</source>
@@ -51,7 +51,7 @@
     </message>
     <message>
         <source>Click to set the first corner of a no-fly area, or drag a corner or the middle of an edge of an existing one. Esc leaves the tool.</source>
-        <translation>Un clic place le premier sommet d&apos;une zone interdite. Les sommets et les milieux des côtés des zones existantes peuvent être déplacés. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour placer le premier sommet d&apos;une zone interdite, ou faites glisser un sommet ou le milieu d&apos;un côté d&apos;une zone existante. Esc quitte l&apos;outil.</translation>
     </message>
 </context>
 <context>
@@ -124,11 +124,11 @@
     </message>
     <message>
         <source>--output: no format has the suffix of %1; choose one with --format: %2</source>
-        <translation>--output : aucun format n&apos;a le suffixe de %1 ; --format en choisit un parmi %2</translation>
+        <translation>--output : aucun format n&apos;a le suffixe de %1 ; choisissez-en un avec --format : %2</translation>
     </message>
     <message>
         <source>--format %1: the program bergwatch paints this format, but it is neither in this folder nor on the PATH</source>
-        <translation>--format %1 : est dessiné par le programme bergwatch, introuvable à côté de celui-ci comme dans PATH</translation>
+        <translation>--format %1 : le programme bergwatch dessine ce format, mais il n&apos;est ni dans ce dossier ni dans PATH</translation>
     </message>
     <message>
         <source>%1: %2 is not a UTC time such as 2026-05-01T12:00:00Z</source>
@@ -148,7 +148,7 @@
     </message>
     <message>
         <source>--with-tracks needs --at: tracks consist of the sightings after that time</source>
-        <translation>--with-tracks a besoin de --at : les traces sont ce qui a été observé après cet instant</translation>
+        <translation>--with-tracks a besoin de --at : les traces se composent des observations postérieures à cet instant</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -164,7 +164,7 @@
     </message>
     <message>
         <source>the MPI processes have different options</source>
-        <translation>les processus MPI ont reçu des options différentes</translation>
+        <translation>les processus MPI ont des options différentes</translation>
     </message>
     <message>
         <source>%1 is none of %2</source>
@@ -196,15 +196,15 @@
     </message>
     <message>
         <source>%1 exists; use --force to overwrite it</source>
-        <translation>%1 : existe déjà ; --force l&apos;écrase</translation>
+        <translation>%1 existe ; utilisez --force pour l&apos;écraser</translation>
     </message>
     <message>
         <source>%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order.</source>
-        <translation>%1 : %2 et %3 se contredisent : l&apos;un des deux se trompe. Ne vous fiez pas à cet ordre.</translation>
+        <translation>%1 : %2 et %3 se contredisent. L&apos;un des deux est faux ; n&apos;utilisez pas cet ordre.</translation>
     </message>
     <message>
         <source>there is not enough memory</source>
-        <translation>il n&apos;y a pas assez de mémoire pour cela</translation>
+        <translation>il n&apos;y a pas assez de mémoire</translation>
     </message>
     <message>
         <source>This is a planning problem: use &apos;solve&apos;.</source>
@@ -228,11 +228,11 @@
     </message>
     <message>
         <source>This is not a Bergwatch file. To read sightings, use &apos;import&apos;.</source>
-        <translation>Est-ce un fichier de Bergwatch ? Les observations sont lues par « import ».</translation>
+        <translation>Ce n&apos;est pas un fichier de Bergwatch. Pour lire des observations, utilisez « import ».</translation>
     </message>
     <message>
         <source>there is no completion script for %1</source>
-        <translation>il n&apos;y a pas de script pour %1</translation>
+        <translation>il n&apos;y a pas de script de complétion pour %1</translation>
     </message>
     <message>
         <source>Try &apos;%1 --help&apos;.</source>
@@ -252,7 +252,7 @@
     </message>
     <message>
         <source>a run file is replayed exactly as flown; --tau, --policy, --duration, --dt, --seed and --no-noise apply to scenarios only</source>
-        <translation>un vol enregistré est rejoué tel quel ; --tau, --policy, --duration, --dt, --seed et --no-noise valent pour les scénarios</translation>
+        <translation>un fichier de vol est rejoué exactement comme il a été effectué ; --tau, --policy, --duration, --dt, --seed et --no-noise ne valent que pour les scénarios</translation>
     </message>
     <message>
         <source>replaying</source>
@@ -260,11 +260,11 @@
     </message>
     <message>
         <source>--bound does not apply to runs with reported sightings</source>
-        <translation>--bound vaut pour ce que le drone voit lui-même ; dans ce vol, un iceberg a été signalé comme vu</translation>
+        <translation>--bound ne s&apos;applique pas aux vols avec des observations signalées</translation>
     </message>
     <message>
         <source>--bound does not apply to runs in which the wind changed</source>
-        <translation>--bound vaut pour le vent du scénario ; dans ce vol, il a changé</translation>
+        <translation>--bound ne s&apos;applique pas aux vols où le vent a changé</translation>
     </message>
     <message>
         <source>bounding</source>
@@ -272,11 +272,11 @@
     </message>
     <message>
         <source>interrupted: the flight is complete, but its lower bound is missing</source>
-        <translation>interrompu : le vol est complet, sa borne inférieure manque</translation>
+        <translation>interrompu : le vol est complet, mais sa borne inférieure manque</translation>
     </message>
     <message>
         <source>incomplete: %1 of %2 missions are flown; the results use only cases with all settings</source>
-        <translation>incomplet : %1 missions sur %2 ont été effectuées ; seuls comptent les cas avec tous leurs réglages</translation>
+        <translation>incomplet : %1 missions sur %2 ont été effectuées ; les résultats n&apos;utilisent que les cas avec tous les réglages</translation>
     </message>
     <message>
         <source>--reference: %1 is not POLICY[:TAU] with one of %2</source>
@@ -284,7 +284,7 @@
     </message>
     <message>
         <source>--reference: this study does not contain %1</source>
-        <translation>--reference : %1 n&apos;est pas joué dans cette étude</translation>
+        <translation>--reference : cette étude ne contient pas %1</translation>
     </message>
     <message>
         <source>--tau: %1 is not A:B:STEP with 0 &lt;= A &lt;= B &lt;= 100</source>
@@ -292,7 +292,7 @@
     </message>
     <message>
         <source>--tau: with %1 there are more than %2 values</source>
-        <translation>--tau : avec %1, cela fait plus de %2 valeurs</translation>
+        <translation>--tau : avec %1, il y a plus de %2 valeurs</translation>
     </message>
     <message>
         <source>--policies: %1 is none of %2</source>
@@ -300,7 +300,7 @@
     </message>
     <message>
         <source>--regime needs --random N; scenario files define their own drift</source>
-        <translation>--regime vaut pour --random N ; les scénarios disent eux-mêmes comment les icebergs dérivent</translation>
+        <translation>--regime a besoin de --random N ; les fichiers de scénario définissent leur propre dérive</translation>
     </message>
     <message>
         <source>name scenarios, or use --random N</source>
@@ -312,15 +312,15 @@
     </message>
     <message>
         <source>--shard needs --study FILE, in which the part is stored</source>
-        <translation>--shard : la partie a besoin d&apos;un fichier où être conservée : --study FILE</translation>
+        <translation>--shard a besoin de --study FILE, où la partie est conservée</translation>
     </message>
     <message>
         <source>--shard: to write tables and reports of all shards, use &apos;study&apos;</source>
-        <translation>--shard : les fichiers de toutes les parties sont écrits par « study »</translation>
+        <translation>--shard : pour écrire les tableaux et rapports de toutes les parties, utilisez « study »</translation>
     </message>
     <message>
         <source>--replace-study needs --study FILE</source>
-        <translation>--replace-study : vaut pour --study FILE</translation>
+        <translation>--replace-study a besoin de --study FILE</translation>
     </message>
     <message>
         <source>flying %1 missions</source>
@@ -328,7 +328,7 @@
     </message>
     <message>
         <source>interrupted: %1 of %2 missions are stored in %3; repeat the command to continue</source>
-        <translation>interrompu : %1 missions sur %2 sont conservées dans %3 ; la même commande reprend</translation>
+        <translation>interrompu : %1 missions sur %2 sont conservées dans %3 ; répétez la commande pour continuer</translation>
     </message>
     <message>
         <source>there is no option &apos;%1&apos;</source>
@@ -368,11 +368,11 @@
     </message>
     <message>
         <source>--format airspace accepts only --into, --output, --force and --json</source>
-        <translation>--format airspace ne va qu&apos;avec --into, --output, --force et --json</translation>
+        <translation>--format airspace n&apos;accepte que --into, --output, --force et --json</translation>
     </message>
     <message>
         <source>%1 is airspace; use --format airspace with --into SCENARIO</source>
-        <translation>%1 est un fichier d’espace aérien : utilisez --format airspace avec --into SCENARIO</translation>
+        <translation>%1 est un fichier d&apos;espace aérien : utilisez --format airspace avec --into SCENARIO</translation>
     </message>
     <message>
         <source>%1 excludes %2</source>
@@ -380,15 +380,15 @@
     </message>
     <message>
         <source>--bound does not apply to runs from which an iceberg was removed</source>
-        <translation>--bound vaut pour tous les icebergs ; dans ce vol, un a été retiré</translation>
+        <translation>--bound ne s&apos;applique pas aux vols dont un iceberg a été retiré</translation>
     </message>
     <message>
         <source>--output: this format writes one file per UAV; choose a UAV with --uav</source>
-        <translation>--output : ce format a un fichier par drone ; choisissez-en un avec --uav</translation>
+        <translation>--output : ce format écrit un fichier par drone ; choisissez un drone avec --uav</translation>
     </message>
     <message>
         <source>%1: &apos;-&apos; is not possible here; give a file name</source>
-        <translation>%1 : « - » n’est pas possible ici : donnez un nom</translation>
+        <translation>%1 : « - » n&apos;est pas possible ici : donnez un nom</translation>
     </message>
     <message>
         <source>--map: %1 is mapped twice</source>
@@ -408,7 +408,7 @@
     </message>
     <message>
         <source>--first-seed needs --random N; scenario files have their own seeds</source>
-        <translation>--first-seed va avec --random N ; les scénarios ont leurs propres graines</translation>
+        <translation>--first-seed a besoin de --random N ; les fichiers de scénario ont leurs propres graines</translation>
     </message>
     <message>
         <source>%1 sightings are too far from the origin of the scenario, %2; import them without --into, or choose others with --area</source>
@@ -473,7 +473,7 @@
     </message>
     <message>
         <source>Mean total uncertainty of all icebergs: ζ divided by the flown time.</source>
-        <translation>Zêta rapporté au temps : incertitude moyenne de tous les icebergs ensemble.</translation>
+        <translation>Incertitude totale moyenne de tous les icebergs : ζ divisé par le temps de vol.</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Number of plans made.</source>
-        <translation>Nombre de fois que l&apos;ordre de visite a été planifié.</translation>
+        <translation>Nombre de plans établis.</translation>
     </message>
     <message>
         <source>Distance flown through the air.</source>
@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>Icebergs reached as targets.</source>
-        <translation>Icebergs qui étaient des cibles et ont été atteints.</translation>
+        <translation>Icebergs atteints comme cibles.</translation>
     </message>
 </context>
 <context>
@@ -559,11 +559,11 @@
     </message>
     <message>
         <source>Your changes will be lost if you don&apos;t save them.</source>
-        <translation>Elles seront perdues si vous ne les enregistrez pas.</translation>
+        <translation>Vos modifications seront perdues si vous ne les enregistrez pas.</translation>
     </message>
     <message>
         <source>Your changes will be lost if you don&apos;t save them. The flight in progress ends unless you cancel.</source>
-        <translation>Elles seront perdues si vous ne les enregistrez pas. Le vol en cours prendra fin, sauf si vous annulez.</translation>
+        <translation>Vos modifications seront perdues si vous ne les enregistrez pas. Le vol en cours prendra fin, sauf si vous annulez.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -579,7 +579,7 @@
     </message>
     <message>
         <source>File in use</source>
-        <translation>Fichier en cours d&apos;utilisation</translation>
+        <translation>Fichier déjà ouvert</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is open in another window.</source>
@@ -587,7 +587,7 @@
     </message>
     <message>
         <source>%1 has it open. You can open a copy and save it under another name. If both windows save to this file, the last one wins.</source>
-        <translation>%1 l&apos;a ouvert. Une copie peut être modifiée librement et enregistrée sous un autre nom ; si les deux fenêtres enregistrent dans le fichier, la dernière l&apos;emporte.</translation>
+        <translation>%1 l&apos;a ouvert. Vous pouvez ouvrir une copie et l&apos;enregistrer sous un autre nom. Si les deux fenêtres enregistrent dans ce fichier, la dernière l&apos;emporte.</translation>
     </message>
     <message>
         <source>Open a copy</source>
@@ -619,7 +619,7 @@
     </message>
     <message>
         <source>Another program has changed &quot;%1&quot;.</source>
-        <translation>« %1 » a été modifié par un autre programme.</translation>
+        <translation>Un autre programme a modifié « %1 ».</translation>
     </message>
     <message>
         <source>You have no unsaved changes.</source>
@@ -651,7 +651,7 @@
     </message>
     <message>
         <source>What has been flown so far stays in the list of runs.</source>
-        <translation>La partie effectuée reste dans la liste des vols.</translation>
+        <translation>La partie déjà effectuée reste dans la liste des vols.</translation>
     </message>
     <message>
         <source>End the flight</source>
@@ -671,11 +671,11 @@
     </message>
     <message>
         <source>The flight will be lost if you don&apos;t save it.</source>
-        <translation>Ce qui a été volé est perdu si vous ne l’enregistrez pas.</translation>
+        <translation>Le vol sera perdu si vous ne l&apos;enregistrez pas.</translation>
     </message>
     <message>
         <source>Save the run before the flight ends?</source>
-        <translation>Enregistrer le vol avant qu’il ne se termine ?</translation>
+        <translation>Enregistrer le vol avant qu&apos;il ne se termine ?</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
@@ -726,7 +726,7 @@
     </message>
     <message>
         <source>The flight goes back to that time and continues without the change. The flight since then is discarded; &quot;Restore&quot; brings it back.</source>
-        <translation>Le vol revient à cet instant et continue sans la modification. Ce qui a été volé depuis est abandonné ; « Rétablir le vol » y retourne.</translation>
+        <translation>Le vol revient à cet instant et continue sans la modification. Le vol effectué depuis est abandonné ; « Rétablir le vol » le ramène.</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -737,7 +737,7 @@
     <name>DriftArrow</name>
     <message>
         <source>The arrow shows the drift over %1. Shift snaps to steps of %2°; Esc cancels.</source>
-        <translation>La flèche représente la dérive sur %1. Maj impose des pas de %2°, Esc annule.</translation>
+        <translation>La flèche montre la dérive sur %1. Maj impose des pas de %2° ; Esc annule.</translation>
     </message>
     <message>
         <source>Heading %1</source>
@@ -776,7 +776,7 @@
     </message>
     <message>
         <source>These values are not valid. Correct them and try again.</source>
-        <translation>Les valeurs indiquées ne peuvent pas être utilisées. Corrigez-les et réessayez.</translation>
+        <translation>Ces valeurs ne sont pas valides. Corrigez-les et réessayez.</translation>
     </message>
     <message>
         <source>This version of Bergwatch cannot do that.</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>The replay of the run differs from the recording. The file may come from another version of Bergwatch.</source>
-        <translation>En rejouant le vol, on obtient un autre résultat que celui qu&apos;il contient. Il provient peut-être d&apos;une autre version de Bergwatch.</translation>
+        <translation>La relecture du vol diffère de l&apos;enregistrement. Le fichier provient peut-être d&apos;une autre version de Bergwatch.</translation>
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
@@ -882,11 +882,11 @@
     </message>
     <message>
         <source>Landed</source>
-        <translation>Atterrissage effectué</translation>
+        <translation>Atterrissage</translation>
     </message>
     <message>
         <source>Took off</source>
-        <translation>Décollage effectué</translation>
+        <translation>Décollage</translation>
     </message>
     <message>
         <source>iceberg left the area</source>
@@ -938,7 +938,7 @@
     </message>
     <message>
         <source>Back inside the geofence</source>
-        <translation>De nouveau à l&apos;intérieur de la barrière virtuelle</translation>
+        <translation>De retour dans la barrière virtuelle</translation>
     </message>
     <message>
         <source>Told to resume</source>
@@ -974,7 +974,7 @@
     </message>
     <message>
         <source>Close to another UAV: %3</source>
-        <translation>Proche d’un autre drone : %3</translation>
+        <translation>Proche d&apos;un autre drone : %3</translation>
     </message>
     <message>
         <source>Previous plan kept: next %1</source>
@@ -982,7 +982,7 @@
     </message>
     <message>
         <source>%1 will enter the inner ring in %4</source>
-        <translation>%1 entrera dans l’anneau intérieur dans %4</translation>
+        <translation>%1 entrera dans l&apos;anneau intérieur dans %4</translation>
     </message>
     <message>
         <source>%1 assigned to %2</source>
@@ -990,7 +990,7 @@
     </message>
     <message>
         <source>Nothing to visit now: circling</source>
-        <translation>Rien à visiter pour l&apos;instant : tourne en rond</translation>
+        <translation>Rien à visiter pour l&apos;instant : vol d&apos;attente</translation>
     </message>
 </context>
 <context>
@@ -1184,7 +1184,7 @@
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
-        <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; avec une seconde page s&apos;il y a un volume d&apos;exploitation.</translation>
+        <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; plus une seconde page s&apos;il y a un volume opérationnel.</translation>
     </message>
 </context>
 <context>
@@ -1345,11 +1345,11 @@
     </message>
     <message>
         <source>Positions are WGS 84. Icebergs drift: each is listed where it was when reached. Courses and distances are over ground.</source>
-        <translation>Positions WGS 84 : les icebergs dérivent ; chacun est donné là où il était lorsqu&apos;il a été atteint. Routes et distances sur le fond.</translation>
+        <translation>Les positions sont en WGS 84. Les icebergs dérivent : chacun est donné là où il était lorsqu&apos;il a été atteint. Routes et distances sur le fond.</translation>
     </message>
     <message>
         <source>Positions are WGS 84. Icebergs drift: each is listed where it is expected at arrival. Courses and distances are over ground.</source>
-        <translation>Positions WGS 84 : les icebergs dérivent ; chacun est donné là où il est attendu à l&apos;arrivée. Routes et distances sur le fond.</translation>
+        <translation>Les positions sont en WGS 84. Les icebergs dérivent : chacun est donné là où il est attendu à l&apos;arrivée. Routes et distances sur le fond.</translation>
     </message>
     <message>
         <source>Origin %1</source>
@@ -1421,15 +1421,15 @@
     </message>
     <message>
         <source>and %1 more; export CSV for the whole list</source>
-        <translation>et %1 de plus ; liste complète : exporter en CSV</translation>
+        <translation>et %1 de plus ; exportez en CSV pour la liste complète</translation>
     </message>
     <message>
         <source>and %1 more UAVs; export CSV for the whole list</source>
-        <translation>et %1 drones de plus ; liste complète : exporter en CSV</translation>
+        <translation>et %1 drones de plus ; exportez en CSV pour la liste complète</translation>
     </message>
     <message>
         <source>Lost, not found where expected (%1): %2</source>
-        <translation>Perdus, pas à l&apos;endroit attendu (%1) : %2</translation>
+        <translation>Perdus, non trouvés à l&apos;endroit attendu (%1) : %2</translation>
     </message>
     <message>
         <source>Search given up (%1): %2</source>
@@ -1445,7 +1445,7 @@
     </message>
     <message>
         <source>The order is not proven optimal: %1.</source>
-        <translation>Il n&apos;est pas prouvé que cet ordre soit le meilleur : %1.</translation>
+        <translation>L&apos;optimalité de l&apos;ordre n&apos;est pas prouvée : %1.</translation>
     </message>
     <message>
         <source>Geofence in force: stay inside the area.</source>
@@ -1453,7 +1453,7 @@
     </message>
     <message>
         <source>UAVs share an altitude layer: keep them %1 apart. They do not avoid each other.</source>
-        <translation>Drones dans une même tranche d&apos;altitude : les maintenir à %1 les uns des autres, rien ne les dévie.</translation>
+        <translation>Des drones partagent une tranche d&apos;altitude : les maintenir à %1 les uns des autres. Ils ne s&apos;évitent pas.</translation>
     </message>
     <message>
         <source>Nothing to visit</source>
@@ -1489,7 +1489,7 @@
     </message>
     <message>
         <source>The planner reached its limit without an order. The UAV flies the rest of the previous plan, or to the nearest iceberg.</source>
-        <translation>Le planificateur a atteint sa limite sans trouver d&apos;ordre : le reste du plan précédent, ou l&apos;iceberg le plus proche, est suivi.</translation>
+        <translation>Le planificateur a atteint sa limite sans trouver d&apos;ordre. Le drone suit le reste du plan précédent, ou va à l&apos;iceberg le plus proche.</translation>
     </message>
     <message>
         <source>Nothing to visit for %1</source>
@@ -1505,7 +1505,7 @@
     </message>
     <message>
         <source>Times do not include the loiter turns, which add %1 at each iceberg, %2 in total.</source>
-        <translation>Les temps ne comprennent pas les tours d&apos;attente : %1 de plus à chaque iceberg, %2 au total.</translation>
+        <translation>Les temps ne comprennent pas les tours d&apos;attente, qui ajoutent %1 à chaque iceberg, %2 au total.</translation>
     </message>
     <message>
         <source>With the loiter turns the endurance is too short: %1</source>
@@ -1613,19 +1613,19 @@
     </message>
     <message>
         <source>Release to apply this wind from now on. Esc cancels.</source>
-        <translation>Relâchez : ce vent souffle désormais. Esc annule.</translation>
+        <translation>Relâchez pour appliquer ce vent dès maintenant. Esc annule.</translation>
     </message>
     <message>
         <source>Release to keep this wind. Shift snaps to steps of %1°; Esc cancels.</source>
-        <translation>Relâchez pour garder ce vent. Maj impose des pas de %1°, Esc annule.</translation>
+        <translation>Relâchez pour garder ce vent. Maj impose des pas de %1° ; Esc annule.</translation>
     </message>
     <message>
         <source>Release to move the asset here now. Esc cancels.</source>
-        <translation>Relâchez : le bien protégé est désormais ici. Esc annule.</translation>
+        <translation>Relâchez pour déplacer le bien protégé ici maintenant. Esc annule.</translation>
     </message>
     <message>
         <source>The UAV makes little headway in this wind. Esc cancels.</source>
-        <translation>Le drone progresse peu contre ce vent. Esc annule.</translation>
+        <translation>Le drone progresse peu dans ce vent. Esc annule.</translation>
     </message>
 </context>
 <context>
@@ -1655,7 +1655,7 @@
     </message>
     <message>
         <source>It runs again when the next plan is needed.</source>
-        <translation>Il sera sollicité de nouveau lorsque le prochain plan sera nécessaire.</translation>
+        <translation>Il s&apos;exécutera de nouveau lorsque le prochain plan sera nécessaire.</translation>
     </message>
     <message>
         <source>Home can no longer be reached in time</source>
@@ -1671,7 +1671,7 @@
     </message>
     <message>
         <source>They fly at about the same altitude. The required separation is %1.</source>
-        <translation>Ils volent à peu près à la même altitude. L&apos;espacement réglé est de %1.</translation>
+        <translation>Ils volent à peu près à la même altitude. L&apos;espacement requis est de %1.</translation>
     </message>
     <message>
         <source>Wind above its limit: %1, limit %2</source>
@@ -1691,7 +1691,7 @@
     </message>
     <message>
         <source>%1 is lost; the search was abandoned</source>
-        <translation>%1 est perdu, la recherche a été abandonnée</translation>
+        <translation>%1 est perdu ; la recherche a été abandonnée</translation>
     </message>
     <message>
         <source>It was not in view where it was expected.</source>
@@ -1699,7 +1699,7 @@
     </message>
     <message>
         <source>Makes little headway: wind %1, airspeed %2</source>
-        <translation>N’avance presque pas : vent %1, vitesse air %2</translation>
+        <translation>Progresse peu : vent %1, vitesse air %2</translation>
     </message>
 </context>
 <context>
@@ -1717,7 +1717,7 @@
     </message>
     <message>
         <source>Release to keep this heading. Shift snaps to steps of %1°; Esc cancels.</source>
-        <translation>Relâchez pour garder ce cap. Maj impose des pas de %1°, Esc annule.</translation>
+        <translation>Relâchez pour garder ce cap. Maj impose des pas de %1° ; Esc annule.</translation>
     </message>
     <message>
         <source>Add corner</source>
@@ -1734,29 +1734,29 @@
     <message numerus="yes">
         <source>Drag to give all %n selected icebergs the same drift.</source>
         <translation>
-            <numerusform>Faire glisser donne cette dérive à %n iceberg sélectionné.</numerusform>
-            <numerusform>Faire glisser donne la même dérive aux %n icebergs sélectionnés.</numerusform>
+            <numerusform>Faites glisser pour donner cette dérive à %n iceberg sélectionné.</numerusform>
+            <numerusform>Faites glisser pour donner la même dérive aux %n icebergs sélectionnés.</numerusform>
         </translation>
     </message>
     <message>
         <source>Drag to set the drift of the iceberg.</source>
-        <translation>Faire glisser règle la dérive de l&apos;iceberg.</translation>
+        <translation>Faites glisser pour régler la dérive de l&apos;iceberg.</translation>
     </message>
     <message>
         <source>Drag to turn the UAV.</source>
-        <translation>Faire glisser oriente le drone.</translation>
+        <translation>Faites glisser pour orienter le drone.</translation>
     </message>
     <message>
         <source>Drag to move the corner. To remove it, click it and press Del.</source>
-        <translation>Faire glisser déplace le sommet ; un clic suivi de Suppr l&apos;enlève.</translation>
+        <translation>Faites glisser pour déplacer le sommet. Pour le retirer, cliquez dessus et appuyez sur Suppr.</translation>
     </message>
     <message>
         <source>Drag to add a corner here.</source>
-        <translation>Faire glisser crée un nouveau sommet ici.</translation>
+        <translation>Faites glisser pour ajouter un sommet ici.</translation>
     </message>
     <message>
         <source>An area needs at least three corners. Delete the whole area instead.</source>
-        <translation>Une zone a au moins trois sommets. Retirez la zone entière.</translation>
+        <translation>Une zone a besoin d&apos;au moins trois sommets. Supprimez plutôt la zone entière.</translation>
     </message>
     <message>
         <source>Without this corner the outline would cross itself.</source>
@@ -1772,11 +1772,11 @@
     </message>
     <message>
         <source>Drag to change the wind from now on. In flight this cannot be undone.</source>
-        <translation>Faire glisser change le vent à partir de maintenant ; en vol, cela ne peut pas être annulé.</translation>
+        <translation>Faites glisser pour changer le vent dès maintenant. En vol, cela ne peut pas être annulé.</translation>
     </message>
     <message>
         <source>Drag to set the wind. The arrow points downwind.</source>
-        <translation>Faire glisser règle le vent : la flèche pointe vers où il souffle.</translation>
+        <translation>Faites glisser pour régler le vent. La flèche pointe vers où il souffle.</translation>
     </message>
 </context>
 <context>
@@ -1830,7 +1830,7 @@
     </message>
     <message>
         <source>Time until the UAV arrives, by the present plan</source>
-        <translation>Temps d&apos;ici à l&apos;arrivée du drone, selon le plan en vigueur</translation>
+        <translation>Temps jusqu&apos;à l&apos;arrivée du drone, selon le plan actuel</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -1838,7 +1838,7 @@
     </message>
     <message>
         <source>Number of times it was reached as the target</source>
-        <translation>Nombre de fois qu&apos;il était la cible et a été atteint</translation>
+        <translation>Nombre de fois où il a été atteint comme cible</translation>
     </message>
     <message>
         <source>Position east of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
@@ -1858,7 +1858,7 @@
     </message>
     <message>
         <source>Drift direction, degrees clockwise from north</source>
-        <translation>Vers où il dérive, en degrés dans le sens horaire à partir du nord</translation>
+        <translation>Direction de la dérive, en degrés dans le sens horaire à partir du nord</translation>
     </message>
     <message>
         <source>Last seen, s ago</source>
@@ -1886,7 +1886,7 @@
     </message>
     <message>
         <source>Closest point of approach: smallest predicted distance from the asset within the next hour. A warning sign beside the name means that the iceberg will enter the inner ring</source>
-        <translation>Point de rapprochement maximal (CPA) : plus petite distance au bien protégé dans l&apos;heure qui vient, selon l&apos;estimation. Un signe d&apos;avertissement à côté du nom : il entre dans l&apos;anneau intérieur</translation>
+        <translation>Point de rapprochement maximal (CPA) : plus petite distance prévue au bien protégé dans l&apos;heure qui vient. Un signe d&apos;avertissement à côté du nom indique que l&apos;iceberg entrera dans l&apos;anneau intérieur</translation>
     </message>
     <message>
         <source>TCPA</source>
@@ -1902,11 +1902,11 @@
     </message>
     <message>
         <source>UAV that plans to visit it</source>
-        <translation>Drone qui l&apos;a dans son plan</translation>
+        <translation>Drone qui prévoit de le visiter</translation>
     </message>
     <message>
         <source>Position, in flight the estimate. Type or paste any form; a whole coordinate sets both</source>
-        <translation>Où il se trouve, en vol selon l&apos;estimation ; saisi ou collé sous toute forme ; une coordonnée complète règle les deux</translation>
+        <translation>Position, en vol l&apos;estimation. Saisissez ou collez toute forme ; une coordonnée complète règle les deux</translation>
     </message>
     <message>
         <source>Drift east, %1</source>
@@ -1914,7 +1914,7 @@
     </message>
     <message>
         <source>Known drift to the east, without the current</source>
-        <translation>Dérive connue vers l&apos;est ; le courant s&apos;y ajoute</translation>
+        <translation>Dérive connue vers l&apos;est, sans le courant</translation>
     </message>
     <message>
         <source>Drift north, %1</source>
@@ -1922,7 +1922,7 @@
     </message>
     <message>
         <source>Known drift to the north, without the current</source>
-        <translation>Dérive connue vers le nord ; le courant s&apos;y ajoute</translation>
+        <translation>Dérive connue vers le nord, sans le courant</translation>
     </message>
     <message>
         <source>Latitude</source>
@@ -1938,7 +1938,7 @@
     </message>
     <message>
         <source>Radius around the present position that contains the iceberg with a probability of 95 %</source>
-        <translation>À 95 %, l&apos;iceberg est dans un cercle de ce rayon autour de sa position actuelle</translation>
+        <translation>Rayon autour de la position actuelle qui contient l&apos;iceberg avec une probabilité de 95 %</translation>
     </message>
 </context>
 <context>
@@ -2032,7 +2032,7 @@
     </message>
     <message>
         <source>It is still approaching after one hour; this is its distance then.</source>
-        <translation>Dans une heure il se rapproche encore ; il sera alors à cette distance.</translation>
+        <translation>Il se rapproche encore au bout d&apos;une heure ; voici sa distance à ce moment.</translation>
     </message>
     <message>
         <source>target of %1</source>
@@ -2327,7 +2327,7 @@
     </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
-        <translation>Ligne %1 : %2 est lu avec le mois en premier, ce que rien n&apos;indique dans le fichier. Choisissez sous « Dates » si le jour vient en premier.</translation>
+        <translation>Ligne %1 : %2 est lu avec le mois en premier ; rien dans le fichier ne l&apos;indique. Choisissez sous « Dates » si le jour vient en premier.</translation>
     </message>
     <message>
         <source>Source</source>
@@ -2531,7 +2531,7 @@
     </message>
     <message>
         <source>Landing place other than the start.</source>
-        <translation>Il se pose ailleurs qu&apos;à son point de départ.</translation>
+        <translation>Lieu d&apos;atterrissage autre que le départ.</translation>
     </message>
     <message>
         <source>Land where it starts</source>
@@ -2579,7 +2579,7 @@
     </message>
     <message>
         <source>Position of the radio link to the UAVs. Its range is a ring on the map.</source>
-        <translation>D&apos;où la liaison radio avec les drones est assurée. Sa portée est un cercle sur la carte.</translation>
+        <translation>Position de la liaison radio avec les drones. Sa portée est un cercle sur la carte.</translation>
     </message>
     <message>
         <source>Change ground station</source>
@@ -2635,7 +2635,7 @@
     </message>
     <message>
         <source>Course over ground, clockwise from north.</source>
-        <translation>Où il va, dans le sens horaire à partir du nord.</translation>
+        <translation>Route sur le fond, dans le sens horaire à partir du nord.</translation>
     </message>
     <message>
         <source>Drift</source>
@@ -2643,7 +2643,7 @@
     </message>
     <message>
         <source>Known drift, without the current.</source>
-        <translation>Dérive connue ; le courant s&apos;y ajoute.</translation>
+        <translation>Dérive connue, sans le courant.</translation>
     </message>
     <message>
         <source>Drift towards</source>
@@ -2651,7 +2651,7 @@
     </message>
     <message>
         <source>Drift direction, clockwise from north.</source>
-        <translation>Vers où il dérive, dans le sens horaire à partir du nord.</translation>
+        <translation>Direction de la dérive, dans le sens horaire à partir du nord.</translation>
     </message>
     <message>
         <source>Any form; a whole coordinate sets both.</source>
@@ -2671,7 +2671,7 @@
     </message>
     <message>
         <source>Direction the wind blows from, clockwise from north.</source>
-        <translation>D&apos;où il souffle, dans le sens horaire à partir du nord.</translation>
+        <translation>Direction d&apos;où souffle le vent, dans le sens horaire à partir du nord.</translation>
     </message>
     <message>
         <source>%1 from %2</source>
@@ -2691,7 +2691,7 @@
     </message>
     <message>
         <source>Direction the current flows to, clockwise from north.</source>
-        <translation>Vers où il va, dans le sens horaire à partir du nord.</translation>
+        <translation>Direction vers laquelle va le courant, dans le sens horaire à partir du nord.</translation>
     </message>
     <message>
         <source>Change operation</source>
@@ -2699,7 +2699,7 @@
     </message>
     <message>
         <source>Makes airspace that the operation may enter no-fly areas, so that the UAVs stay out of it.</source>
-        <translation>L&apos;espace aérien où l&apos;opération peut entrer est converti en zones interdites : les drones s&apos;en tiennent alors à l&apos;écart.</translation>
+        <translation>Convertit en zones interdites l&apos;espace aérien où l&apos;opération peut entrer, pour que les drones s&apos;en tiennent à l&apos;écart.</translation>
     </message>
     <message>
         <source>Make entered airspace no-fly areas</source>
@@ -2707,7 +2707,7 @@
     </message>
     <message>
         <source>Removes all airspace. Undo restores it.</source>
-        <translation>Tout l&apos;espace aérien ; annuler le rétablit.</translation>
+        <translation>Retire tout l&apos;espace aérien. Annuler le rétablit.</translation>
     </message>
     <message>
         <source>Remove airspace</source>
@@ -2719,7 +2719,7 @@
     </message>
     <message>
         <source>Proposed volume for a permit application; check it with your authority. Shown on the map, in KML and GeoJSON, and on a second page of the flight brief.</source>
-        <translation>Proposition pour une demande d&apos;autorisation, à vérifier avec votre autorité : sur la carte, en KML et GeoJSON, et en deuxième page de la fiche de vol.</translation>
+        <translation>Volume proposé pour une demande d&apos;autorisation ; à vérifier avec votre autorité. Affiché sur la carte, en KML et GeoJSON, et sur une seconde page de la fiche de vol.</translation>
     </message>
     <message>
         <source>Contingency volume %1 wide, %2 high
@@ -2799,7 +2799,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>When last seen, the iceberg was within this radius with a probability of 95 %: the square root of 5.99 σ₀.</source>
-        <translation>À 95 %, l&apos;iceberg était dans un cercle de ce rayon quand il a été vu pour la dernière fois : racine carrée de 5,99 σ₀.</translation>
+        <translation>Lors de la dernière observation, l&apos;iceberg était dans ce rayon avec une probabilité de 95 % : racine carrée de 5,99 σ₀.</translation>
     </message>
     <message>
         <source>Seen by</source>
@@ -2807,7 +2807,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Sets the usual uncertainty of this source, also for icebergs placed later.</source>
-        <translation>Donne à l&apos;incertitude la valeur usuelle de cette source, aussi pour les icebergs placés ensuite.</translation>
+        <translation>Règle l&apos;incertitude usuelle de cette source, aussi pour les icebergs placés ensuite.</translation>
     </message>
     <message>
         <source>as typed</source>
@@ -2894,7 +2894,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>nested deeper than %1 levels</source>
-        <translation>a plus de %1 niveaux d&apos;imbrication</translation>
+        <translation>est imbriqué sur plus de %1 niveaux</translation>
     </message>
     <message>
         <source>line %1: %2</source>
@@ -3026,7 +3026,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>must name a policy; visitation needs taus</source>
-        <translation>doit nommer une stratégie ; visitation a besoin de taus</translation>
+        <translation>doit nommer une stratégie ; visitation a besoin de valeurs de τ</translation>
     </message>
     <message>
         <source>must be I of N with 1 &lt;= I &lt;= N</source>
@@ -3034,7 +3034,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>differs: parts of one study are wanted</source>
-        <translation>diffère : les parties doivent être d&apos;une même étude</translation>
+        <translation>diffère : il faut des parties d&apos;une même étude</translation>
     </message>
     <message>
         <source>setting %1 of case %2 has two different outcomes: the parts were not flown by the same program</source>
@@ -3154,7 +3154,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>columns of the format %1 cannot be mapped</source>
-        <translation>les colonnes du format %1 ne peuvent pas être affectées</translation>
+        <translation>les colonnes du format %1 ne peuvent pas être associées</translation>
     </message>
     <message>
         <source>holds no sightings</source>
@@ -3166,7 +3166,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>no column holds it; name one with a mapping</source>
-        <translation>aucune colonne ne le contient ; indiquez-en une</translation>
+        <translation>aucune colonne ne le contient ; associez-en une</translation>
     </message>
     <message>
         <source>columns %1 and %2 are both called &quot;%3&quot;: rename one</source>
@@ -3426,7 +3426,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>dates such as %1 are read month first, which nothing in the file tells: --dates day-first or month-first says how</source>
-        <translation>les dates telles que %1 sont lues mois d&apos;abord, sans que rien dans le fichier ne l&apos;indique : --dates day-first ou month-first dit comment</translation>
+        <translation>les dates telles que %1 sont lues mois d&apos;abord ; rien dans le fichier ne l&apos;indique : --dates day-first ou month-first le précise</translation>
     </message>
     <message>
         <source>differs: this is the file of another study (--replace-study replaces it)</source>
@@ -3510,7 +3510,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home</source>
-        <translation>est si proche de la barrière virtuelle ou d&apos;une zone interdite que le drone ne peut pas y redécoller en étant sûr de rentrer</translation>
+        <translation>est si proche de la barrière virtuelle ou d&apos;une zone interdite que le drone ne peut pas en redécoller en étant sûr de rentrer</translation>
     </message>
     <message>
         <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
@@ -3566,11 +3566,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
-        <translation>la colonne « %1 » n’est pas comprise : renommez-la, ou associez-la</translation>
+        <translation>la colonne « %1 » n&apos;est pas reconnue : renommez-la, ou associez-la</translation>
     </message>
     <message>
         <source>airspace left out: a height has no unit</source>
-        <translation>espace aérien laissé de côté : une hauteur n’a pas d’unité</translation>
+        <translation>espace aérien omis : une hauteur n&apos;a pas d&apos;unité</translation>
     </message>
     <message>
         <source>members that this version does not know are not used: &quot;%1&quot;</source>
@@ -3602,7 +3602,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>nothing tells which rows are sightings of one iceberg: choose one of these</source>
-        <translation>rien n&apos;indique quelles lignes sont des observations d&apos;un même iceberg : choisissez l&apos;une de ces options</translation>
+        <translation>le fichier n&apos;indique pas quelles lignes sont des observations d&apos;un même iceberg : choisissez l&apos;une de ces options</translation>
     </message>
     <message>
         <source>icebergs: %1, greatest speed between two sightings: %2 m/s</source>
@@ -3614,7 +3614,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>has several places: each is taken as an iceberg</source>
-        <translation>a plusieurs positions : chacune est prise comme un iceberg</translation>
+        <translation>a plusieurs positions : chacune compte comme un iceberg</translation>
     </message>
     <message>
         <source>has points beside lines or areas: only the points are taken</source>
@@ -3630,15 +3630,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>has the name of another track, but an iceberg cannot have drifted along both: it is taken as another iceberg</source>
-        <translation>porte le nom d&apos;une autre trace, mais un iceberg ne peut pas avoir dérivé le long des deux : elle est prise comme un autre iceberg</translation>
+        <translation>porte le nom d&apos;une autre trace, mais un iceberg ne peut pas avoir dérivé le long des deux : elle compte comme un autre iceberg</translation>
     </message>
     <message>
         <source>the property that names the iceberg is the same at two places at once: the ids of the features are taken instead</source>
-        <translation>la propriété qui nomme l&apos;iceberg est la même à deux positions en même temps : les identifiants des objets sont pris à la place</translation>
+        <translation>la propriété qui nomme l&apos;iceberg est la même à deux positions en même temps : les identifiants des objets sont utilisés à la place</translation>
     </message>
     <message>
         <source>has more times than places: the times left over are not taken</source>
-        <translation>a plus d&apos;heures que de positions : les heures en trop ne sont pas prises</translation>
+        <translation>a plus d&apos;heures que de positions : les heures en trop ne sont pas utilisées</translation>
     </message>
     <message>
         <source>the place can be read in more than one way: decimals follow a point</source>
@@ -3674,7 +3674,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>airspace left out: it has no outline</source>
-        <translation>espace aérien omis : il n’a pas de contour</translation>
+        <translation>espace aérien omis : il n&apos;a pas de contour</translation>
     </message>
     <message>
         <source>outline left out: no airspace begins above it</source>
@@ -3682,11 +3682,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>airspace left out: its outline encloses nothing</source>
-        <translation>espace aérien omis : son contour n’enferme rien</translation>
+        <translation>espace aérien omis : son contour n&apos;enferme rien</translation>
     </message>
     <message>
         <source>airspace left out: its ceiling is not above its floor</source>
-        <translation>espace aérien omis : son plafond n’est pas au-dessus de son plancher</translation>
+        <translation>espace aérien omis : son plafond n&apos;est pas au-dessus de son plancher</translation>
     </message>
     <message>
         <source>airspace left out: it is farther than 100 km</source>
@@ -3702,19 +3702,19 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>airspace taken down to the sea: its floor is missing or cannot be read</source>
-        <translation>espace aérien repris jusqu’à la mer : son plancher manque ou est illisible</translation>
+        <translation>espace aérien repris jusqu&apos;à la mer : son plancher manque ou est illisible</translation>
     </message>
     <message>
         <source>airspace taken without end above: its ceiling is missing or cannot be read</source>
-        <translation>espace aérien repris sans limite vers le haut : son plafond manque ou est illisible</translation>
+        <translation>espace aérien repris sans limite supérieure : son plafond manque ou est illisible</translation>
     </message>
     <message>
         <source>airspace taken with an outline round its own, which touches or crosses itself</source>
-        <translation>espace aérien repris avec un contour autour du sien, qui se touche ou se croise</translation>
+        <translation>espace aérien repris avec un contour plus grand : le sien se touche ou se croise</translation>
     </message>
     <message>
         <source>airspace taken with an outline round its own, which has too many corners</source>
-        <translation>espace aérien repris avec un contour autour du sien, qui a trop de sommets</translation>
+        <translation>espace aérien repris avec un contour plus grand : le sien a trop de sommets</translation>
     </message>
     <message>
         <source>line not understood and not used</source>
@@ -3750,7 +3750,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>taken without a time, which it does not have</source>
-        <translation>pris sans heure, car il n&apos;en a pas</translation>
+        <translation>pris sans heure, car elle manque</translation>
     </message>
     <message>
         <source>taken without its time, which is years from all others</source>
@@ -3898,7 +3898,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>this weather brings icing at its altitude, in which the UAV must not be flown</source>
-        <translation>cette météo apporte des conditions givrantes à son altitude, dans lesquelles le drone ne doit pas voler</translation>
+        <translation>cette météo apporte du givrage à l&apos;altitude du drone, qui ne doit pas y voler</translation>
     </message>
     <message>
         <source>leaves less reserve than waiting for the other UAVs of the altitude layer may take, %1; separate altitudes, or a greater reserve, avoid it</source>
@@ -4030,7 +4030,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>the file is about the whole flight, whatever is chosen to be exported</source>
-        <translation>le fichier porte sur tout le vol, quel que soit le choix à exporter</translation>
+        <translation>le fichier porte sur tout le vol, quoi que vous choisissiez d&apos;exporter</translation>
     </message>
     <message>
         <source>UAVs without an iceberg to visit: %1</source>
@@ -4295,7 +4295,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Opens the window with a scenario; with --pictures it only writes pictures.</source>
-        <translation>Ouvre la fenêtre du planificateur sur un scénario ; avec --pictures, le programme dessine seulement.</translation>
+        <translation>Ouvre la fenêtre sur un scénario ; avec --pictures, le programme n&apos;écrit que des images.</translation>
     </message>
     <message>
         <source>file</source>
@@ -4311,7 +4311,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Write a picture of the window with the scenario to &lt;file&gt;, then exit.</source>
-        <translation>Dessiner la fenêtre avec le scénario dans &lt;fichier&gt;, puis quitter.</translation>
+        <translation>Écrire une image de la fenêtre avec le scénario dans &lt;fichier&gt;, puis quitter.</translation>
     </message>
     <message>
         <source>Fly until this time before the screenshot.</source>
@@ -4323,7 +4323,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Store settings in &lt;file&gt; instead of your own settings file.</source>
-        <translation>Conserver les paramètres dans &lt;fichier&gt; au lieu des vôtres.</translation>
+        <translation>Conserver les paramètres dans &lt;fichier&gt; au lieu de votre propre fichier.</translation>
     </message>
     <message>
         <source>--size: &quot;%1&quot; is not a size like 1920x1080.</source>
@@ -4351,7 +4351,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
-        <translation>Écrire le manuel en pages web et en PDF dans &lt;dossier&gt;, avec les images qui s&apos;y trouvent.</translation>
+        <translation>Écrire le manuel en pages web et en PDF dans &lt;dossier&gt;, où se trouvent les images.</translation>
     </message>
     <message>
         <source>--manual takes no scenario file, --pictures or --screenshot.</source>
@@ -4359,7 +4359,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Longest wait before the screenshot for predictions and the lower bound, in seconds.</source>
-        <translation>Avant la capture d&apos;écran, attendre au plus ce temps les prévisions et la borne inférieure.</translation>
+        <translation>Attente maximale des prévisions et de la borne inférieure avant la capture d&apos;écran, en secondes.</translation>
     </message>
     <message>
         <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
@@ -4419,7 +4419,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>The last UAV cannot be deleted: a scenario needs at least one.</source>
-        <translation>Le dernier drone reste : un scénario en a au moins un.</translation>
+        <translation>Le dernier drone ne peut pas être supprimé : un scénario en a besoin d&apos;un au moins.</translation>
     </message>
     <message numerus="yes">
         <source>Cut %n icebergs</source>
@@ -4567,7 +4567,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Lost: not found where expected</source>
-        <translation>Perdu : pas à l&apos;endroit prévu</translation>
+        <translation>Perdu : non trouvé à l&apos;endroit attendu</translation>
     </message>
     <message>
         <source>Lost</source>
@@ -4805,7 +4805,7 @@ Zone adjacente %4</translation>
     <name>MapTools</name>
     <message>
         <source>Drag to move the map, turn the wheel to zoom. Esc leaves the tool.</source>
-        <translation>Faire glisser déplace la carte, la molette zoome. Esc quitte l&apos;outil.</translation>
+        <translation>Faites glisser pour déplacer la carte, tournez la molette pour zoomer. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Move UAV</source>
@@ -4853,11 +4853,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to set the next point. Enter ends the line, Backspace removes a point, Esc clears.</source>
-        <translation>Un clic place le point suivant, Entrée termine la ligne, Retour arrière en retire un, Esc efface.</translation>
+        <translation>Cliquez pour placer le point suivant. Entrée termine la ligne, Retour arrière retire un point, Esc efface.</translation>
     </message>
     <message>
         <source>Click to start another line. Esc clears this one.</source>
-        <translation>Un clic commence une autre ligne. Esc efface celle-ci.</translation>
+        <translation>Cliquez pour commencer une autre ligne. Esc efface celle-ci.</translation>
     </message>
     <message>
         <source>Click points to measure the path between them: geodesic length, true bearing, time of flight.</source>
@@ -4904,7 +4904,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Nothing flown yet. Press Space to fly the plan</source>
-        <translation>Aucun vol encore : Espace exécute le plan</translation>
+        <translation>Aucun vol encore. Appuyez sur Espace pour exécuter le plan</translation>
     </message>
     <message>
         <source>m²</source>
@@ -4940,7 +4940,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>At %1 zeta grows by %2 m² s per second; the mean since take-off is %3.</source>
-        <translation>À %1, zêta augmente de %2 m² s par seconde ; depuis le décollage, de %3 en moyenne.</translation>
+        <translation>À %1, zêta augmente de %2 m² s par seconde ; la moyenne depuis le décollage est de %3.</translation>
     </message>
     <message>
         <source>Distance flown</source>
@@ -4952,7 +4952,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Distance flown until %1: %2.</source>
-        <translation>Distance parcourue à %1 : %2.</translation>
+        <translation>Distance parcourue jusqu&apos;à %1 : %2.</translation>
     </message>
     <message>
         <source>Turn rate</source>
@@ -5143,11 +5143,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Flight geography: all places that a plan may reach, plus a margin of %1 m.</source>
-        <translation>Géographie de vol : tous les lieux où un plan peut mener, et %1 m autour.</translation>
+        <translation>Géographie de vol : tous les lieux qu&apos;un plan peut atteindre, plus une marge de %1 m.</translation>
     </message>
     <message>
         <source>Formulas and default constants: Digisky calculator 3.3.0, based on the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
-        <translation>Formules et constantes usuelles : calculateur Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse ; pas le texte d&apos;une autorité.</translation>
+        <translation>Formules et constantes par défaut : calculateur Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse ; pas le texte d&apos;une autorité.</translation>
     </message>
     <message>
         <source>The outlines are in the KML, KMZ and GeoJSON exports.</source>
@@ -5187,7 +5187,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Made by Bergwatch from the scenario. It does not imply that the operation may be flown.</source>
-        <translation>Établi par Bergwatch à partir du scénario. Cela ne dit pas si l&apos;opération peut être effectuée.</translation>
+        <translation>Établi par Bergwatch à partir du scénario. Cela n&apos;implique pas que l&apos;opération puisse être effectuée.</translation>
     </message>
     <message>
         <source>Checklist</source>
@@ -5269,7 +5269,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click a line to go to that state; the disk marks the saved one.</source>
-        <translation>Cliquez sur une ligne pour y revenir ou y avancer ; la disquette marque ce qui est enregistré.</translation>
+        <translation>Cliquez sur une ligne pour aller à cet état ; la disquette marque l&apos;état enregistré.</translation>
     </message>
     <message>
         <source>History of edits</source>
@@ -5610,7 +5610,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
-        <translation>Un clic ajoute un iceberg ; faites glisser ensuite pour régler sa dérive. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour ajouter un iceberg ; faites glisser pour régler sa dérive. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Place UAV</source>
@@ -5634,15 +5634,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to move the asset here. Esc leaves the tool.</source>
-        <translation>Un clic déplace le bien protégé ici. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour déplacer le bien protégé ici. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Click to place the protected asset. Esc leaves the tool.</source>
-        <translation>Un clic place le bien protégé. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour placer le bien protégé. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Click to add an iceberg that appears here now; drag to set its drift. In flight this cannot be undone.</source>
-        <translation>Un clic ajoute un iceberg qui apparaît ici et maintenant ; faites glisser ensuite pour régler sa dérive. En vol, cela ne peut pas être annulé.</translation>
+        <translation>Cliquez pour ajouter un iceberg qui apparaît ici maintenant ; faites glisser pour régler sa dérive. En vol, cela ne peut pas être annulé.</translation>
     </message>
     <message>
         <source>Add UAV</source>
@@ -5650,11 +5650,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to place the UAV; drag to set its heading. Ctrl+click adds another one. Esc leaves the tool.</source>
-        <translation>Un clic place le drone ; faites glisser ensuite pour l&apos;orienter. Avec Ctrl, c&apos;en est un autre. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour placer le drone ; faites glisser pour régler son cap. Ctrl+clic en ajoute un autre. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Click to place %1; drag to set its heading. Ctrl+click adds another UAV. Esc leaves the tool.</source>
-        <translation>Un clic place %1 ; faites glisser ensuite pour l&apos;orienter. Avec Ctrl, c&apos;est un autre drone. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour placer %1 ; faites glisser pour régler son cap. Ctrl+clic ajoute un autre drone. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Seen by %1.</source>
@@ -5757,7 +5757,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Following the existing route</source>
-        <translation>Suit la route établie auparavant</translation>
+        <translation>Suit la route existante</translation>
     </message>
     <message>
         <source>under 1 ms</source>
@@ -5940,7 +5940,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
-        <translation>Pondère par τ l&apos;incertitude vue tôt et la longueur du trajet.</translation>
+        <translation>Pondère par τ l&apos;observation précoce des icebergs incertains et la longueur du trajet.</translation>
     </message>
     <message>
         <source>Flies the shortest path past all icebergs, then the next one.</source>
@@ -5956,7 +5956,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Flies to the most uncertain iceberg.</source>
-        <translation>Va à l&apos;iceberg dont l&apos;incertitude est la plus grande.</translation>
+        <translation>Va à l&apos;iceberg le plus incertain.</translation>
     </message>
     <message>
         <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
@@ -5972,7 +5972,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Round tour</source>
-        <translation>Tournée</translation>
+        <translation>Circuit</translation>
     </message>
 </context>
 <context>
@@ -6115,7 +6115,7 @@ Zone adjacente %4</translation>
     <name>Report</name>
     <message>
         <source>predicted before take-off %1 m² s, until the end of the run</source>
-        <translation>prévu avant le décollage %1 m² s, jusqu’à la fin du vol</translation>
+        <translation>prévu avant le décollage %1 m² s, jusqu&apos;à la fin du vol</translation>
     </message>
     <message>
         <source>changed in flight, so that the prediction was for another flight</source>
@@ -6155,7 +6155,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>flown</source>
-        <translation>en vol</translation>
+        <translation>effectué</translation>
     </message>
     <message>
         <source>Distance planned, km</source>
@@ -6163,7 +6163,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>flown, km</source>
-        <translation>volée, km</translation>
+        <translation>parcourue, km</translation>
     </message>
     <message>
         <source>Time planned</source>
@@ -6179,7 +6179,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Planned and flown</source>
-        <translation>Prévu et volé</translation>
+        <translation>Prévu et effectué</translation>
     </message>
     <message>
         <source>SHA-256 of the first plan as a file of the format wpl:</source>
@@ -6291,7 +6291,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>τ of the lowest ζ of a case</source>
-        <translation>τ du ζ le plus bas d’un cas</translation>
+        <translation>τ du ζ le plus bas d&apos;un cas</translation>
     </message>
     <message>
         <source>a scenario without a name</source>
@@ -6311,11 +6311,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>measured with noise, velocities uncertain by 0.1 m/s</source>
-        <translation>mesuré avec du bruit, vitesses inconnues à 0.1 m/s</translation>
+        <translation>mesuré avec du bruit, vitesses incertaines de 0,1 m/s</translation>
     </message>
     <message>
         <source>measured with noise, unknown velocities that change like those of real icebergs</source>
-        <translation>mesuré avec du bruit, vitesses inconnues qui changent comme celles des icebergs</translation>
+        <translation>mesuré avec du bruit, vitesses inconnues qui changent comme celles d&apos;icebergs réels</translation>
     </message>
     <message>
         <source>Random fields: %1, seeds %2 to %3. Icebergs in each: %4, in %5 m × %6 m, drifting at up to %7 m/s</source>
@@ -6323,7 +6323,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>initial σ of %1 to %2 m², growing by q = %3 m²/s</source>
-        <translation>σ d’abord %1 à %2 m², croissant de q = %3 m²/s</translation>
+        <translation>σ initial de %1 à %2 m², croissant de q = %3 m²/s</translation>
     </message>
     <message>
         <source>Scenarios</source>
@@ -6339,7 +6339,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>seeds for each scenario: %1, starting with its own, the same for every setting</source>
-        <translation>graines par scénario : %1, la sienne d’abord, les mêmes pour tous les réglages</translation>
+        <translation>graines par scénario : %1, d&apos;abord la sienne, les mêmes pour tous les réglages</translation>
     </message>
     <message>
         <source>%1 to %2 by %3 (%4 values)</source>
@@ -6387,39 +6387,39 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>How to reproduce this report</source>
-        <translation>Comment la refaire</translation>
+        <translation>Comment reproduire ce rapport</translation>
     </message>
     <message>
         <source>This page contains the whole study with every scenario, seed and result, and Bergwatch opens it as a study file. To make the page again from these results:</source>
-        <translation>Cette page contient toute l’étude, avec chaque scénario, graine et résultat, et peut être donnée à Bergwatch comme fichier d’étude. À partir de ses résultats :</translation>
+        <translation>Cette page contient toute l&apos;étude, avec chaque scénario, graine et résultat, et Bergwatch l&apos;ouvre comme un fichier d&apos;étude. Pour refaire la page à partir de ces résultats :</translation>
     </message>
     <message>
         <source>To fly the study again; the results depend neither on the machine nor on the number of threads:</source>
-        <translation>Volé de nouveau ; les nombres ne dépendent ni de la machine ni du nombre de fils d’exécution :</translation>
+        <translation>Pour jouer de nouveau l&apos;étude ; les résultats ne dépendent ni de la machine ni du nombre de fils d&apos;exécution :</translation>
     </message>
     <message>
         <source>To fly the study again with your scenario files; the results depend neither on the machine nor on the number of threads:</source>
-        <translation>Volé de nouveau, avec les fichiers de scénario par leur nom ; les nombres ne dépendent ni de la machine ni du nombre de fils d’exécution :</translation>
+        <translation>Pour jouer de nouveau l&apos;étude avec vos fichiers de scénario ; les résultats ne dépendent ni de la machine ni du nombre de fils d&apos;exécution :</translation>
     </message>
     <message>
         <source>ζ is the total uncertainty σ of all icebergs, integrated over the flight. Lower is better.</source>
-        <translation>ζ est l’intégrale sur le vol de l’incertitude σ de tous les icebergs : moins, c’est mieux.</translation>
+        <translation>ζ est l&apos;incertitude totale σ de tous les icebergs, intégrée sur le vol. Plus il est bas, mieux c&apos;est.</translation>
     </message>
     <message>
         <source>There is only one case, so there is no spread to show.</source>
-        <translation>Un seul cas : aucune dispersion à montrer.</translation>
+        <translation>Il n&apos;y a qu&apos;un seul cas, donc aucune dispersion à montrer.</translation>
     </message>
     <message>
         <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
-        <translation>La ligne est la moyenne des cas (%1), les bandes contiennent la moitié centrale et 80 % d’entre eux. Les lignes horizontales sont les moyennes des stratégies sans τ.</translation>
+        <translation>La ligne est la moyenne des cas (%1) ; les bandes contiennent la moitié centrale et 80 % d&apos;entre eux. Les lignes horizontales sont les moyennes des stratégies sans τ.</translation>
     </message>
     <message>
         <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
-        <translation>Chaque cas est comparé à lui-même, sur les mêmes icebergs et le même bruit ; les barres sont les intervalles à 95 % de la moyenne (t de Student). À gauche de 0, c’est mieux que la référence.</translation>
+        <translation>Les différences sont calculées cas par cas, avec les mêmes icebergs et le même bruit ; les barres sont les intervalles à 95 % de la moyenne (t de Student). Les valeurs à gauche de 0 sont meilleures que la référence.</translation>
     </message>
     <message>
         <source>Not every τ is drawn; the table contains all of them.</source>
-        <translation>Tous les τ ne sont pas dessinés ; tous sont dans le tableau.</translation>
+        <translation>Tous les τ ne sont pas dessinés ; le tableau les contient tous.</translation>
     </message>
     <message>
         <source>ζ against τ</source>
@@ -6435,11 +6435,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>The τ with the lowest ζ of a case, chosen in hindsight; it is not known before the flight. If several are equal, the smallest counts.</source>
-        <translation>Le τ du ζ le plus bas d’un cas, choisi après coup : personne ne le connaît avant le vol. À égalité, le plus petit compte.</translation>
+        <translation>Le τ du ζ le plus bas d&apos;un cas, choisi après coup ; il n&apos;est pas connu avant le vol. À égalité, le plus petit compte.</translation>
     </message>
     <message>
         <source>Stuck: at most two icebergs were targets in the second half of the flight.</source>
-        <translation>Bloqué : deux icebergs au plus comme cibles dans la seconde moitié du vol.</translation>
+        <translation>Bloqué : deux icebergs au plus ont été des cibles dans la seconde moitié du vol.</translation>
     </message>
     <message>
         <source>ζ of the case and its difference vs %1.</source>
@@ -6487,7 +6487,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Differences of ζ vs %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
-        <translation>Différences de ζ avec %1, cas par cas, avec les intervalles à 95 % de la moyenne. Pire : la plus grande différence d’un cas.</translation>
+        <translation>Différences de ζ avec %1, cas par cas, avec les intervalles à 95 % de la moyenne. Pire : la plus grande différence d&apos;un cas.</translation>
     </message>
     <message>
         <source>Mean, m² s</source>
@@ -6531,7 +6531,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>One case is too few to recommend a policy. Fly more cases.</source>
-        <translation>Un seul cas ne recommande aucune stratégie : volez-en davantage.</translation>
+        <translation>Un seul cas ne suffit pas pour recommander une stratégie. Jouez d&apos;autres cas.</translation>
     </message>
     <message>
         <source>Lowest ζ: %1, %2 m² s.</source>
@@ -6559,11 +6559,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Missions flown: %1 of %2. The results below use only the cases that every setting has flown: %3 of %4.</source>
-        <translation>Missions volées : %1 sur %2. Tout ce qui suit porte sur les cas que chaque réglage a volés : %3 sur %4.</translation>
+        <translation>Missions jouées : %1 sur %2. Les résultats ci-dessous n&apos;utilisent que les cas que chaque réglage a joués : %3 sur %4.</translation>
     </message>
     <message>
         <source>Missions: %1. Cases: %2, each flown with every setting. Settings: %3.</source>
-        <translation>Missions : %1. Cas : %2, chacun volé avec chaque réglage. Réglages : %3.</translation>
+        <translation>Missions : %1. Cas : %2, chacun joué avec chaque réglage. Réglages : %3.</translation>
     </message>
     <message>
         <source>The numbers</source>
@@ -6575,27 +6575,27 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>the order of Eq. (1) with the weight τ of Eq. (14), planned again at each iceberg</source>
-        <translation>l’ordre de l’éq. (1) avec le poids τ de l’éq. (14), replanifié à chaque iceberg</translation>
+        <translation>l&apos;ordre de l&apos;éq. (1) avec le poids τ de l&apos;éq. (14), replanifié à chaque iceberg</translation>
     </message>
     <message>
         <source>the shortest path through all icebergs, flown to its end, then solved again</source>
-        <translation>le chemin le plus court par tous les icebergs, volé jusqu’au bout, puis résolu de nouveau</translation>
+        <translation>le plus court chemin par tous les icebergs, suivi jusqu&apos;au bout, puis résolu de nouveau</translation>
     </message>
     <message>
         <source>the shortest round tour, flown again and again</source>
-        <translation>la tournée la plus courte, volée encore et encore</translation>
+        <translation>le plus court circuit, suivi encore et encore</translation>
     </message>
     <message>
         <source>the nearest iceberg next</source>
-        <translation>l’iceberg le plus proche ensuite</translation>
+        <translation>l&apos;iceberg le plus proche ensuite</translation>
     </message>
     <message>
         <source>the most uncertain iceberg next</source>
-        <translation>l’iceberg le plus incertain ensuite</translation>
+        <translation>l&apos;iceberg le plus incertain ensuite</translation>
     </message>
     <message>
         <source>the order with the least waiting, weighted by uncertainty, planned again at each iceberg</source>
-        <translation>l’ordre avec la moindre attente, pondérée par l’incertitude, replanifié à chaque iceberg</translation>
+        <translation>l&apos;ordre avec la moindre attente, pondérée par l&apos;incertitude, replanifié à chaque iceberg</translation>
     </message>
     <message>
         <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
@@ -6603,11 +6603,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
-        <translation>Plus long sans vue : depuis qu’un iceberg est connu, ou vu, jusqu’à ce qu’il soit revu, sorti, retiré ou que l’enregistrement finisse.</translation>
+        <translation>Plus long sans vue : depuis qu&apos;un iceberg est connu, ou vu, jusqu&apos;à ce qu&apos;il soit revu, sorti, retiré ou que l&apos;enregistrement finisse.</translation>
     </message>
     <message>
         <source>Planned: the first sortie of the plan before take-off, over ground in straight legs. Distances flown are through the air.</source>
-        <translation>Prévu : la première sortie du plan avant le décollage, sur le fond en segments droits. Les distances volées sont dans l’air.</translation>
+        <translation>Prévu : la première sortie du plan avant le décollage, sur le fond en segments droits. Les distances parcourues sont dans l&apos;air.</translation>
     </message>
     <message>
         <source>95 % within, m</source>
@@ -6679,7 +6679,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>and %1 more; all of them: export log-html</source>
-        <translation>et %1 de plus ; liste complète : exporter en log-html</translation>
+        <translation>et %1 de plus ; exportez en log-html pour les avoir tous</translation>
     </message>
     <message>
         <source>Nothing was flown</source>
@@ -6690,11 +6690,11 @@ Zone adjacente %4</translation>
     <name>SelectTool</name>
     <message>
         <source>Release to place it here. Esc cancels.</source>
-        <translation>Relâchez pour le placer ici. Esc annule le déplacement.</translation>
+        <translation>Relâchez pour le placer ici. Esc annule.</translation>
     </message>
     <message>
         <source>The scenario is locked during a flight. Stop the flight to change it.</source>
-        <translation>Verrouillé pendant un vol. Arrêtez le vol pour modifier le scénario.</translation>
+        <translation>Le scénario est verrouillé pendant un vol. Arrêtez le vol pour le modifier.</translation>
     </message>
     <message>
         <source>Everything inside the frame is selected.</source>
@@ -6702,15 +6702,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to select, drag to move. Ctrl+click adds; drag on open water to select a box.</source>
-        <translation>Un clic sélectionne, faire glisser déplace. Ctrl ajoute ; faire glisser sur l&apos;eau sélectionne ce qui est dans le cadre.</translation>
+        <translation>Cliquez pour sélectionner, faites glisser pour déplacer. Ctrl+clic ajoute ; faites glisser sur l&apos;eau libre pour sélectionner par un cadre.</translation>
     </message>
     <message>
         <source>Click to select. In flight you can drag the tip of the wind arrow and the asset.</source>
-        <translation>Un clic sélectionne. En vol, la pointe de la flèche du vent et le bien protégé peuvent être déplacés.</translation>
+        <translation>Cliquez pour sélectionner. En vol, vous pouvez faire glisser la pointe de la flèche du vent et le bien protégé.</translation>
     </message>
     <message>
         <source>Click to select. Choose Stop and edit to change the scenario.</source>
-        <translation>Un clic sélectionne. « Arrêter et modifier » permet de modifier le scénario.</translation>
+        <translation>Cliquez pour sélectionner. Choisissez « Arrêter et modifier » pour modifier le scénario.</translation>
     </message>
 </context>
 <context>
@@ -6889,7 +6889,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Confidence interval of the mean difference by Student&apos;s t.</source>
-        <translation>De la différence moyenne : intervalle de confiance selon la loi de Student.</translation>
+        <translation>Intervalle de confiance de la différence moyenne selon la loi de Student.</translation>
     </message>
     <message>
         <source>Cases in which no other setting has less ζ.</source>
@@ -6897,7 +6897,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Cases that visit at most two icebergs in the second half.</source>
-        <translation>Cas qui vont vers deux icebergs au plus dans la seconde moitié.</translation>
+        <translation>Cas qui visitent deux icebergs au plus dans la seconde moitié.</translation>
     </message>
     <message>
         <source>Case</source>
@@ -6925,7 +6925,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Seed of the true drift, the same for every setting.</source>
-        <translation>Ce dont la dérive réelle a été tirée : la même pour chaque réglage.</translation>
+        <translation>Graine de la dérive réelle, la même pour chaque réglage.</translation>
     </message>
     <message>
         <source>Accumulated uncertainty of this flight: less is better.</source>
@@ -6945,7 +6945,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Visits at most two icebergs in the second half.</source>
-        <translation>Va vers deux icebergs au plus dans la seconde moitié.</translation>
+        <translation>Visite deux icebergs au plus dans la seconde moitié.</translation>
     </message>
 </context>
 <context>
@@ -6967,7 +6967,7 @@ Zone adjacente %4</translation>
     <name>TimeEntry</name>
     <message>
         <source>The day and month of &quot;%1&quot; are ambiguous. Type the date like 2026-11-29 12:00.</source>
-        <translation>Le jour et le mois de « %1 » peuvent se lire de deux façons. Écrivez-le comme 2026-11-29 12:00.</translation>
+        <translation>Le jour et le mois de « %1 » sont ambigus. Écrivez la date comme 2026-11-29 12:00.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has no date. Type it like 2026-11-29 12:00.</source>
@@ -7004,7 +7004,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>The arrow points downwind. The ring is the airspeed of the slowest UAV (%1); beyond the dashed ring UAVs make little headway.</source>
-        <translation>La flèche pointe vers où souffle le vent. Le cercle est la vitesse air du drone le plus lent (%1) ; au-delà du cercle en tirets, les drones progressent peu contre le vent.</translation>
+        <translation>La flèche pointe vers où souffle le vent. Le cercle est la vitesse air du drone le plus lent (%1) ; au-delà du cercle en tirets, les drones progressent peu.</translation>
     </message>
     <message>
         <source>The small aircraft in the middle of a leg shows the heading flown there.</source>
@@ -7015,7 +7015,7 @@ vers le %2</translation>
     <name>WorkFailureText</name>
     <message>
         <source>Not enough memory. Close other programs or choose a smaller task.</source>
-        <translation>La mémoire est insuffisante pour cela. Fermez d&apos;autres programmes ou réduisez la demande.</translation>
+        <translation>Mémoire insuffisante. Fermez d&apos;autres programmes ou choisissez une tâche plus petite.</translation>
     </message>
     <message>
         <source>Internal error: %1</source>
@@ -7030,7 +7030,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Removes this notice. It returns if the condition ends and occurs again.</source>
-        <translation>Retire l&apos;élément de cette liste. Il revient s&apos;il avait cessé et se produit de nouveau.</translation>
+        <translation>Retire cet avis. Il revient si la situation cesse et se reproduit.</translation>
     </message>
     <message>
         <source>Continue from here</source>
@@ -7038,7 +7038,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Discards the flight after this instant. From here you can change the trade-off and the policy and fly another path.</source>
-        <translation>Abandonne la partie du vol postérieure à cet instant. À partir d&apos;ici, le compromis et la stratégie peuvent être modifiés et une autre trajectoire suivie.</translation>
+        <translation>Abandonne le vol après cet instant. À partir d&apos;ici, vous pouvez modifier le compromis et la stratégie et suivre une autre trajectoire.</translation>
     </message>
     <message>
         <source>Back to latest</source>
@@ -7046,7 +7046,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Goes to the latest instant of the flight.</source>
-        <translation>Revient à la fin du vol effectué.</translation>
+        <translation>Va au dernier instant du vol.</translation>
     </message>
     <message>
         <source>Checks</source>
@@ -7054,7 +7054,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Lists all findings in the scenario.</source>
-        <translation>Énumère tout ce qui est constaté sur le scénario.</translation>
+        <translation>Énumère tous les constats sur le scénario.</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -7085,7 +7085,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Click to show it on the map.</source>
-        <translation>Un clic l&apos;affiche.</translation>
+        <translation>Cliquez pour l&apos;afficher sur la carte.</translation>
     </message>
     <message>
         <source>Acknowledged: %1</source>
@@ -7104,7 +7104,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>%1 contains no points, lines or polygons</source>
-        <translation>%1 ne contient ni lieux, ni lignes, ni polygones</translation>
+        <translation>%1 ne contient ni points, ni lignes, ni polygones</translation>
     </message>
     <message>
         <source>The background map %1 cannot be read</source>
@@ -7138,7 +7138,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Quantity shown over time</source>
-        <translation>Ce qui est affiché au cours du temps</translation>
+        <translation>Grandeur affichée dans le temps</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -7217,7 +7217,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Warning: probably not intended</source>
-        <translation>Avertissement : probablement pas ce que vous voulez</translation>
+        <translation>Avertissement : probablement involontaire</translation>
     </message>
     <message>
         <source>Hint: good to know</source>
@@ -7247,7 +7247,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>This chart compares runs of one scenario.</source>
-        <translation>La comparaison de vols d&apos;un même scénario est affichée ici.</translation>
+        <translation>Ce graphique compare des vols d&apos;un même scénario.</translation>
     </message>
     <message>
         <source>%1.
@@ -7312,7 +7312,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>0: most uncertain first; the larger, the shorter the route.</source>
-        <translation>0 : le plus incertain d&apos;abord ; plus il est grand, plus la route est courte.</translation>
+        <translation>0 : le plus incertain d&apos;abord ; plus la valeur est grande, plus la route est courte.</translation>
     </message>
     <message>
         <source>Fly</source>
@@ -7348,11 +7348,11 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Flies the same scenario along the shortest closed tour through all icebergs, as in Figure 5 of the paper, in the background.</source>
-        <translation>Joue le même scénario le long du plus court circuit fermé passant par tous les icebergs, comme à la figure 5 de l&apos;article, en arrière-plan.</translation>
+        <translation>Joue le même scénario en arrière-plan le long du plus court circuit fermé passant par tous les icebergs, comme à la figure 5 de l&apos;article.</translation>
     </message>
     <message>
         <source>Compare with the round tour</source>
-        <translation>Comparer avec la tournée</translation>
+        <translation>Comparer avec le circuit</translation>
     </message>
 </context>
 <context>
@@ -7484,7 +7484,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>This chart compares each setting with a reference, case by case.</source>
-        <translation>Chaque réglage est comparé ici à une référence, cas par cas.</translation>
+        <translation>Ce graphique compare chaque réglage à une référence, cas par cas.</translation>
     </message>
     <message>
         <source>Less ζ is better: to the left</source>
@@ -7575,7 +7575,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Trade-off τ, policy, solver and route</source>
-        <translation>Compromis τ, stratégie, solveur et itinéraire</translation>
+        <translation>Compromis τ, stratégie, solveur et route</translation>
     </message>
     <message>
         <source>Pareto curve</source>
@@ -7670,7 +7670,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>The file exists. Bergwatch asks before it overwrites it.</source>
-        <translation>Existe déjà : une confirmation sera demandée avant toute perte.</translation>
+        <translation>Le fichier existe. Bergwatch demande avant de l&apos;écraser.</translation>
     </message>
     <message>
         <source>Working ...</source>
@@ -7784,7 +7784,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>How the file begins</source>
-        <translation>Comment le fichier commence</translation>
+        <translation>Début du fichier</translation>
     </message>
     <message>
         <source>Map</source>
@@ -7800,7 +7800,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Preview of the page</source>
-        <translation>La page telle qu&apos;elle est écrite</translation>
+        <translation>Aperçu de la page</translation>
     </message>
     <message>
         <source>Page</source>
@@ -7851,7 +7851,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Must exceed the wind speed.</source>
-        <translation>Toujours supérieure à celle du vent.</translation>
+        <translation>Doit dépasser la vitesse du vent.</translation>
     </message>
     <message>
         <source>Maximum bank angle</source>
@@ -7883,7 +7883,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Height above sea level. UAVs at least %1 apart in height may pass each other.</source>
-        <translation>Hauteur au-dessus de la mer : les drones dont l&apos;altitude diffère de %1 peuvent se croiser.</translation>
+        <translation>Hauteur au-dessus de la mer. Les drones séparés d&apos;au moins %1 en hauteur peuvent se croiser.</translation>
     </message>
     <message>
         <source>unlimited</source>
@@ -7895,7 +7895,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Longest flight; the UAV is home before it ends. At 0 it lands only when ordered to return.</source>
-        <translation>Vol le plus long : il est à la base avant ; à 0, il ne se pose que sur ordre de retour.</translation>
+        <translation>Vol le plus long ; le drone est à la base avant sa fin. À 0, il ne se pose que sur ordre de retour.</translation>
     </message>
     <message>
         <source>Home east</source>
@@ -7927,7 +7927,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Share of the endurance that plans leave unused.</source>
-        <translation>Part de l&apos;autonomie qu&apos;aucun vol ne prévoit d&apos;utiliser.</translation>
+        <translation>Part de l&apos;autonomie que les plans n&apos;utilisent pas.</translation>
     </message>
     <message>
         <source>by percentage</source>
@@ -7939,7 +7939,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Reserve as a time, in place of the percentage.</source>
-        <translation>Un temps au lieu du pourcentage.</translation>
+        <translation>Réserve exprimée en temps, au lieu du pourcentage.</translation>
     </message>
     <message>
         <source>Climb</source>
@@ -7967,7 +7967,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Strongest wind in which the UAV may fly.</source>
-        <translation>Vent le plus fort dans lequel il vole.</translation>
+        <translation>Vent le plus fort dans lequel le drone peut voler.</translation>
     </message>
     <message>
         <source>Gust limit</source>
@@ -7975,7 +7975,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Strongest gusts in which the UAV may fly.</source>
-        <translation>Rafales les plus fortes dans lesquelles il vole.</translation>
+        <translation>Rafales les plus fortes dans lesquelles le drone peut voler.</translation>
     </message>
     <message>
         <source>Icing conditions</source>
@@ -7983,7 +7983,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Whether the UAV may fly below 0 °C in nearly saturated air.</source>
-        <translation>Indique s&apos;il peut voler sous 0 °C dans un air presque saturé.</translation>
+        <translation>Indique si le drone peut voler sous 0 °C dans un air presque saturé.</translation>
     </message>
     <message>
         <source>each time step</source>
@@ -8003,7 +8003,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Known drift to the east, without the current.</source>
-        <translation>Dérive connue vers l&apos;est ; le courant s&apos;y ajoute.</translation>
+        <translation>Dérive connue vers l&apos;est, sans le courant.</translation>
     </message>
     <message>
         <source>Drift north</source>
@@ -8011,7 +8011,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Known drift to the north, without the current.</source>
-        <translation>Dérive connue vers le nord ; le courant s&apos;y ajoute.</translation>
+        <translation>Dérive connue vers le nord, sans le courant.</translation>
     </message>
     <message>
         <source>Drift error</source>
@@ -8027,15 +8027,15 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Long-term standard deviation of the drift about the current, along each axis. Example, a beacon off Canada: 0.15 m/s.</source>
-        <translation>Écart-type de sa dérive à long terme, selon chaque axe, autour de celle du courant. Une balise au large du Canada : 0,15 m/s.</translation>
+        <translation>Écart-type à long terme de la dérive autour du courant, selon chaque axe. Exemple, une balise au large du Canada : 0,15 m/s.</translation>
     </message>
     <message>
         <source>Drift time constant</source>
-        <translation>La dérive change en</translation>
+        <translation>Constante de temps</translation>
     </message>
     <message>
         <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
-        <translation>Temps au bout duquel une dérive qui était connue ne l&apos;est plus : elle tend vers le courant. 0 : la dérive est constante. Une balise au large du Canada : 36 000 s.</translation>
+        <translation>Temps au bout duquel une dérive connue tend vers celle du courant. À 0, la dérive est constante. Exemple, une balise au large du Canada : 36 000 s.</translation>
     </message>
     <message>
         <source>Growth q</source>
@@ -8067,7 +8067,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Run time from which the iceberg is known; 0 is the start.</source>
-        <translation>Instant du vol à partir duquel il est connu ; 0 est le début.</translation>
+        <translation>Instant du vol à partir duquel l&apos;iceberg est connu ; 0 est le début.</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -8075,7 +8075,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Half its length. It sets the size on the map and how far outside the area the iceberg is monitored.</source>
-        <translation>La moitié de sa longueur : sa taille sur la carte, et jusqu&apos;à quelle distance hors de la zone il est encore surveillé.</translation>
+        <translation>La moitié de sa longueur. Elle fixe la taille sur la carte et la distance hors de la zone jusqu&apos;à laquelle l&apos;iceberg est surveillé.</translation>
     </message>
     <message>
         <source>Visited by</source>
@@ -8083,7 +8083,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>The only UAV that may visit it.</source>
-        <translation>Le seul drone qui doit le visiter.</translation>
+        <translation>Le seul drone qui peut le visiter.</translation>
     </message>
     <message>
         <source>Speed east</source>
@@ -8107,7 +8107,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Distance within which icebergs matter to the asset.</source>
-        <translation>Distance à laquelle un iceberg le concerne.</translation>
+        <translation>Distance en deçà de laquelle les icebergs comptent pour le bien protégé.</translation>
     </message>
     <message>
         <source>Gain</source>
@@ -8115,7 +8115,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Additional weight of an iceberg at the asset.</source>
-        <translation>De combien un iceberg proche de lui compte davantage.</translation>
+        <translation>Poids supplémentaire d&apos;un iceberg près du bien protégé.</translation>
     </message>
     <message>
         <source>half the range</source>
@@ -8127,15 +8127,15 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>An iceberg predicted to enter it within an hour raises an alarm. At 0 it is half the range.</source>
-        <translation>Un iceberg qui doit y entrer dans l&apos;heure déclenche une alarme ; à 0, c&apos;est la moitié du rayon d&apos;influence.</translation>
+        <translation>Un iceberg dont l&apos;entrée est prévue dans l&apos;heure déclenche une alarme. À 0, c&apos;est la moitié du rayon d&apos;influence.</translation>
     </message>
     <message>
         <source>Stand-off ring</source>
-        <translation>Distance de sécurité</translation>
+        <translation>Anneau de sécurité</translation>
     </message>
     <message>
         <source>Least distance of UAVs from the asset; for a ship, from its whole track.</source>
-        <translation>Aucun drone ne s&apos;en approche davantage ; pour un navire, cela vaut pour toute sa route.</translation>
+        <translation>Distance minimale des drones au bien protégé ; pour un navire, à toute sa route.</translation>
     </message>
     <message>
         <source>Stand-off ceiling</source>
@@ -8143,7 +8143,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Height above which UAVs may cross the ring.</source>
-        <translation>Au-dessus, les drones peuvent survoler l&apos;anneau.</translation>
+        <translation>Hauteur au-dessus de laquelle les drones peuvent survoler l&apos;anneau.</translation>
     </message>
     <message>
         <source>Shown on the map.</source>
@@ -8159,7 +8159,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>UAVs below this height may pass under the area.</source>
-        <translation>Les drones plus bas volent en dessous.</translation>
+        <translation>Les drones sous cette hauteur peuvent passer sous la zone.</translation>
     </message>
     <message>
         <source>Ceiling</source>
@@ -8167,7 +8167,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>UAVs above this height may pass over the area.</source>
-        <translation>Les drones plus hauts volent au-dessus.</translation>
+        <translation>Les drones au-dessus de cette hauteur peuvent survoler la zone.</translation>
     </message>
     <message>
         <source>Corner of the airspace</source>
@@ -8215,7 +8215,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Range of the link; the lowest value means the radio horizon of the antenna and the UAV&apos;s altitude.</source>
-        <translation>Portée de la liaison ; à la valeur la plus basse, jusqu&apos;à l&apos;horizon radio de l&apos;antenne et de l&apos;altitude du drone.</translation>
+        <translation>Portée de la liaison ; la valeur la plus basse correspond à l&apos;horizon radio de l&apos;antenne et de l&apos;altitude du drone.</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -8223,7 +8223,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Distance around all places of the plan, for turns and replanning. Not used with a geofence.</source>
-        <translation>Autour de tous les lieux où un plan peut mener, pour les virages et les changements de plan. Avec une barrière virtuelle, elle n&apos;est pas utilisée.</translation>
+        <translation>Distance autour de tous les lieux du plan, pour les virages et les nouveaux plans. Non utilisée avec une barrière virtuelle.</translation>
     </message>
     <message>
         <source>UAV size</source>
@@ -8231,7 +8231,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Largest dimension of a UAV; half of it is added to the ground-risk buffer.</source>
-        <translation>Plus grande dimension d&apos;un drone ; la moitié élargit la zone tampon de risque au sol.</translation>
+        <translation>Plus grande dimension d&apos;un drone ; sa moitié s&apos;ajoute à la zone tampon de risque au sol.</translation>
     </message>
     <message>
         <source>Satellite position error</source>
@@ -8271,7 +8271,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Sets the turn radius v²/(g tan bank). Same source: 30°.</source>
-        <translation>Donne le rayon de virage v²/(g tan inclinaison). Même source : 30°.</translation>
+        <translation>Fixe le rayon de virage v²/(g tan inclinaison). Même source : 30°.</translation>
     </message>
     <message>
         <source>Height error</source>
@@ -8287,7 +8287,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Share of the speed that is climb during the reaction time. Same source: 0.707, a climb of 45°.</source>
-        <translation>Part de la vitesse dirigée vers le haut pendant le temps de réaction. Même source : 0,707, une montée à 45°.</translation>
+        <translation>Part de la vitesse qui est montée pendant le temps de réaction. Même source : 0,707, une montée à 45°.</translation>
     </message>
     <message>
         <source>Pull-up part</source>
@@ -8295,7 +8295,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Height needed to level out, as a share of v²/g. Same source: 0.3.</source>
-        <translation>Part de v²/g que demande la mise en palier. Même source : 0,3.</translation>
+        <translation>Hauteur nécessaire à la mise en palier, en part de v²/g. Même source : 0,3.</translation>
     </message>
     <message>
         <source>Buffer ratio</source>
@@ -8335,7 +8335,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Names printed in the flight brief. If empty, the brief has a blank line.</source>
-        <translation>Qui effectue le vol, imprimé sur la fiche de vol ; vide : une ligne à remplir.</translation>
+        <translation>Noms imprimés sur la fiche de vol. Si le champ est vide, la fiche a une ligne à remplir.</translation>
     </message>
     <message>
         <source>Call sign</source>
@@ -8343,7 +8343,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Printed in the flight brief. If empty, the brief has a blank line.</source>
-        <translation>Imprimé sur la fiche de vol ; vide : une ligne à remplir.</translation>
+        <translation>Imprimé sur la fiche de vol. Si le champ est vide, la fiche a une ligne à remplir.</translation>
     </message>
     <message>
         <source>Contacts</source>
@@ -8359,7 +8359,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>How the UAVs are commanded, and what they do if the link is lost.</source>
-        <translation>Comment les drones sont commandés, et ce qu&apos;ils font sans elle.</translation>
+        <translation>Comment les drones sont commandés, et ce qu&apos;ils font si la liaison est perdue.</translation>
     </message>
     <message>
         <source>Checklist</source>
@@ -8367,7 +8367,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>One item per line, printed with a box to tick.</source>
-        <translation>Une ligne par point, imprimée avec une case à cocher.</translation>
+        <translation>Un point par ligne, imprimé avec une case à cocher.</translation>
     </message>
     <message>
         <source>not known</source>
@@ -8403,7 +8403,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Coordinate of the origin, in any format; a full coordinate or a place name sets both. Everything moves with it.</source>
-        <translation>De l’origine, sous toute forme ; une coordonnée entière ou un nom fixe les deux. Tout se déplace avec elle.</translation>
+        <translation>Coordonnée de l&apos;origine, sous toute forme ; une coordonnée complète ou un nom de lieu règle les deux. Tout se déplace avec elle.</translation>
     </message>
     <message>
         <source>Longitude</source>
@@ -8415,7 +8415,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Exact: a sighting gives the true position. Filter: position and velocity are estimated from noisy measurements, and icebergs can get lost.</source>
-        <translation>Exact : un iceberg en vue est là où il est vu. Filtre : mesures bruitées, dont la position et la vitesse sont estimées ; des icebergs peuvent être perdus.</translation>
+        <translation>Exact : une observation donne la position réelle. Filtre : la position et la vitesse sont estimées à partir de mesures bruitées, et des icebergs peuvent être perdus.</translation>
     </message>
     <message>
         <source>Position error</source>
@@ -8467,7 +8467,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Time to make a plan in flight; until it is ready the UAV continues with the previous plan.</source>
-        <translation>Temps que prend un plan en vol ; d&apos;ici là, le drone poursuit le précédent.</translation>
+        <translation>Temps nécessaire pour établir un plan en vol ; d&apos;ici là, le drone poursuit le précédent.</translation>
     </message>
     <message>
         <source>in view</source>
@@ -8479,7 +8479,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Distance at which an iceberg counts as reached; at 0 it is reached when it is in view.</source>
-        <translation>À quelle distance d&apos;un iceberg le drone doit arriver ; à 0, l&apos;iceberg est atteint lorsqu&apos;il est en vue.</translation>
+        <translation>Distance à laquelle un iceberg compte comme atteint ; à 0, il est atteint lorsqu&apos;il est en vue.</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -8487,7 +8487,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Shape of the area that the camera covers.</source>
-        <translation>Forme de ce que couvre la caméra.</translation>
+        <translation>Forme de la zone que couvre la caméra.</translation>
     </message>
     <message>
         <source>Group nearby icebergs</source>
@@ -8531,7 +8531,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Seed of the random drift: the same seed repeats the run.</source>
-        <translation>Détermine la dérive aléatoire : même graine, même vol.</translation>
+        <translation>Graine de la dérive aléatoire : la même graine reproduit le vol.</translation>
     </message>
     <message>
         <source>Time step</source>
@@ -8539,7 +8539,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Step of the simulation; a smaller step is more exact and slower.</source>
-        <translation>Pas de la simulation ; un petit pas est exact et lent.</translation>
+        <translation>Pas de la simulation ; un pas plus petit est plus exact et plus lent.</translation>
     </message>
     <message>
         <source>Random drift</source>
@@ -8555,7 +8555,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Towards the east; must be below the UAV&apos;s airspeed.</source>
-        <translation>Vers l&apos;est ; toujours plus lent que le vol du drone.</translation>
+        <translation>Vers l&apos;est ; doit être inférieur à la vitesse air du drone.</translation>
     </message>
     <message>
         <source>Wind north</source>
@@ -8563,7 +8563,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Towards the north; must be below the UAV&apos;s airspeed.</source>
-        <translation>Vers le nord ; toujours plus lent que le vol du drone.</translation>
+        <translation>Vers le nord ; doit être inférieur à la vitesse air du drone.</translation>
     </message>
     <message>
         <source>Current east</source>
@@ -8603,7 +8603,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
-        <translation>Les drones sont maintenus à cette distance les uns des autres, sauf si leurs altitudes diffèrent de %1.</translation>
+        <translation>Distance minimale entre drones dont les altitudes diffèrent de moins de %1.</translation>
     </message>
 </context>
 <context>
@@ -8720,7 +8720,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>ζ compared with the prediction for the policy before take-off.</source>
-        <translation>ζ par rapport à ce qui était prévu avant le décollage pour la stratégie.</translation>
+        <translation>ζ comparé à la prévision pour la stratégie avant le décollage.</translation>
     </message>
     <message>
         <source>Lower bound</source>
@@ -8756,7 +8756,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Compares the run with others.</source>
-        <translation>Place le vol à côté d&apos;autres vols.</translation>
+        <translation>Compare le vol à d&apos;autres.</translation>
     </message>
     <message>
         <source>Save run</source>
@@ -8764,7 +8764,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Saves the run to a file.</source>
-        <translation>Conserve le vol dans un fichier.</translation>
+        <translation>Enregistre le vol dans un fichier.</translation>
     </message>
     <message>
         <source>Report</source>
@@ -8780,7 +8780,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Predicted range of ζ for 90 % of flights.</source>
-        <translation>ζ de neuf vols sur dix était prévu dans cette plage.</translation>
+        <translation>Plage de ζ prévue pour 90 % des vols.</translation>
     </message>
     <message>
         <source>below %1 to %2</source>
@@ -8811,7 +8811,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Flight to %1 discarded</source>
-        <translation>Vol vers %1 abandonné</translation>
+        <translation>Vol jusqu&apos;à %1 abandonné</translation>
     </message>
 </context>
 <context>
@@ -8822,7 +8822,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Ready. Press Space to fly</source>
-        <translation>Prêt : Espace l&apos;exécute</translation>
+        <translation>Prêt. Espace lance le vol</translation>
     </message>
     <message>
         <source>Flying</source>
@@ -8842,14 +8842,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
-        <translation>Appuyez sur I et cliquez sur la carte pour en placer un, faites glisser ensuite pour le faire dériver, ou importez des observations.</translation>
+        <translation>Appuyez sur I et cliquez sur la carte pour placer un iceberg, faites glisser pour régler sa dérive, ou importez des observations.</translation>
     </message>
 </context>
 <context>
     <name>berg::GenerateDialog</name>
     <message>
         <source>There is no room for this many icebergs at this spacing. Choose fewer icebergs, a smaller spacing or a larger area.</source>
-        <translation>Il n&apos;y a pas de place pour autant d&apos;icebergs aussi éloignés. Choisissez-en moins, une distance plus petite ou une zone plus grande.</translation>
+        <translation>Il n&apos;y a pas de place pour autant d&apos;icebergs à cet espacement. Choisissez moins d&apos;icebergs, un espacement plus petit ou une zone plus grande.</translation>
     </message>
     <message>
         <source>The area is too thin to place icebergs in.</source>
@@ -8881,7 +8881,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Visible part of the map</source>
-        <translation>Ce que montre la carte</translation>
+        <translation>Partie visible de la carte</translation>
     </message>
     <message>
         <source>Rectangle in the middle of the map</source>
@@ -8933,7 +8933,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Drift direction, clockwise from north</source>
-        <translation>Direction vers laquelle ils dérivent, à partir du nord</translation>
+        <translation>Direction de la dérive, sens horaire depuis le nord</translation>
     </message>
     <message>
         <source>Spread to either side</source>
@@ -8973,7 +8973,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>The same seed generates the same field again.</source>
-        <translation>Le même nombre reproduit le même champ.</translation>
+        <translation>La même graine reproduit le même champ.</translation>
     </message>
     <message>
         <source>&amp;Another</source>
@@ -8998,8 +8998,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message numerus="yes">
         <source>The scenario will have %n icebergs.</source>
         <translation>
-            <numerusform>Le scénario contient alors un iceberg.</numerusform>
-            <numerusform>Le scénario contient alors %n icebergs.</numerusform>
+            <numerusform>Le scénario aura %n iceberg.</numerusform>
+            <numerusform>Le scénario aura %n icebergs.</numerusform>
         </translation>
     </message>
     <message>
@@ -9089,7 +9089,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>The column &quot;%1&quot; is computed from others. Nothing was pasted.</source>
-        <translation>La colonne « %1 » découle des autres. Rien n&apos;a été collé.</translation>
+        <translation>La colonne « %1 » est calculée à partir d&apos;autres. Rien n&apos;a été collé.</translation>
     </message>
 </context>
 <context>
@@ -9143,7 +9143,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>No sighting can be imported.</source>
-        <translation>Aucune des observations n&apos;est retenue.</translation>
+        <translation>Aucune observation ne peut être importée.</translation>
     </message>
     <message>
         <source>Import sightings from %1</source>
@@ -9223,7 +9223,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Choose below which rows belong to the same iceberg.</source>
-        <translation>Choisissez ci-dessous quelles lignes sont des observations d&apos;un même iceberg.</translation>
+        <translation>Choisissez ci-dessous quelles lignes appartiennent au même iceberg.</translation>
     </message>
     <message>
         <source>Faster than 1.5 m/s or on land: %1. Check columns, units and ids.</source>
@@ -9254,7 +9254,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>The file does not say which rows belong to the same iceberg. Choose:</source>
-        <translation>Rien dans le fichier n&apos;indique quelles lignes sont des observations d&apos;un même iceberg. Choisissez :</translation>
+        <translation>Le fichier n&apos;indique pas quelles lignes appartiennent au même iceberg. Choisissez :</translation>
     </message>
     <message numerus="yes">
         <source>%n icebergs</source>
@@ -9292,7 +9292,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Growth of the uncertainty if there are too few sightings to estimate it.</source>
-        <translation>Croissance de l&apos;incertitude là où les observations sont trop peu nombreuses pour l&apos;estimer.</translation>
+        <translation>Croissance de l&apos;incertitude si les observations sont trop peu nombreuses pour l&apos;estimer.</translation>
     </message>
     <message>
         <source>This scenario</source>
@@ -9320,7 +9320,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Visible part of the &amp;map</source>
-        <translation>Ce que montre la ca&amp;rte</translation>
+        <translation>Partie visible de la ca&amp;rte</translation>
     </message>
     <message>
         <source>South</source>
@@ -9344,7 +9344,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Sightings after the start become the true motion of an iceberg. Requires a start time.</source>
-        <translation>Les observations postérieures au début deviennent le mouvement réel d&apos;un iceberg. Indiquez le début pour cela.</translation>
+        <translation>Les observations postérieures au début deviennent le mouvement réel d&apos;un iceberg. Nécessite une heure de début.</translation>
     </message>
     <message>
         <source>Position &amp;error</source>
@@ -9356,7 +9356,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Standard deviation of an unknown drift along each axis. With 0 the drift counts as known and constant.</source>
-        <translation>Écart-type de la dérive là où elle n&apos;est pas connue, selon chaque axe. Avec 0, la dérive est considérée comme connue et constante.</translation>
+        <translation>Écart-type d&apos;une dérive inconnue selon chaque axe. Avec 0, la dérive compte comme connue et constante.</translation>
     </message>
     <message>
         <source>Drift &amp;changes in</source>
@@ -9364,7 +9364,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Time after which a known drift is no longer valid. 0 means never.</source>
-        <translation>Temps au bout duquel une dérive qui était connue ne l&apos;est plus. 0 : jamais.</translation>
+        <translation>Temps au bout duquel une dérive connue n&apos;est plus valable. 0 signifie jamais.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -9404,7 +9404,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Sensor that found the positions. Rows whose column “source”, “method” or “sensor” names another source use its error.</source>
-        <translation>Ce qui a servi à trouver les positions. Les lignes dont la colonne « source », « method » ou « sensor » nomme une autre source ont l&apos;erreur de celle-ci.</translation>
+        <translation>Capteur qui a trouvé les positions. Les lignes dont la colonne « source », « method » ou « sensor » nomme une autre source utilisent l&apos;erreur de celle-ci.</translation>
     </message>
     <message>
         <source>Seen b&amp;y</source>
@@ -9488,7 +9488,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Edits apply to all of them.</source>
-        <translation>Ce qui est saisi ici s&apos;applique à tous.</translation>
+        <translation>Les modifications s&apos;appliquent à tous.</translation>
     </message>
     <message>
         <source>UAV %1</source>
@@ -9507,7 +9507,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
-        <translation>L&apos;identifiant « %1 » est pris. Chaque iceberg et chaque drone doit avoir le sien.</translation>
+        <translation>L&apos;identifiant « %1 » est pris. Chaque iceberg et chaque drone a besoin d&apos;un identifiant unique.</translation>
     </message>
     <message>
         <source>Change id</source>
@@ -9515,7 +9515,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Select an object on the map to edit it.</source>
-        <translation>Sélectionnez un élément sur la carte pour le modifier.</translation>
+        <translation>Sélectionnez un objet sur la carte pour le modifier.</translation>
     </message>
     <message>
         <source>Asset</source>
@@ -9531,11 +9531,11 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Identifies the iceberg in files and lists; must be unique.</source>
-        <translation>Nomme l&apos;iceberg dans les fichiers et les listes ; chaque identifiant est unique.</translation>
+        <translation>Identifie l&apos;iceberg dans les fichiers et les listes ; doit être unique.</translation>
     </message>
     <message>
         <source>Identifies the UAV in files and lists; must be unique.</source>
-        <translation>Nomme le drone dans les fichiers et les listes ; chaque identifiant est unique.</translation>
+        <translation>Identifie le drone dans les fichiers et les listes ; doit être unique.</translation>
     </message>
     <message>
         <source>A UAV needs an id.</source>
@@ -9582,7 +9582,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Opacity; at the left end the layer is hidden</source>
-        <translation>Opacité ; masqué à l&apos;extrémité gauche</translation>
+        <translation>Opacité ; à l&apos;extrémité gauche, la couche est masquée</translation>
     </message>
     <message>
         <source>Time covered by drift arrows; arrows too long for the map are shortened and dashed</source>
@@ -9610,7 +9610,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Removes the background</source>
-        <translation>N&apos;affiche plus de fond de carte</translation>
+        <translation>Retire le fond de carte</translation>
     </message>
     <message>
         <source>Choose a file…</source>
@@ -9618,7 +9618,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
-        <translation>Votre propre carte sous tout le reste : GeoJSON, KML ou KMZ, par exemple une carte des glaces</translation>
+        <translation>Votre propre carte sous toutes les couches, par exemple une carte des glaces : GeoJSON, KML ou KMZ</translation>
     </message>
     <message>
         <source>Background file: %1</source>
@@ -9714,8 +9714,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message numerus="yes">
         <source>%n icebergs and the UAVs on the sea. Arrow keys move the map or the selection, plus and minus zoom, F fits. The iceberg table lists the icebergs.</source>
         <translation>
-            <numerusform>%n iceberg et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs les donne ligne par ligne.</numerusform>
-            <numerusform>%n icebergs et le drone en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs les donne ligne par ligne.</numerusform>
+            <numerusform>%n iceberg et les drones en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs en donne la liste.</numerusform>
+            <numerusform>%n icebergs et les drones en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs en donne la liste.</numerusform>
         </translation>
     </message>
     <message>
@@ -9884,7 +9884,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Shows the true positions of the icebergs beside the estimates. When off, the map shows only what an operator would see.</source>
-        <translation>Position réelle des icebergs, à côté de celle que leur attribue l&apos;observateur ; désactivé : seulement ce que verrait un opérateur</translation>
+        <translation>Affiche les positions réelles des icebergs à côté des estimations. Désactivé, la carte n&apos;affiche que ce que verrait un opérateur.</translation>
     </message>
     <message>
         <source>F&amp;light</source>
@@ -10032,7 +10032,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Finish drawing, undo last point</source>
-        <translation>Fermer le tracé ou en retirer le dernier point</translation>
+        <translation>Terminer le tracé, annuler le dernier point</translation>
     </message>
     <message>
         <source>Enter, Backspace</source>
@@ -10048,7 +10048,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Cancel drawing, leave tool, clear selection</source>
-        <translation>Quitter le tracé, l&apos;outil, la sélection</translation>
+        <translation>Annuler le tracé, quitter l&apos;outil, effacer la sélection</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -10064,7 +10064,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans and simulates UAV missions that monitor drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planifie, simule et mesure des missions de drones qui surveillent des icebergs à la dérive.&lt;/p&gt;&lt;p&gt;Code propre : licence MIT. Qt Charts : GPL 3. COIN-OR CBC : EPL. Terres réalisées avec Natural Earth.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planifie et simule des missions de drones qui surveillent des icebergs à la dérive.&lt;/p&gt;&lt;p&gt;Code propre : licence MIT. Qt Charts : GPL 3. COIN-OR CBC : EPL. Terres réalisées avec Natural Earth.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>No-fly area</source>
@@ -10072,7 +10072,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>&amp;Return home now</source>
-        <translation>Rentrer à la &amp;base maintenant</translation>
+        <translation>Rentrer à la &amp;base</translation>
     </message>
     <message>
         <source>Hold here</source>
@@ -10213,7 +10213,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>The replay of this run differs from the recording: %1</source>
-        <translation>Rejoué, ce vol donne un autre résultat : %1</translation>
+        <translation>La relecture de ce vol diffère de l&apos;enregistrement : %1</translation>
     </message>
 </context>
 <context>
@@ -10259,15 +10259,15 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Not everything can stay at its place: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
-        <translation>Tout n&apos;a pas pu rester à sa place : un scénario s&apos;étend jusqu&apos;à %1 de son origine. Déplacez tout avec l&apos;origine ou choisissez un lieu plus proche.</translation>
+        <translation>Tout ne peut pas rester à sa place : un scénario s&apos;étend jusqu&apos;à %1 de son origine. Déplacez tout avec l&apos;origine ou choisissez un lieu plus proche.</translation>
     </message>
     <message>
         <source>The origin moves to %1, %2 away. Positions, courses and drift on the Earth stay the same.</source>
-        <translation>L&apos;origine vient à %1, à %2 d&apos;ici. Les positions, les routes et la dérive sur la Terre restent les mêmes.</translation>
+        <translation>L&apos;origine se déplace à %1, à %2 d&apos;ici. Les positions, les routes et la dérive sur la Terre restent les mêmes.</translation>
     </message>
     <message>
         <source>Everything moves to %1, %2 away, and keeps its position relative to the origin.</source>
-        <translation>Tout vient à %1, à %2 d&apos;ici, et garde sa place par rapport à l&apos;origine.</translation>
+        <translation>Tout se déplace à %1, à %2 d&apos;ici, et garde sa position par rapport à l&apos;origine.</translation>
     </message>
     <message>
         <source>The origin is here now.</source>
@@ -10282,7 +10282,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Polar chart showing the location of the map. Click a place to move the map there.</source>
-        <translation>Carte polaire situant la carte affichée. Un clic choisit un lieu pour la carte.</translation>
+        <translation>Carte polaire montrant l&apos;emplacement de la carte. Cliquez sur un lieu pour y déplacer la carte.</translation>
     </message>
 </context>
 <context>
@@ -10355,7 +10355,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Distance from the previous iceberg, or from the UAV</source>
-        <translation>Distance depuis le précédent, pour le premier depuis le drone</translation>
+        <translation>Distance depuis l&apos;iceberg précédent, ou depuis le drone</translation>
     </message>
     <message>
         <source>Arrival</source>
@@ -10382,7 +10382,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>It has no iceberg to visit.</source>
-        <translation>Il n&apos;a rien à visiter.</translation>
+        <translation>Il n&apos;a aucun iceberg à visiter.</translation>
     </message>
     <message>
         <source>%1, flown %2</source>
@@ -10395,7 +10395,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Il rentre à la base, est au sol ou en attente : un nouveau plan est établi au décollage ou à la reprise.</translation>
+        <translation>Pas de plan pendant que le drone rentre, est au sol ou attend. Un nouveau plan est établi à la reprise.</translation>
     </message>
     <message>
         <source>In view</source>
@@ -10403,7 +10403,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Probability that the iceberg is in view when the UAV reaches its estimate</source>
-        <translation>Probabilité que l&apos;iceberg soit en vue lorsque le drone est au-dessus de sa position estimée</translation>
+        <translation>Probabilité que l&apos;iceberg soit en vue lorsque le drone atteint sa position estimée</translation>
     </message>
     <message>
         <source>%1 (search)</source>
@@ -10432,7 +10432,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Uncertainty of the position on arrival</source>
-        <translation>Incertitude de la position quand le drone y est</translation>
+        <translation>Incertitude de la position à l&apos;arrivée</translation>
     </message>
     <message>
         <source>%1, flown by %2</source>
@@ -10441,7 +10441,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Course over ground %1, ground speed %2</source>
-        <translation>Route fond %1, vitesse fond %2</translation>
+        <translation>Route fond %1, vitesse sol %2</translation>
     </message>
     <message>
         <source>Now %1; at arrival %2, if the iceberg is not seen before</source>
@@ -10462,11 +10462,11 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Ground speed in the present wind</source>
-        <translation>Vitesse fond dans le vent actuel</translation>
+        <translation>Vitesse sol dans le vent actuel</translation>
     </message>
     <message>
         <source>Arrival of the UAV</source>
-        <translation>Quand le drone y est</translation>
+        <translation>Arrivée du drone</translation>
     </message>
     <message>
         <source>95 % now</source>
@@ -10482,7 +10482,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>When the patrol comes back to the iceberg</source>
-        <translation>Quand la patrouille revient à l’iceberg</translation>
+        <translation>Quand la patrouille revient à l&apos;iceberg</translation>
     </message>
 </context>
 <context>
@@ -10503,13 +10503,13 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Predicted for straight legs to the icebergs as they drift,
 without sightings en route and without new plans.</source>
         <translation>Prévu pour des segments droits vers les icebergs à la dérive,
-sans rien voir en chemin et sans nouveaux plans.</translation>
+sans observations en chemin et sans nouveaux plans.</translation>
     </message>
     <message>
         <source>Predicted for the path on the map, with every iceberg that comes into view
 on it, without new plans.</source>
         <translation>Prévu pour la trajectoire sur la carte, avec chaque iceberg qui entre en vue
-en chemin, et sans nouveaux plans.</translation>
+en chemin, sans nouveaux plans.</translation>
     </message>
     <message>
         <source>No useful lower bound on ζ</source>
@@ -10518,8 +10518,8 @@ en chemin, et sans nouveaux plans.</translation>
     <message>
         <source>The lower bound is proven for this scenario and its random drift,
 for any policy and any turn radius.</source>
-        <translation>Cette limite est prouvée pour ce scénario et son tirage du bruit,
-quelle que soit la stratégie et aussi serrés que soient les virages du drone.</translation>
+        <translation>La borne inférieure est prouvée pour ce scénario et sa dérive aléatoire,
+quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>Out of radio range for %1</source>
@@ -10531,7 +10531,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Le drone rentre à la base, est au sol ou en attente : un nouveau plan est établi au décollage ou à la reprise.</translation>
+        <translation>Pas de plan pendant que le drone rentre, est au sol ou attend. Un nouveau plan est établi à la reprise.</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1</source>
@@ -10563,11 +10563,11 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>Expected ζ at %1 with this plan: %2</source>
-        <translation>ζ attendu à %1 si ce plan est suivi : %2</translation>
+        <translation>ζ attendu à %1 avec ce plan : %2</translation>
     </message>
     <message>
         <source>Expected ζ at the end with this plan: %1</source>
-        <translation>ζ attendu si ce plan est suivi jusqu&apos;à la fin : %1</translation>
+        <translation>ζ attendu à la fin avec ce plan : %1</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1, ζ %2</source>
@@ -10587,7 +10587,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>Nothing to visit: there are no icebergs yet, all of them are in view, or none can be visited without using the reserve.</source>
-        <translation>Rien à visiter : il n&apos;y a pas encore d&apos;icebergs, tous sont en vue, ou aucun ne peut être visité avant la réserve.</translation>
+        <translation>Rien à visiter : il n&apos;y a pas encore d&apos;icebergs, tous sont en vue, ou aucun ne peut être visité sans utiliser la réserve.</translation>
     </message>
     <message>
         <source>Longest time unseen: %1 (%2)</source>
@@ -10607,7 +10607,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>Sum of each iceberg&apos;s σ times the number of places after it in the order: larger if uncertain icebergs come early.</source>
-        <translation>Le σ de chaque iceberg multiplié par le nombre de rangs qui suivent le sien dans l&apos;ordre : plus les icebergs incertains viennent tôt, plus il est grand.</translation>
+        <translation>Somme du σ de chaque iceberg multiplié par le nombre de rangs qui le suivent dans l&apos;ordre : plus grande si les icebergs incertains viennent tôt.</translation>
     </message>
     <message>
         <source>Objective</source>
@@ -10651,7 +10651,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>Planned length of the whole order through the air, with turns; in wind the mean of both directions. The solver weighs this length and the trade-off chart shows it. The plan panel shows the length of this sortie over ground.</source>
-        <translation>Longueur de l&apos;ordre entier tel qu&apos;il a été planifié, dans l&apos;air, moyenne des deux sens dans le vent, et virages compris : ce que pèse le solveur, comme dans le graphique du compromis. Le panneau du plan a celle de cette sortie sur le fond.</translation>
+        <translation>Longueur prévue de l&apos;ordre entier dans l&apos;air, virages compris ; dans le vent, moyenne des deux sens. Le solveur pèse cette longueur et le graphique du compromis l&apos;affiche. Le panneau du plan affiche la longueur de cette sortie sur le fond.</translation>
     </message>
 </context>
 <context>
@@ -10682,7 +10682,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>This scenario cannot be flown. Fix the reported errors first.</source>
-        <translation>Ce scénario ne peut pas être exécuté. Corrigez d&apos;abord ce qui est signalé.</translation>
+        <translation>Ce scénario ne peut pas être exécuté. Corrigez d&apos;abord les erreurs signalées.</translation>
     </message>
     <message>
         <source>The run has ended.</source>
@@ -10706,7 +10706,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>Fly one second and pause</source>
-        <translation>Avancer le vol d&apos;une seconde, puis faire une pause</translation>
+        <translation>Avancer d&apos;une seconde, puis pause</translation>
     </message>
     <message>
         <source>Time line of the run</source>
@@ -10718,7 +10718,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>Time shown. Type a time to look back, e.g. 3:20.</source>
-        <translation>Instant affiché. Saisissez-en un pour y revenir, p. ex. 3:20.</translation>
+        <translation>Instant affiché. Saisissez un temps pour y revenir, p. ex. 3:20.</translation>
     </message>
     <message>
         <source>Length of the run</source>
@@ -10742,7 +10742,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>Scenario locked in flight. τ and policy can be changed while flying; the plan follows at once.</source>
-        <translation>Scénario verrouillé en vol. τ et la stratégie peuvent être modifiés en vol ; le plan suit aussitôt.</translation>
+        <translation>Scénario verrouillé en vol. τ et la stratégie peuvent être modifiés ; le plan suit aussitôt.</translation>
     </message>
     <message>
         <source>Scenario locked</source>
@@ -10758,7 +10758,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>Time shown. Type a time to look back, e.g. 1215Z, or 3:20 since the start.</source>
-        <translation>Heure affichée. Saisissez-en une pour y revenir, p. ex. 1215Z ou, depuis le début, 3:20.</translation>
+        <translation>Heure affichée. Saisissez une heure pour y revenir, p. ex. 1215Z, ou 3:20 depuis le début.</translation>
     </message>
     <message>
         <source>End of the run</source>
@@ -10805,7 +10805,7 @@ quelle que soit la stratégie et aussi serrés que soient les virages du drone.<
     </message>
     <message>
         <source>%1; too slow to compare: %2</source>
-        <translation>%1 ; trop lentes pour être comparées : %2</translation>
+        <translation>%1 ; trop lente pour être comparée : %2</translation>
     </message>
     <message>
         <source>Not predicted: flying it %1 times in advance takes more than %2.</source>
@@ -10934,7 +10934,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Restart Bergwatch to apply the new text size.</source>
-        <translation>Le texte aura cette taille au prochain démarrage de Bergwatch.</translation>
+        <translation>Redémarrez Bergwatch pour appliquer la nouvelle taille du texte.</translation>
     </message>
     <message>
         <source>Night (red)</source>
@@ -10970,7 +10970,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>UTC, if the scenario has a start time</source>
-        <translation>UTC, si le scénario a un début</translation>
+        <translation>UTC, si le scénario a une heure de début</translation>
     </message>
     <message>
         <source>Elapsed since the start</source>
@@ -11028,7 +11028,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, and then save them.</source>
-        <translation>Bergwatch s&apos;est terminé de façon inattendue. Les modifications non enregistrées ont été conservées. Restaurez-les, puis enregistrez.</translation>
+        <translation>Bergwatch s&apos;est terminé de façon inattendue. Les modifications non enregistrées ont été conservées. Restaurez-les, puis enregistrez-les.</translation>
     </message>
     <message>
         <source>&amp;Restore</source>
@@ -11093,7 +11093,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>The run is saved as soon as the current plan is made.</source>
-        <translation>Le vol sera enregistré une fois terminé le plan en cours.</translation>
+        <translation>Le vol sera enregistré dès que le plan en cours sera établi.</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -11151,11 +11151,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Flown runs are listed here. The button below flies this scenario along the shortest round tour for comparison.</source>
-        <translation>Les vols que vous avez effectués apparaissent ici. Le bouton ci-dessous joue ce scénario le long du plus court circuit, à côté de vos propres réglages.</translation>
+        <translation>Les vols effectués apparaissent ici. Le bouton ci-dessous joue ce scénario le long du plus court circuit, pour comparaison.</translation>
     </message>
     <message>
         <source>Its scenario differs from that of A: they cannot be compared.</source>
-        <translation>Un autre scénario que celui de A : ils ne peuvent pas être comparés.</translation>
+        <translation>Son scénario diffère de celui de A : ils ne peuvent pas être comparés.</translation>
     </message>
     <message>
         <source>Make this run the reference A</source>
@@ -11185,7 +11185,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <name>berg::RunTimeLine</name>
     <message>
         <source>%1: point of no return; a later return uses the reserve</source>
-        <translation>%1 : point de non-retour du plan ; au-delà, la réserve est nécessaire pour rentrer à la base</translation>
+        <translation>%1 : point de non-retour ; un retour plus tardif utilise la réserve</translation>
     </message>
 </context>
 <context>
@@ -11242,7 +11242,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>%1 has it open. Changes saved there would be lost.</source>
-        <translation>%1 l&apos;a ouvert. Ce qui y est enregistré serait perdu.</translation>
+        <translation>%1 l&apos;a ouvert. Les modifications qui y sont enregistrées seraient perdues.</translation>
     </message>
     <message>
         <source>Saved %1</source>
@@ -11250,7 +11250,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Saved %1; a backup copy cannot be written to its folder</source>
-        <translation>%1 enregistré ; son dossier n&apos;accepte pas de copie de sauvegarde</translation>
+        <translation>%1 enregistré ; une copie de sauvegarde ne peut pas être écrite dans son dossier</translation>
     </message>
     <message>
         <source>No files yet</source>
@@ -11292,20 +11292,20 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message numerus="yes">
         <source>Airspace of %1: %n areas added, %2 already present, %3 farther than 100 km, %4 left out</source>
         <translation>
-            <numerusform>Espace aérien de %1 : %n zone ajoutée, %2 déjà présentes, %3 à plus de 100 km, %4 laissées de côté</numerusform>
-            <numerusform>Espace aérien de %1 : %n zones ajoutées, %2 déjà présentes, %3 à plus de 100 km, %4 laissées de côté</numerusform>
+            <numerusform>Espace aérien de %1 : %n zone ajoutée, %2 déjà présentes, %3 à plus de 100 km, %4 omises</numerusform>
+            <numerusform>Espace aérien de %1 : %n zones ajoutées, %2 déjà présentes, %3 à plus de 100 km, %4 omises</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n areas: a scenario can have at most %1</source>
         <translation>
-            <numerusform>%n zone : un scénario en contient %1 au plus</numerusform>
-            <numerusform>%n zones : un scénario en contient %1 au plus</numerusform>
+            <numerusform>%n zone : un scénario peut en avoir %1 au plus</numerusform>
+            <numerusform>%n zones : un scénario peut en avoir %1 au plus</numerusform>
         </translation>
     </message>
     <message>
         <source>Airspace cannot be imported in flight. Stop the flight before importing.</source>
-        <translation>L&apos;espace aérien ne peut pas être importé en vol. Arrêtez le vol pour l&apos;importer.</translation>
+        <translation>L&apos;espace aérien ne peut pas être importé en vol. Arrêtez le vol avant d&apos;importer.</translation>
     </message>
     <message>
         <source>Clipboard</source>
@@ -11313,7 +11313,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>The flight has continued in the meantime, so nothing was reported.</source>
-        <translation>Le vol a continué entre-temps : rien n&apos;a été signalé.</translation>
+        <translation>Le vol a continué entre-temps, donc rien n&apos;a été signalé.</translation>
     </message>
     <message numerus="yes">
         <source>Reported %n icebergs from %1</source>
@@ -11377,15 +11377,15 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <name>berg::SolveTimePanel</name>
     <message>
         <source>Proves the optimum by dynamic programming or by the bound of Bergwatch&apos;s engine.</source>
-        <translation>Prouve l&apos;optimum, par programmation dynamique ou par la borne de notre propre solveur.</translation>
+        <translation>Prouve l&apos;optimum par programmation dynamique ou par la borne du solveur de Bergwatch.</translation>
     </message>
     <message>
         <source>Searches, and proves as much as about a second of work allows.</source>
-        <translation>Cherche, et prouve dans la limite d&apos;environ une seconde de calcul.</translation>
+        <translation>Cherche, et prouve autant que le permet environ une seconde de calcul.</translation>
     </message>
     <message>
         <source>COIN-OR CBC on a MILP with a variable for each leg and position. Independent of Bergwatch&apos;s engine.</source>
-        <translation>COIN-OR CBC sur un MILP avec une variable pour chaque segment et chaque rang. N&apos;utilise rien de notre propre solveur.</translation>
+        <translation>COIN-OR CBC sur un MILP avec une variable pour chaque segment et chaque rang. Indépendant du solveur de Bergwatch.</translation>
     </message>
     <message>
         <source>COIN-OR CBC on the MILP as the paper prints it. Slow beyond 8 icebergs.</source>
@@ -11393,7 +11393,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>COIN-OR CBC on the few legs that the bound of Bergwatch&apos;s engine leaves.</source>
-        <translation>COIN-OR CBC sur les quelques segments que laisse la borne de notre solveur.</translation>
+        <translation>COIN-OR CBC sur les quelques segments que laisse la borne du solveur de Bergwatch.</translation>
     </message>
     <message>
         <source>Icebergs, up to</source>
@@ -11413,11 +11413,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Total time limit</source>
-        <translation>Temps pour l&apos;ensemble</translation>
+        <translation>Limite de temps totale</translation>
     </message>
     <message>
         <source>A solver that does not finish a size skips the larger ones.</source>
-        <translation>Un solveur qui ne termine pas une taille n&apos;en reçoit pas de plus grande.</translation>
+        <translation>Un solveur qui ne termine pas une taille saute les plus grandes.</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>
@@ -11437,7 +11437,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Start measures this machine on the problems of the paper, for comparison with the paper&apos;s times.</source>
-        <translation>« Démarrer » mesure cette machine à côté de celle de l&apos;article, avec les problèmes de l&apos;article.</translation>
+        <translation>« Démarrer » mesure cette machine sur les problèmes de l&apos;article, pour comparaison avec les temps de l&apos;article.</translation>
     </message>
     <message>
         <source>Measured in %1.</source>
@@ -11453,7 +11453,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Stopped. The times measured so far are kept.</source>
-        <translation>Arrêté. Les mesures faites sont gardées.</translation>
+        <translation>Arrêté. Les temps mesurés jusqu&apos;ici sont gardés.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -11519,11 +11519,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>2. Drag τ</source>
-        <translation>2. Faites glisser τ</translation>
+        <translation>2. Glissez τ</translation>
     </message>
     <message>
         <source>Drag left to visit the most uncertain icebergs first, right for a shorter route. Ticks mark where another order becomes optimal.</source>
-        <translation>Vers la gauche, les icebergs les plus incertains viennent d&apos;abord ; vers la droite, la route devient plus courte. Les repères indiquent où un autre ordre devient le meilleur.</translation>
+        <translation>Faites glisser vers la gauche pour visiter d&apos;abord les icebergs les plus incertains, vers la droite pour une route plus courte. Les repères indiquent où un autre ordre devient optimal.</translation>
     </message>
     <message>
         <source>3. Press Space</source>
@@ -11531,18 +11531,18 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Press Space to fly and to pause. Drag the time line to look back. Stop and edit returns to the start.</source>
-        <translation>Espace exécute le plan et le met en pause ; faites glisser le long de la ligne de temps pour revenir en arrière. « Arrêter et modifier » revient au début.</translation>
+        <translation>Appuyez sur Espace pour lancer le vol et le mettre en pause. Faites glisser la ligne de temps pour revenir en arrière. « Arrêter et modifier » revient au début.</translation>
     </message>
     <message>
         <source>After this tour, press I and click on the map to place an iceberg. Drag it to move it, double-click it to set its drift and the uncertainty of its position. The plan follows at once.</source>
-        <translation>Après cette visite, appuyez sur I et cliquez sur la carte : un iceberg. Faites-le glisser pour le déplacer, double-cliquez dessus pour régler sa dérive et l&apos;incertitude de sa position. Le plan suit aussitôt.</translation>
+        <translation>Après cette visite, appuyez sur I et cliquez sur la carte pour placer un iceberg. Faites-le glisser pour le déplacer, double-cliquez dessus pour régler sa dérive et l&apos;incertitude de sa position. Le plan suit aussitôt.</translation>
     </message>
 </context>
 <context>
     <name>berg::StatusLine</name>
     <message>
         <source>Shows the findings about the scenario.</source>
-        <translation>Affiche ce qui est constaté sur le scénario.</translation>
+        <translation>Affiche les constats sur le scénario.</translation>
     </message>
     <message>
         <source>%1   %2 E  %3 N</source>
@@ -11610,7 +11610,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>stuck: visits at most two icebergs in the second half</source>
-        <translation>bloqué : va vers deux icebergs au plus dans la seconde moitié</translation>
+        <translation>bloqué : visite deux icebergs au plus dans la seconde moitié</translation>
     </message>
     <message>
         <source>%1 vs %2</source>
@@ -11683,7 +11683,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Flown as in the study, which is under View, Study.</source>
-        <translation>Joué comme dans l&apos;étude, qui se trouve sous « Affichage », « Étude de τ et des stratégies ».</translation>
+        <translation>Joué comme dans l&apos;étude, qui se trouve sous « Affichage », « Étude ».</translation>
     </message>
     <message>
         <source>Fly Figure 5 of the paper</source>
@@ -11753,7 +11753,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Saves the study with all flights so far, also while it is running.</source>
-        <translation>Enregistre l&apos;étude avec tout ce qui a été joué, même en cours de calcul.</translation>
+        <translation>Enregistre l&apos;étude avec tous les vols effectués, même pendant le calcul.</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -11813,7 +11813,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Repeats this case exactly and shows it on the map and the time line.</source>
-        <translation>Joue ce cas de nouveau, identique au chiffre près, et le montre sur la carte et la ligne de temps.</translation>
+        <translation>Répète exactement ce cas et le montre sur la carte et la ligne de temps.</translation>
     </message>
     <message>
         <source>Choose a point of the picture or a setting, then a case.</source>
@@ -11837,7 +11837,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Lowest ζ: %1. One case is too few for a recommendation: fly more of them.</source>
-        <translation>ζ le plus bas : %1. Un seul cas ne recommande aucune stratégie : jouez-en davantage.</translation>
+        <translation>ζ le plus bas : %1. Un seul cas ne suffit pas pour une recommandation : jouez-en d&apos;autres.</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -11882,7 +11882,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Flies the missing missions of the study shown.</source>
-        <translation>Joue ce qui manque à l&apos;étude affichée.</translation>
+        <translation>Joue les missions qui manquent à l&apos;étude affichée.</translation>
     </message>
     <message>
         <source>Progress of the study</source>
@@ -11906,7 +11906,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>The flights so far are kept.</source>
-        <translation>Ce qui a été joué est conservé.</translation>
+        <translation>Les vols effectués jusqu&apos;ici sont conservés.</translation>
     </message>
     <message>
         <source>Start study</source>
@@ -11945,7 +11945,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Further scenarios use the seeds that follow.</source>
-        <translation>Les autres ont les graines qui suivent.</translation>
+        <translation>Les scénarios suivants utilisent les graines suivantes.</translation>
     </message>
     <message>
         <source>Icebergs</source>
@@ -11987,7 +11987,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Step between two values of τ.</source>
-        <translation>Entre deux valeurs de τ.</translation>
+        <translation>Pas entre deux valeurs de τ.</translation>
     </message>
     <message numerus="yes">
         <source>%n random scenarios</source>
@@ -12006,7 +12006,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Too many values of τ. Choose a larger step.</source>
-        <translation>Il y a trop de valeurs de τ. Prenez un pas plus grand.</translation>
+        <translation>Trop de valeurs de τ. Choisissez un pas plus grand.</translation>
     </message>
     <message>
         <source>Choose at least one policy.</source>
@@ -12018,7 +12018,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Knowledge of the drift in random scenarios, and how icebergs are observed.</source>
-        <translation>Ce qui est connu de la dérive dans les scénarios aléatoires, et comment les icebergs sont vus.</translation>
+        <translation>Connaissance de la dérive dans les scénarios aléatoires, et mode d&apos;observation des icebergs.</translation>
     </message>
     <message>
         <source>As published</source>
@@ -12050,7 +12050,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Measured; velocities are unknown and change, as observed for icebergs with beacons.</source>
-        <translation>Mesuré ; les vitesses sont inconnues et changent, comme celles d&apos;icebergs équipés de balises.</translation>
+        <translation>Mesuré ; les vitesses sont inconnues et changent, comme observé pour des icebergs équipés de balises.</translation>
     </message>
     <message>
         <source>Drift</source>
@@ -12134,7 +12134,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>This build of Bergwatch does not include this solver.</source>
-        <translation>Cette version de Bergwatch a été compilée sans ce solveur.</translation>
+        <translation>Cette version de Bergwatch ne contient pas ce solveur.</translation>
     </message>
     <message>
         <source>The chosen policy does not use this.</source>
@@ -12146,7 +12146,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
-        <translation>Petit : les icebergs de grande incertitude viennent d&apos;abord. Grand : la route devient courte. Les flèches changent τ de 0,01, les touches Page de 0,25.</translation>
+        <translation>Petit : les icebergs les plus incertains viennent d&apos;abord. Grand : la route devient courte. Les flèches changent τ de 0,01, les touches Page de 0,25.</translation>
     </message>
     <message>
         <source>Trade-off τ from 0 to 100.</source>
@@ -12154,7 +12154,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Solver of the plan. Automatic proves small problems optimal and searches in large ones.</source>
-        <translation>Ce qui établit le plan. « Automatique » prouve l&apos;optimum des petits problèmes et fait une recherche dans les grands.</translation>
+        <translation>Solveur du plan. « Automatique » prouve l&apos;optimum des petits problèmes et fait une recherche dans les grands.</translation>
     </message>
     <message>
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
@@ -12202,7 +12202,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <name>berg::ValueTable</name>
     <message>
         <source>Show values as a table</source>
-        <translation>Afficher les valeurs sous forme de tableau</translation>
+        <translation>Afficher les valeurs en tableau</translation>
     </message>
     <message>
         <source>Values: %1</source>
@@ -12260,7 +12260,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>You are viewing an earlier instant. To change this, continue from here or go back to the latest.</source>
-        <translation>Vous regardez en arrière. Continuez d&apos;ici, ou revenez au dernier instant, pour modifier cela.</translation>
+        <translation>Vous regardez un instant antérieur. Pour modifier cela, continuez d&apos;ici ou revenez au dernier instant.</translation>
     </message>
     <message>
         <source>Change wind</source>

@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>An area needs at least three corners. Esc cancels the drawing.</source>
-        <translation>Et område trenger tre hjørner. Esc forkaster det som er tegnet.</translation>
+        <translation>Et område trenger minst tre hjørner. Esc avbryter tegningen.</translation>
     </message>
     <message numerus="yes">
         <source>An area has at most %n corners.</source>
@@ -24,11 +24,11 @@
     </message>
     <message>
         <source>Click the first corner or press Enter to close the area. Backspace removes a corner, Esc cancels.</source>
-        <translation>Klikk på det første hjørnet eller Enter lukker området. Slett bakover angrer ett hjørne, Esc alle.</translation>
+        <translation>Klikk på det første hjørnet eller trykk Enter for å lukke området. Slett bakover fjerner et hjørne, Esc avbryter.</translation>
     </message>
     <message>
         <source>Click to set the next corner. Backspace removes a corner, Esc cancels.</source>
-        <translation>Klikk setter neste hjørne. Slett bakover angrer ett, Esc forkaster området.</translation>
+        <translation>Klikk for å sette neste hjørne. Slett bakover fjerner et hjørne, Esc avbryter.</translation>
     </message>
     <message>
         <source>Drag a corner or the middle of an edge; clicking starts a new area. Esc leaves the tool.</source>
@@ -36,7 +36,7 @@
     </message>
     <message>
         <source>Click to set the first corner of the area. Esc leaves the tool.</source>
-        <translation>Klikk setter områdets første hjørne. Esc forlater verktøyet.</translation>
+        <translation>Klikk for å sette det første hjørnet i området. Esc forlater verktøyet.</translation>
     </message>
     <message>
         <source>Add no-fly area</source>
@@ -51,7 +51,7 @@
     </message>
     <message>
         <source>Click to set the first corner of a no-fly area, or drag a corner or the middle of an edge of an existing one. Esc leaves the tool.</source>
-        <translation>Klikk setter det første hjørnet i et flyforbudsområde. Hjørner og kantmidter i de som finnes, kan dras. Esc forlater verktøyet.</translation>
+        <translation>Klikk for å sette det første hjørnet i et flyforbudsområde, eller dra et hjørne eller midten av en kant i et som finnes. Esc forlater verktøyet.</translation>
     </message>
 </context>
 <context>
@@ -88,7 +88,7 @@
     </message>
     <message>
         <source>interrupted: the table is incomplete</source>
-        <translation>avbrutt: tabellen slutter for tidlig</translation>
+        <translation>avbrutt: tabellen er ufullstendig</translation>
     </message>
     <message>
         <source>warning</source>
@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>interrupted, nothing written</source>
-        <translation>avbrutt, ingenting er skrevet</translation>
+        <translation>avbrutt, ingenting ble skrevet</translation>
     </message>
     <message>
         <source>proving the curve</source>
@@ -124,11 +124,11 @@
     </message>
     <message>
         <source>--output: no format has the suffix of %1; choose one with --format: %2</source>
-        <translation>--output: ingen formater har filendelsen til %1; --format velger ett av %2</translation>
+        <translation>--output: ingen formater har filendelsen til %1; velg ett med --format: %2</translation>
     </message>
     <message>
         <source>--format %1: the program bergwatch paints this format, but it is neither in this folder nor on the PATH</source>
-        <translation>--format %1: tegnes av programmet bergwatch, som verken finnes ved siden av dette eller i PATH</translation>
+        <translation>--format %1: programmet bergwatch tegner dette formatet, men det finnes verken i denne mappen eller på PATH</translation>
     </message>
     <message>
         <source>%1: %2 is not a UTC time such as 2026-05-01T12:00:00Z</source>
@@ -144,11 +144,11 @@
     </message>
     <message>
         <source>--position-error: %1 is neither a number of metres nor one of %2</source>
-        <translation>--position-error: %1 er verken meter eller en av %2</translation>
+        <translation>--position-error: %1 er verken et antall meter eller en av %2</translation>
     </message>
     <message>
         <source>--with-tracks needs --at: tracks consist of the sightings after that time</source>
-        <translation>--with-tracks trenger --at: sporene er det som ble observert etter det tidspunktet</translation>
+        <translation>--with-tracks trenger --at: sporene består av observasjonene etter det tidspunktet</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -164,7 +164,7 @@
     </message>
     <message>
         <source>the MPI processes have different options</source>
-        <translation>MPI-prosessene har fått ulike valg</translation>
+        <translation>MPI-prosessene har ulike valg</translation>
     </message>
     <message>
         <source>%1 is none of %2</source>
@@ -196,15 +196,15 @@
     </message>
     <message>
         <source>%1 exists; use --force to overwrite it</source>
-        <translation>%1: finnes allerede; --force overskriver den</translation>
+        <translation>%1 finnes; bruk --force for å overskrive den</translation>
     </message>
     <message>
         <source>%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order.</source>
-        <translation>%1: %2 og %3 motsier hverandre: én av de to tar feil. Stol ikke på denne rekkefølgen.</translation>
+        <translation>%1: %2 og %3 motsier hverandre. Én av de to er feil; ikke bruk denne rekkefølgen.</translation>
     </message>
     <message>
         <source>there is not enough memory</source>
-        <translation>det er ikke nok minne til dette</translation>
+        <translation>det er ikke nok minne</translation>
     </message>
     <message>
         <source>This is a planning problem: use &apos;solve&apos;.</source>
@@ -228,11 +228,11 @@
     </message>
     <message>
         <source>This is not a Bergwatch file. To read sightings, use &apos;import&apos;.</source>
-        <translation>Er dette en fil fra Bergwatch? Observasjoner leses av «import».</translation>
+        <translation>Dette er ikke en Bergwatch-fil. Bruk «import» for å lese observasjoner.</translation>
     </message>
     <message>
         <source>there is no completion script for %1</source>
-        <translation>det finnes ikke noe skript for %1</translation>
+        <translation>det finnes ikke noe fullføringsskript for %1</translation>
     </message>
     <message>
         <source>Try &apos;%1 --help&apos;.</source>
@@ -252,7 +252,7 @@
     </message>
     <message>
         <source>a run file is replayed exactly as flown; --tau, --policy, --duration, --dt, --seed and --no-noise apply to scenarios only</source>
-        <translation>en lagret flyging spilles av slik den ble fløyet; --tau, --policy, --duration, --dt, --seed og --no-noise gjelder scenarioer</translation>
+        <translation>en flygefil spilles av nøyaktig slik den ble fløyet; --tau, --policy, --duration, --dt, --seed og --no-noise gjelder bare scenarioer</translation>
     </message>
     <message>
         <source>replaying</source>
@@ -260,11 +260,11 @@
     </message>
     <message>
         <source>--bound does not apply to runs with reported sightings</source>
-        <translation>--bound gjelder det UAV-en selv ser; i denne flygingen ble et isfjell meldt sett</translation>
+        <translation>--bound gjelder ikke flyginger med meldte observasjoner</translation>
     </message>
     <message>
         <source>--bound does not apply to runs in which the wind changed</source>
-        <translation>--bound gjelder vinden i scenarioet; i denne flygingen endret den seg</translation>
+        <translation>--bound gjelder ikke flyginger der vinden endret seg</translation>
     </message>
     <message>
         <source>bounding</source>
@@ -272,11 +272,11 @@
     </message>
     <message>
         <source>interrupted: the flight is complete, but its lower bound is missing</source>
-        <translation>avbrutt: flygingen er fullført, den nedre grensen mangler</translation>
+        <translation>avbrutt: flygingen er fullført, men den nedre grensen mangler</translation>
     </message>
     <message>
         <source>incomplete: %1 of %2 missions are flown; the results use only cases with all settings</source>
-        <translation>ikke fullført: %1 av %2 oppdrag er fløyet; bare tilfeller med alle innstillinger regnes med</translation>
+        <translation>ufullstendig: %1 av %2 oppdrag er fløyet; resultatene bruker bare tilfeller med alle innstillinger</translation>
     </message>
     <message>
         <source>--reference: %1 is not POLICY[:TAU] with one of %2</source>
@@ -284,7 +284,7 @@
     </message>
     <message>
         <source>--reference: this study does not contain %1</source>
-        <translation>--reference: %1 flys ikke i denne studien</translation>
+        <translation>--reference: denne studien inneholder ikke %1</translation>
     </message>
     <message>
         <source>--tau: %1 is not A:B:STEP with 0 &lt;= A &lt;= B &lt;= 100</source>
@@ -292,7 +292,7 @@
     </message>
     <message>
         <source>--tau: with %1 there are more than %2 values</source>
-        <translation>--tau: med %1 blir det mer enn %2 verdier</translation>
+        <translation>--tau: med %1 blir det flere enn %2 verdier</translation>
     </message>
     <message>
         <source>--policies: %1 is none of %2</source>
@@ -300,7 +300,7 @@
     </message>
     <message>
         <source>--regime needs --random N; scenario files define their own drift</source>
-        <translation>--regime gjelder --random N; scenarioer sier selv hvordan isfjell driver</translation>
+        <translation>--regime trenger --random N; scenariofiler bestemmer driften selv</translation>
     </message>
     <message>
         <source>name scenarios, or use --random N</source>
@@ -312,15 +312,15 @@
     </message>
     <message>
         <source>--shard needs --study FILE, in which the part is stored</source>
-        <translation>--shard: delen trenger en fil å lagres i: --study FILE</translation>
+        <translation>--shard trenger --study FILE, der delen lagres</translation>
     </message>
     <message>
         <source>--shard: to write tables and reports of all shards, use &apos;study&apos;</source>
-        <translation>--shard: filene for alle delene skrives av «study»</translation>
+        <translation>--shard: bruk «study» for å skrive tabeller og rapporter for alle delene</translation>
     </message>
     <message>
         <source>--replace-study needs --study FILE</source>
-        <translation>--replace-study: gjelder --study FILE</translation>
+        <translation>--replace-study trenger --study FILE</translation>
     </message>
     <message>
         <source>flying %1 missions</source>
@@ -328,7 +328,7 @@
     </message>
     <message>
         <source>interrupted: %1 of %2 missions are stored in %3; repeat the command to continue</source>
-        <translation>avbrutt: %1 av %2 oppdrag er lagret i %3; den samme kommandoen fortsetter</translation>
+        <translation>avbrutt: %1 av %2 oppdrag er lagret i %3; gjenta kommandoen for å fortsette</translation>
     </message>
     <message>
         <source>there is no option &apos;%1&apos;</source>
@@ -368,7 +368,7 @@
     </message>
     <message>
         <source>--format airspace accepts only --into, --output, --force and --json</source>
-        <translation>--format airspace kan bare brukes sammen med --into, --output, --force og --json</translation>
+        <translation>--format airspace godtar bare --into, --output, --force og --json</translation>
     </message>
     <message>
         <source>%1 is airspace; use --format airspace with --into SCENARIO</source>
@@ -380,11 +380,11 @@
     </message>
     <message>
         <source>--bound does not apply to runs from which an iceberg was removed</source>
-        <translation>--bound gjelder alle isfjell; i denne flygingen ble ett fjernet</translation>
+        <translation>--bound gjelder ikke flyginger der et isfjell ble fjernet</translation>
     </message>
     <message>
         <source>--output: this format writes one file per UAV; choose a UAV with --uav</source>
-        <translation>--output: dette formatet har en fil for hver UAV; velg én med --uav</translation>
+        <translation>--output: dette formatet skriver én fil for hver UAV; velg én med --uav</translation>
     </message>
     <message>
         <source>%1: &apos;-&apos; is not possible here; give a file name</source>
@@ -408,11 +408,11 @@
     </message>
     <message>
         <source>--first-seed needs --random N; scenario files have their own seeds</source>
-        <translation>--first-seed gjelder --random N; scenarioer har egne frø</translation>
+        <translation>--first-seed trenger --random N; scenariofiler har egne startfrø</translation>
     </message>
     <message>
         <source>%1 sightings are too far from the origin of the scenario, %2; import them without --into, or choose others with --area</source>
-        <translation>%1 observasjoner er for langt fra scenarioets origo, %2: importer dem uten --into, eller velg andre med --area</translation>
+        <translation>%1 observasjoner er for langt fra origo i scenarioet, %2: importer dem uten --into, eller velg andre med --area</translation>
     </message>
     <message>
         <source>%1 sightings are too far from the origin, %2, which lies in their densest group; choose others with --area</source>
@@ -473,7 +473,7 @@
     </message>
     <message>
         <source>Mean total uncertainty of all icebergs: ζ divided by the flown time.</source>
-        <translation>Zeta over tid: hvor usikre alle isfjell var til sammen i gjennomsnitt.</translation>
+        <translation>Gjennomsnittlig samlet usikkerhet for alle isfjell: ζ delt på den fløyne tiden.</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Number of plans made.</source>
-        <translation>Ganger besøksrekkefølgen ble planlagt.</translation>
+        <translation>Antall planer som er laget.</translation>
     </message>
     <message>
         <source>Distance flown through the air.</source>
@@ -525,11 +525,11 @@
     </message>
     <message>
         <source>Distance that %1 has flown through the air.</source>
-        <translation>Det %1 har fløyet gjennom lufta.</translation>
+        <translation>Avstand som %1 har fløyet gjennom luften.</translation>
     </message>
     <message>
         <source>Icebergs reached as targets.</source>
-        <translation>Isfjell som var mål og ble nådd.</translation>
+        <translation>Isfjell som ble nådd som mål.</translation>
     </message>
 </context>
 <context>
@@ -559,11 +559,11 @@
     </message>
     <message>
         <source>Your changes will be lost if you don&apos;t save them.</source>
-        <translation>De går tapt hvis du ikke lagrer dem.</translation>
+        <translation>Endringene går tapt hvis du ikke lagrer dem.</translation>
     </message>
     <message>
         <source>Your changes will be lost if you don&apos;t save them. The flight in progress ends unless you cancel.</source>
-        <translation>De går tapt hvis du ikke lagrer dem. Flygingen som pågår, avsluttes hvis du ikke avbryter.</translation>
+        <translation>Endringene går tapt hvis du ikke lagrer dem. Flygingen som pågår, avsluttes hvis du ikke avbryter.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -587,7 +587,7 @@
     </message>
     <message>
         <source>%1 has it open. You can open a copy and save it under another name. If both windows save to this file, the last one wins.</source>
-        <translation>%1 har den åpen. En kopi kan endres fritt og lagres under et annet navn; lagrer begge vinduene i filen, gjelder det siste.</translation>
+        <translation>%1 har den åpen. Du kan åpne en kopi og lagre den under et annet navn. Hvis begge vinduene lagrer til denne filen, gjelder den siste lagringen.</translation>
     </message>
     <message>
         <source>Open a copy</source>
@@ -619,11 +619,11 @@
     </message>
     <message>
         <source>Another program has changed &quot;%1&quot;.</source>
-        <translation>«%1» ble endret av et annet program.</translation>
+        <translation>Et annet program har endret «%1».</translation>
     </message>
     <message>
         <source>You have no unsaved changes.</source>
-        <translation>Du har ingen egne ulagrede endringer.</translation>
+        <translation>Du har ingen ulagrede endringer.</translation>
     </message>
     <message>
         <source>Open it again</source>
@@ -647,11 +647,11 @@
     </message>
     <message>
         <source>The scenario can only be changed when no flight is in progress. The flight stays in the list of runs.</source>
-        <translation>Scenariet kan bare endres når ingen flyging pågår. Flygingen blir stående i listen over flyginger.</translation>
+        <translation>Scenarioet kan bare endres når ingen flyging pågår. Flygingen blir stående i listen over flyginger.</translation>
     </message>
     <message>
         <source>What has been flown so far stays in the list of runs.</source>
-        <translation>Så langt den kom, blir den stående i listen over flyginger.</translation>
+        <translation>Det som er fløyet til nå, blir stående i listen over flyginger.</translation>
     </message>
     <message>
         <source>End the flight</source>
@@ -663,7 +663,7 @@
     </message>
     <message>
         <source>Unsaved run</source>
-        <translation>Flyging ikke lagret</translation>
+        <translation>Ulagret flyging</translation>
     </message>
     <message>
         <source>Save the run?</source>
@@ -671,7 +671,7 @@
     </message>
     <message>
         <source>The flight will be lost if you don&apos;t save it.</source>
-        <translation>Det som er fløyet, går tapt hvis du ikke lagrer det.</translation>
+        <translation>Flygingen går tapt hvis du ikke lagrer den.</translation>
     </message>
     <message>
         <source>Save the run before the flight ends?</source>
@@ -726,7 +726,7 @@
     </message>
     <message>
         <source>The flight goes back to that time and continues without the change. The flight since then is discarded; &quot;Restore&quot; brings it back.</source>
-        <translation>Flygingen går tilbake til den tiden og fortsetter uten endringen. Det som er fløyet siden, gis opp; «Hent flygingen tilbake» vender tilbake til det.</translation>
+        <translation>Flygingen går tilbake til den tiden og fortsetter uten endringen. Flygingen siden da forkastes; «Hent flygingen tilbake» gjenoppretter den.</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -737,7 +737,7 @@
     <name>DriftArrow</name>
     <message>
         <source>The arrow shows the drift over %1. Shift snaps to steps of %2°; Esc cancels.</source>
-        <translation>Pilen er driften på %1. Skift holder seg til trinn på %2°, Esc angrer.</translation>
+        <translation>Pilen viser driften på %1. Skift går i trinn på %2°; Esc avbryter.</translation>
     </message>
     <message>
         <source>Heading %1</source>
@@ -752,11 +752,11 @@
     </message>
     <message>
         <source>The file cannot be read. Check that it is a file and that you have permission to read it.</source>
-        <translation>Filen kan ikke leses. Kontroller at det er en fil, og at du har lov til å lese den.</translation>
+        <translation>Filen kan ikke leses. Kontroller at det er en fil, og at du har tillatelse til å lese den.</translation>
     </message>
     <message>
         <source>The file cannot be written. Check that the folder exists, that you have permission to write there and that the disk is not full.</source>
-        <translation>Filen kan ikke skrives. Kontroller at mappen finnes, at du har lov til å skrive der, og at disken ikke er full.</translation>
+        <translation>Filen kan ikke skrives. Kontroller at mappen finnes, at du har tillatelse til å skrive der, og at disken ikke er full.</translation>
     </message>
     <message>
         <source>The file is too large for a Bergwatch file.</source>
@@ -768,7 +768,7 @@
     </message>
     <message>
         <source>This file is of a different type than expected here.</source>
-        <translation>Filen er av et annet slag enn det som ventes her.</translation>
+        <translation>Filen er av en annen type enn det som ventes her.</translation>
     </message>
     <message>
         <source>The file was made by a newer version of Bergwatch. Update the program to open it.</source>
@@ -776,7 +776,7 @@
     </message>
     <message>
         <source>These values are not valid. Correct them and try again.</source>
-        <translation>Verdiene som er oppgitt, kan ikke brukes. Rett dem og prøv igjen.</translation>
+        <translation>Disse verdiene er ugyldige. Rett dem og prøv igjen.</translation>
     </message>
     <message>
         <source>This version of Bergwatch cannot do that.</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>The replay of the run differs from the recording. The file may come from another version of Bergwatch.</source>
-        <translation>Da turen ble fløyet på nytt, ble resultatet et annet enn det som er lagret. Den kan komme fra en annen versjon av Bergwatch.</translation>
+        <translation>Avspillingen av flygingen avviker fra opptaket. Filen kan komme fra en annen versjon av Bergwatch.</translation>
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
@@ -810,7 +810,7 @@
     </message>
     <message>
         <source>%1 in view</source>
-        <translation>%1 er i synsfeltet</translation>
+        <translation>%1 i syne</translation>
     </message>
     <message>
         <source>%1 appeared</source>
@@ -850,7 +850,7 @@
     </message>
     <message>
         <source>The planner failed: continuing with the previous plan</source>
-        <translation>Planleggeren sviktet: forrige plan flys videre</translation>
+        <translation>Planleggeren sviktet: fortsetter med forrige plan</translation>
     </message>
     <message>
         <source>Wind changed</source>
@@ -858,7 +858,7 @@
     </message>
     <message>
         <source>The protected asset has changed</source>
-        <translation>Det som skal beskyttes, er endret</translation>
+        <translation>Det beskyttede objektet er endret</translation>
     </message>
     <message>
         <source>%1 has left the area</source>
@@ -954,11 +954,11 @@
     </message>
     <message>
         <source>Home cannot be reached in time</source>
-        <translation>Kan ikke komme hjem i tide</translation>
+        <translation>Hjem kan ikke nås i tide</translation>
     </message>
     <message>
         <source>end of hold</source>
-        <translation>slutt på oppholdet</translation>
+        <translation>slutt på ventingen</translation>
     </message>
     <message>
         <source>Planned from now on by: %2</source>
@@ -1016,7 +1016,7 @@
     </message>
     <message>
         <source>Icebergs, UAVs, paths and area as features with their numbers, longitude and latitude of WGS 84.</source>
-        <translation>Isfjell, UAV-er, veier og område som objekter med sine tall, lengde og bredde i WGS 84.</translation>
+        <translation>Isfjell, UAV-er, baner og område som objekter med tallene sine, lengde og bredde i WGS 84.</translation>
     </message>
     <message>
         <source>Chart plotters, Garmin</source>
@@ -1024,7 +1024,7 @@
     </message>
     <message>
         <source>Icebergs as waypoints, the order as a route, a path or what was flown as a track with times.</source>
-        <translation>Isfjell som veipunkter, rekkefølgen som rute, en bane eller det som er fløyet som spor med tider.</translation>
+        <translation>Isfjell som veipunkter, rekkefølgen som rute, en bane eller fløyet spor som spor med tider.</translation>
     </message>
     <message>
         <source>UAVs and icebergs moving in time over the globe, with paths, area and asset.</source>
@@ -1036,7 +1036,7 @@
     </message>
     <message>
         <source>Paths in the colours of the UAVs, with times if the scenario has a start; icebergs with their numbers.</source>
-        <translation>Veier i UAV-enes farger, med tider hvis scenarioet har en start; isfjell med sine tall.</translation>
+        <translation>Baner i UAV-enes farger, med tider hvis scenarioet har en start; isfjell med tallene sine.</translation>
     </message>
     <message>
         <source>Uncertainty</source>
@@ -1048,7 +1048,7 @@
     </message>
     <message>
         <source>Table with the uncertainty of every iceberg over the time of the flight.</source>
-        <translation>Tabell med usikkerheten til hvert isfjell gjennom flygingen.</translation>
+        <translation>Tabell med usikkerheten til hvert isfjell over tiden i flygingen.</translation>
     </message>
     <message>
         <source>Decisions</source>
@@ -1056,7 +1056,7 @@
     </message>
     <message>
         <source>Table with plans, visits and what else happened in the flight.</source>
-        <translation>Tabell med planer, besøk og hva ellers som skjedde under flygingen.</translation>
+        <translation>Tabell med planer, besøk og andre hendelser under flygingen.</translation>
     </message>
     <message>
         <source>Zeta</source>
@@ -1064,15 +1064,15 @@
     </message>
     <message>
         <source>Table with zeta over the time of the flight.</source>
-        <translation>Tabell med zeta gjennom flygingen.</translation>
+        <translation>Tabell med zeta over tiden i flygingen.</translation>
     </message>
     <message>
         <source>Path</source>
-        <translation>Vei</translation>
+        <translation>Bane</translation>
     </message>
     <message>
         <source>Table of the order with legs, coordinates and arrivals; of a path or what was flown one row for each point.</source>
-        <translation>Tabell over rekkefølgen med etapper, koordinater og ankomster; for en bane eller det som er fløyet én rad per punkt.</translation>
+        <translation>Tabell over rekkefølgen med etapper, koordinater og ankomster; for en bane eller et fløyet spor én rad per punkt.</translation>
     </message>
     <message>
         <source>Autopilots</source>
@@ -1124,11 +1124,11 @@
     </message>
     <message>
         <source>The map with icebergs, paths and area, light, with scale and legend.</source>
-        <translation>Kartet med isfjell, veier og område, lyst, med målestokk og tegnforklaring.</translation>
+        <translation>Kartet med isfjell, baner og område, lyst, med målestokk og tegnforklaring.</translation>
     </message>
     <message>
         <source>Zeta and the uncertainty of every iceberg over the time of the flight.</source>
-        <translation>Zeta og usikkerheten til hvert isfjell gjennom flygingen.</translation>
+        <translation>Zeta og usikkerheten til hvert isfjell over tiden i flygingen.</translation>
     </message>
     <message>
         <source>Pictures and print</source>
@@ -1160,7 +1160,7 @@
     </message>
     <message>
         <source>Two or three pages: planned and flown, map, zeta against prediction, sightings, deviations.</source>
-        <translation>To eller tre sider: planlagt og fløyet, kart, zeta mot prognosen, observasjoner, avvik.</translation>
+        <translation>To eller tre sider: planlagt og fløyet, kart, zeta mot forutsigelsen, observasjoner, avvik.</translation>
     </message>
     <message>
         <source>Browsers</source>
@@ -1168,7 +1168,7 @@
     </message>
     <message>
         <source>Page with planned and flown, zeta against prediction, all sightings and deviations.</source>
-        <translation>Side med planlagt og fløyet, zeta mot prognosen, alle observasjoner og avvik.</translation>
+        <translation>Side med planlagt og fløyet, zeta mot forutsigelsen, alle observasjoner og avvik.</translation>
     </message>
     <message>
         <source>Return home</source>
@@ -1176,15 +1176,15 @@
     </message>
     <message>
         <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Oppdraget med høyde, fart og radier, geogjerdet og et samlingspunkt hjemme; ingen avgang og ingen landing. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
+        <translation>Oppdragspunkter med høyde, fart og radier, geogjerdet og et samlingspunkt ved hjemstedet; ingen avgang og ingen landing. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
     </message>
     <message>
         <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
-        <translation>Oppdraget som QGC WPL 110, første rad er hjem, for Mission Planner og MAVProxy. Uten geogjerde. Én fil per UAV.</translation>
+        <translation>Oppdragspunkter som QGC WPL 110 for Mission Planner og MAVProxy; første rad er hjemstedet. Uten geogjerde. Én fil per UAV.</translation>
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
-        <translation>Til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler; og en side til hvis det er et operasjonsvolum.</translation>
+        <translation>Til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler; pluss en andre side hvis det finnes et operasjonsvolum.</translation>
     </message>
 </context>
 <context>
@@ -1241,7 +1241,7 @@
     <name>FlightBrief</name>
     <message>
         <source>Times count from the start of the run</source>
-        <translation>Tider regnes fra starten av kjøringen</translation>
+        <translation>Tider regnes fra starten av flygingen</translation>
     </message>
     <message>
         <source>Start %1 %2 UTC</source>
@@ -1277,7 +1277,7 @@
     </message>
     <message>
         <source>Time of flight</source>
-        <translation>Flytid</translation>
+        <translation>Flygetid</translation>
     </message>
     <message>
         <source>End, UTC</source>
@@ -1337,7 +1337,7 @@
     </message>
     <message>
         <source>Endurance left</source>
-        <translation>Flytid igjen</translation>
+        <translation>Utholdenhet igjen</translation>
     </message>
     <message>
         <source>Endurance</source>
@@ -1345,11 +1345,11 @@
     </message>
     <message>
         <source>Positions are WGS 84. Icebergs drift: each is listed where it was when reached. Courses and distances are over ground.</source>
-        <translation>Posisjoner i WGS 84: isfjell driver, hvert er oppgitt der det var da det ble nådd. Kurser og distanser er over grunn.</translation>
+        <translation>Posisjonene er i WGS 84. Isfjell driver: hvert er oppgitt der det var da det ble nådd. Kurser og avstander er over grunnen.</translation>
     </message>
     <message>
         <source>Positions are WGS 84. Icebergs drift: each is listed where it is expected at arrival. Courses and distances are over ground.</source>
-        <translation>Posisjoner i WGS 84: isfjell driver, hvert er oppgitt der det ventes ved ankomst. Kurser og distanser er over grunn.</translation>
+        <translation>Posisjonene er i WGS 84. Isfjell driver: hvert er oppgitt der det ventes ved ankomst. Kurser og avstander er over grunnen.</translation>
     </message>
     <message>
         <source>Origin %1</source>
@@ -1421,15 +1421,15 @@
     </message>
     <message>
         <source>and %1 more; export CSV for the whole list</source>
-        <translation>og %1 til; hele listen: eksporter CSV</translation>
+        <translation>og %1 til; eksporter CSV for hele listen</translation>
     </message>
     <message>
         <source>and %1 more UAVs; export CSV for the whole list</source>
-        <translation>og %1 UAV-er til; hele listen: eksporter CSV</translation>
+        <translation>og %1 UAV-er til; eksporter CSV for hele listen</translation>
     </message>
     <message>
         <source>Lost, not found where expected (%1): %2</source>
-        <translation>Tapt, ikke der de var ventet (%1): %2</translation>
+        <translation>Tapt, ikke funnet der de var ventet (%1): %2</translation>
     </message>
     <message>
         <source>Search given up (%1): %2</source>
@@ -1445,7 +1445,7 @@
     </message>
     <message>
         <source>The order is not proven optimal: %1.</source>
-        <translation>Det er ikke bevist at rekkefølgen er den beste: %1.</translation>
+        <translation>Rekkefølgen er ikke bevist optimal: %1.</translation>
     </message>
     <message>
         <source>Geofence in force: stay inside the area.</source>
@@ -1453,7 +1453,7 @@
     </message>
     <message>
         <source>UAVs share an altitude layer: keep them %1 apart. They do not avoid each other.</source>
-        <translation>UAV-er i samme høydelag: hold dem %1 fra hverandre, ingenting styrer dem unna.</translation>
+        <translation>UAV-er deler et høydelag: hold dem %1 fra hverandre. De unngår ikke hverandre.</translation>
     </message>
     <message>
         <source>Nothing to visit</source>
@@ -1461,7 +1461,7 @@
     </message>
     <message>
         <source>Solver limit reached; previous plan kept</source>
-        <translation>Grensen for løseren er nådd; forrige plan beholdes</translation>
+        <translation>Grensen for løseren er nådd; forrige plan er beholdt</translation>
     </message>
     <message>
         <source>Chosen one iceberg at a time</source>
@@ -1489,7 +1489,7 @@
     </message>
     <message>
         <source>The planner reached its limit without an order. The UAV flies the rest of the previous plan, or to the nearest iceberg.</source>
-        <translation>Planleggeren nådde grensen uten en rekkefølge: resten av forrige plan, eller nærmeste isfjell, flys.</translation>
+        <translation>Planleggeren nådde grensen uten en rekkefølge. UAV-en flyr resten av forrige plan, eller til det nærmeste isfjellet.</translation>
     </message>
     <message>
         <source>Nothing to visit for %1</source>
@@ -1505,7 +1505,7 @@
     </message>
     <message>
         <source>Times do not include the loiter turns, which add %1 at each iceberg, %2 in total.</source>
-        <translation>Tidene er uten rundene over isfjell: %1 mer ved hvert isfjell, %2 i alt.</translation>
+        <translation>Tidene er uten rundene over isfjell, som legger til %1 ved hvert isfjell, %2 i alt.</translation>
     </message>
     <message>
         <source>With the loiter turns the endurance is too short: %1</source>
@@ -1537,15 +1537,15 @@
     </message>
     <message>
         <source>Out of radio range</source>
-        <translation>Utenfor rekkevidde</translation>
+        <translation>Utenfor radiorekkevidde</translation>
     </message>
     <message>
         <source>Probability of being in view on arrival: %1</source>
-        <translation>Sjanse for å være i synsfeltet ved ankomst: %1</translation>
+        <translation>Sannsynlighet for å være i synsfeltet ved ankomst: %1</translation>
     </message>
     <message>
         <source>Straight legs that leave the geofence or cross a no-fly area: %1. The UAV flies around.</source>
-        <translation>Rette etapper som går ut av geogjerdet eller gjennom et område med flyforbud: %1. UAV-en flyr utenom.</translation>
+        <translation>Rette etapper som forlater geogjerdet eller krysser et flyforbudsområde: %1. UAV-en flyr utenom.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -1613,19 +1613,19 @@
     </message>
     <message>
         <source>Release to apply this wind from now on. Esc cancels.</source>
-        <translation>Slipp: denne vinden blåser fra nå av. Esc angrer.</translation>
+        <translation>Slipp for å bruke denne vinden fra nå av. Esc avbryter.</translation>
     </message>
     <message>
         <source>Release to keep this wind. Shift snaps to steps of %1°; Esc cancels.</source>
-        <translation>Slipp for å beholde denne vinden. Skift holder seg til trinn på %1°, Esc angrer.</translation>
+        <translation>Slipp for å beholde denne vinden. Skift går i trinn på %1°; Esc avbryter.</translation>
     </message>
     <message>
         <source>Release to move the asset here now. Esc cancels.</source>
-        <translation>Slipp: objektet er her fra nå av. Esc angrer.</translation>
+        <translation>Slipp for å flytte objektet hit nå. Esc avbryter.</translation>
     </message>
     <message>
         <source>The UAV makes little headway in this wind. Esc cancels.</source>
-        <translation>UAV-en kommer knapt fremover mot denne vinden. Esc angrer.</translation>
+        <translation>UAV-en kommer knapt fremover i denne vinden. Esc avbryter.</translation>
     </message>
 </context>
 <context>
@@ -1651,11 +1651,11 @@
     </message>
     <message>
         <source>The planner failed: continuing with the previous plan</source>
-        <translation>Planleggeren sviktet: forrige plan flys videre</translation>
+        <translation>Planleggeren sviktet: fortsetter med forrige plan</translation>
     </message>
     <message>
         <source>It runs again when the next plan is needed.</source>
-        <translation>Den spørres igjen når neste plan trengs.</translation>
+        <translation>Den kjøres igjen når neste plan trengs.</translation>
     </message>
     <message>
         <source>Home can no longer be reached in time</source>
@@ -1663,7 +1663,7 @@
     </message>
     <message>
         <source>The wind changed in flight.</source>
-        <translation>Vinden har endret seg underveis.</translation>
+        <translation>Vinden endret seg under flygingen.</translation>
     </message>
     <message>
         <source>%1 and %2 are %3 apart</source>
@@ -1671,7 +1671,7 @@
     </message>
     <message>
         <source>They fly at about the same altitude. The required separation is %1.</source>
-        <translation>De flyr i omtrent samme høyde. Innstilt avstand er %1.</translation>
+        <translation>De flyr i omtrent samme høyde. Påkrevd avstand er %1.</translation>
     </message>
     <message>
         <source>Wind above its limit: %1, limit %2</source>
@@ -1691,7 +1691,7 @@
     </message>
     <message>
         <source>%1 is lost; the search was abandoned</source>
-        <translation>%1 er tapt, letingen er gitt opp</translation>
+        <translation>%1 er tapt; letingen er oppgitt</translation>
     </message>
     <message>
         <source>It was not in view where it was expected.</source>
@@ -1699,7 +1699,7 @@
     </message>
     <message>
         <source>Makes little headway: wind %1, airspeed %2</source>
-        <translation>Kommer nesten ikke fremover: vind %1, flyfart %2</translation>
+        <translation>Kommer knapt fremover: vind %1, flyfart %2</translation>
     </message>
 </context>
 <context>
@@ -1717,7 +1717,7 @@
     </message>
     <message>
         <source>Release to keep this heading. Shift snaps to steps of %1°; Esc cancels.</source>
-        <translation>Slipp for å beholde denne kursen. Skift holder seg til trinn på %1°, Esc angrer.</translation>
+        <translation>Slipp for å beholde denne kursen. Skift går i trinn på %1°; Esc avbryter.</translation>
     </message>
     <message>
         <source>Add corner</source>
@@ -1729,34 +1729,34 @@
     </message>
     <message>
         <source>Release to place the corner here. Esc cancels.</source>
-        <translation>Slipp for å sette hjørnet her. Esc angrer.</translation>
+        <translation>Slipp for å sette hjørnet her. Esc avbryter.</translation>
     </message>
     <message numerus="yes">
         <source>Drag to give all %n selected icebergs the same drift.</source>
         <translation>
-            <numerusform>Dra gir %n valgt isfjell denne driften.</numerusform>
-            <numerusform>Dra gir alle de %n valgte isfjellene samme drift.</numerusform>
+            <numerusform>Dra for å gi %n valgt isfjell denne driften.</numerusform>
+            <numerusform>Dra for å gi alle de %n valgte isfjellene samme drift.</numerusform>
         </translation>
     </message>
     <message>
         <source>Drag to set the drift of the iceberg.</source>
-        <translation>Dra setter driften til isfjellet.</translation>
+        <translation>Dra for å sette driften til isfjellet.</translation>
     </message>
     <message>
         <source>Drag to turn the UAV.</source>
-        <translation>Dra dreier UAV-en.</translation>
+        <translation>Dra for å dreie UAV-en.</translation>
     </message>
     <message>
         <source>Drag to move the corner. To remove it, click it and press Del.</source>
-        <translation>Dra flytter hjørnet, klikk og Delete fjerner det.</translation>
+        <translation>Dra for å flytte hjørnet. Klikk på det og trykk Delete for å fjerne det.</translation>
     </message>
     <message>
         <source>Drag to add a corner here.</source>
-        <translation>Dra lager et nytt hjørne her.</translation>
+        <translation>Dra for å legge til et hjørne her.</translation>
     </message>
     <message>
         <source>An area needs at least three corners. Delete the whole area instead.</source>
-        <translation>Et område har minst tre hjørner. Fjern hele området.</translation>
+        <translation>Et område trenger minst tre hjørner. Slett hele området i stedet.</translation>
     </message>
     <message>
         <source>Without this corner the outline would cross itself.</source>
@@ -1772,11 +1772,11 @@
     </message>
     <message>
         <source>Drag to change the wind from now on. In flight this cannot be undone.</source>
-        <translation>Dra endrer vinden fra nå av; under flyging kan det ikke angres.</translation>
+        <translation>Dra for å endre vinden fra nå av. Under flyging kan dette ikke angres.</translation>
     </message>
     <message>
         <source>Drag to set the wind. The arrow points downwind.</source>
-        <translation>Dra setter vinden: pilen peker dit den blåser.</translation>
+        <translation>Dra for å sette vinden. Pilen peker dit vinden blåser.</translation>
     </message>
 </context>
 <context>
@@ -1794,11 +1794,11 @@
     </message>
     <message>
         <source>Name of the iceberg, or its id if it has none</source>
-        <translation>Navnet på isfjellet, id-en der det ikke har noe</translation>
+        <translation>Navnet på isfjellet, eller id-en hvis det ikke har noe navn</translation>
     </message>
     <message>
         <source>Uncertainty of the position now; the bar is on the scale of the map</source>
-        <translation>Usikkerheten i posisjonen nå; søylen følger kartets skala</translation>
+        <translation>Usikkerheten i posisjonen nå; søylen følger skalaen på kartet</translation>
     </message>
     <message>
         <source>State</source>
@@ -1806,7 +1806,7 @@
     </message>
     <message>
         <source>In view, next target, or its place in the visiting order</source>
-        <translation>I synsfeltet, på vei dit, eller plassen i besøksrekkefølgen</translation>
+        <translation>I syne, neste mål, eller plassen i besøksrekkefølgen</translation>
     </message>
     <message>
         <source>Unseen for</source>
@@ -1818,7 +1818,7 @@
     </message>
     <message>
         <source>Time since it was last in view, or since it became known</source>
-        <translation>Tiden siden det sist var i synsfeltet, eller siden det ble kjent</translation>
+        <translation>Tiden siden det sist var i syne, eller siden det ble kjent</translation>
     </message>
     <message>
         <source>Arrival</source>
@@ -1830,7 +1830,7 @@
     </message>
     <message>
         <source>Time until the UAV arrives, by the present plan</source>
-        <translation>Tiden fra nå til UAV-en er der, etter planen som gjelder</translation>
+        <translation>Tiden til UAV-en er fremme, etter den nåværende planen</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -1838,7 +1838,7 @@
     </message>
     <message>
         <source>Number of times it was reached as the target</source>
-        <translation>Hvor ofte det var målet og ble nådd</translation>
+        <translation>Antall ganger det ble nådd som mål</translation>
     </message>
     <message>
         <source>Position east of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
@@ -1858,7 +1858,7 @@
     </message>
     <message>
         <source>Drift direction, degrees clockwise from north</source>
-        <translation>Hvor det driver, i grader med klokken fra nord</translation>
+        <translation>Retningen på driften, i grader med klokken fra nord</translation>
     </message>
     <message>
         <source>Last seen, s ago</source>
@@ -1886,7 +1886,7 @@
     </message>
     <message>
         <source>Closest point of approach: smallest predicted distance from the asset within the next hour. A warning sign beside the name means that the iceberg will enter the inner ring</source>
-        <translation>Nærmeste punkt (closest point of approach): minste avstand fra objektet den neste timen, etter estimatet. Varseltegn ved navnet: det kommer inn i den indre ringen</translation>
+        <translation>Nærmeste passering: minste forutsagte avstand fra objektet den neste timen. Et varseltegn ved navnet betyr at isfjellet kommer inn i den indre ringen</translation>
     </message>
     <message>
         <source>TCPA</source>
@@ -1898,15 +1898,15 @@
     </message>
     <message>
         <source>Time to the closest point of approach</source>
-        <translation>Tid til nærmeste punkt</translation>
+        <translation>Tid til nærmeste passering</translation>
     </message>
     <message>
         <source>UAV that plans to visit it</source>
-        <translation>UAV-en som har det i planen sin</translation>
+        <translation>UAV-en som planlegger å besøke det</translation>
     </message>
     <message>
         <source>Position, in flight the estimate. Type or paste any form; a whole coordinate sets both</source>
-        <translation>Hvor det er, under flyging estimatet; skrives og limes inn i enhver form, en hel koordinat setter begge</translation>
+        <translation>Posisjon, under flyging estimatet. Skriv eller lim inn en hvilken som helst form; en hel koordinat setter begge</translation>
     </message>
     <message>
         <source>Drift east, %1</source>
@@ -1914,7 +1914,7 @@
     </message>
     <message>
         <source>Known drift to the east, without the current</source>
-        <translation>Kjent drift mot øst; strømmen kommer i tillegg</translation>
+        <translation>Kjent drift mot øst, uten strømmen</translation>
     </message>
     <message>
         <source>Drift north, %1</source>
@@ -1922,7 +1922,7 @@
     </message>
     <message>
         <source>Known drift to the north, without the current</source>
-        <translation>Kjent drift mot nord; strømmen kommer i tillegg</translation>
+        <translation>Kjent drift mot nord, uten strømmen</translation>
     </message>
     <message>
         <source>Latitude</source>
@@ -1938,7 +1938,7 @@
     </message>
     <message>
         <source>Radius around the present position that contains the iceberg with a probability of 95 %</source>
-        <translation>Med 95 % er isfjellet innenfor en sirkel med denne radien rundt posisjonen nå</translation>
+        <translation>Radius rundt den nåværende posisjonen som inneholder isfjellet med 95 % sannsynlighet</translation>
     </message>
 </context>
 <context>
@@ -1980,7 +1980,7 @@
     <name>IcebergRowText</name>
     <message>
         <source>in view</source>
-        <translation>i synsfeltet</translation>
+        <translation>i syne</translation>
     </message>
     <message>
         <source>target</source>
@@ -2032,7 +2032,7 @@
     </message>
     <message>
         <source>It is still approaching after one hour; this is its distance then.</source>
-        <translation>Det kommer fortsatt nærmere om en time, til denne avstanden da.</translation>
+        <translation>Det nærmer seg fortsatt om en time; dette er avstanden da.</translation>
     </message>
     <message>
         <source>target of %1</source>
@@ -2130,11 +2130,11 @@
     </message>
     <message>
         <source>The file is broken. Correct it at the place named, or export it again.</source>
-        <translation>Filen er ødelagt. Rett den på stedet som er nevnt, eller eksporter den på nytt.</translation>
+        <translation>Filen er ødelagt. Rett den på det oppgitte stedet, eller eksporter den på nytt.</translation>
     </message>
     <message>
         <source>Nothing of it can be used like this.</source>
-        <translation>Ingenting i den kan brukes slik.</translation>
+        <translation>Ingenting i den kan brukes slik den er.</translation>
     </message>
     <message>
         <source>new</source>
@@ -2230,7 +2230,7 @@
     </message>
     <message>
         <source>Any table (CSV)</source>
-        <translation>En hvilken som helst tabell (CSV)</translation>
+        <translation>Vilkårlig tabell (CSV)</translation>
     </message>
     <message numerus="yes">
         <source>%n new</source>
@@ -2327,7 +2327,7 @@
     </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
-        <translation>Linje %1: %2 leses med måneden først, noe ingenting i filen sier. Velg under Datoer hvis dagen kommer først.</translation>
+        <translation>Linje %1: %2 leses med måneden først; ingenting i filen avgjør det. Velg under Datoer hvis dagen kommer først.</translation>
     </message>
     <message>
         <source>Source</source>
@@ -2381,7 +2381,7 @@
     </message>
     <message>
         <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
-        <translation>Bergwatch kjenner ikke igjen denne filen. Hvis det er en tabell, velg kolonnene for bredde og lengde nedenfor.</translation>
+        <translation>Bergwatch gjenkjenner ikke denne filen. Hvis det er en tabell, velger du kolonnene for bredde og lengde nedenfor.</translation>
     </message>
 </context>
 <context>
@@ -2429,11 +2429,11 @@
     </message>
     <message>
         <source>Change velocity of the asset</source>
-        <translation>Endre farten til objektet</translation>
+        <translation>Endre objektets hastighet</translation>
     </message>
     <message>
         <source>Removes the asset from the map.</source>
-        <translation>Tar objektet bort fra kartet.</translation>
+        <translation>Fjerner objektet fra kartet.</translation>
     </message>
     <message>
         <source>Remove asset</source>
@@ -2441,7 +2441,7 @@
     </message>
     <message>
         <source>Removes the area from the map.</source>
-        <translation>Tar området bort fra kartet.</translation>
+        <translation>Fjerner området fra kartet.</translation>
     </message>
     <message>
         <source>Remove area</source>
@@ -2457,7 +2457,7 @@
     </message>
     <message>
         <source>a disk</source>
-        <translation>en sirkel</translation>
+        <translation>en sirkelskive</translation>
     </message>
     <message>
         <source>by position</source>
@@ -2531,7 +2531,7 @@
     </message>
     <message>
         <source>Landing place other than the start.</source>
-        <translation>Den lander et annet sted enn den starter.</translation>
+        <translation>Annet landingssted enn starten.</translation>
     </message>
     <message>
         <source>Land where it starts</source>
@@ -2579,7 +2579,7 @@
     </message>
     <message>
         <source>Position of the radio link to the UAVs. Its range is a ring on the map.</source>
-        <translation>Der radiosambandet til UAV-ene holdes fra. Rekkevidden er en ring på kartet.</translation>
+        <translation>Posisjonen til radiosambandet med UAV-ene. Rekkevidden er en ring på kartet.</translation>
     </message>
     <message>
         <source>Change ground station</source>
@@ -2599,7 +2599,7 @@
     </message>
     <message>
         <source>Removes the no-fly area from the map.</source>
-        <translation>Tar flyforbudsområdet bort fra kartet.</translation>
+        <translation>Fjerner flyforbudsområdet fra kartet.</translation>
     </message>
     <message>
         <source>Remove no-fly area</source>
@@ -2627,7 +2627,7 @@
     </message>
     <message>
         <source>Speed of a ship; 0 for a platform.</source>
-        <translation>Det et skip gjør; 0 for en plattform.</translation>
+        <translation>Fart for et skip; 0 for en plattform.</translation>
     </message>
     <message>
         <source>Course</source>
@@ -2635,7 +2635,7 @@
     </message>
     <message>
         <source>Course over ground, clockwise from north.</source>
-        <translation>Hvor det går, med klokka fra nord.</translation>
+        <translation>Kurs over grunnen, med klokken fra nord.</translation>
     </message>
     <message>
         <source>Drift</source>
@@ -2643,7 +2643,7 @@
     </message>
     <message>
         <source>Known drift, without the current.</source>
-        <translation>Kjent drift; strømmen kommer i tillegg.</translation>
+        <translation>Kjent drift, uten strømmen.</translation>
     </message>
     <message>
         <source>Drift towards</source>
@@ -2651,11 +2651,11 @@
     </message>
     <message>
         <source>Drift direction, clockwise from north.</source>
-        <translation>Hvor det driver, med klokka fra nord.</translation>
+        <translation>Retningen på driften, med klokken fra nord.</translation>
     </message>
     <message>
         <source>Any form; a whole coordinate sets both.</source>
-        <translation>I enhver form; en hel koordinat setter begge.</translation>
+        <translation>Enhver form; en hel koordinat setter begge.</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -2671,7 +2671,7 @@
     </message>
     <message>
         <source>Direction the wind blows from, clockwise from north.</source>
-        <translation>Hvor den blåser fra, med klokka fra nord.</translation>
+        <translation>Retningen vinden blåser fra, med klokken fra nord.</translation>
     </message>
     <message>
         <source>%1 from %2</source>
@@ -2691,7 +2691,7 @@
     </message>
     <message>
         <source>Direction the current flows to, clockwise from north.</source>
-        <translation>Hvor den går, med klokka fra nord.</translation>
+        <translation>Retningen strømmen går mot, med klokken fra nord.</translation>
     </message>
     <message>
         <source>Change operation</source>
@@ -2703,7 +2703,7 @@
     </message>
     <message>
         <source>Proposed volume for a permit application; check it with your authority. Shown on the map, in KML and GeoJSON, and on a second page of the flight brief.</source>
-        <translation>Forslag til en søknad om tillatelse, som må avklares med myndigheten: på kartet, i KML og GeoJSON, og som andre side av flygearket.</translation>
+        <translation>Foreslått volum for en søknad om tillatelse; avklar det med myndigheten. Vises på kartet, i KML og GeoJSON, og på en andre side av flygearket.</translation>
     </message>
     <message>
         <source>Contingency volume %1 wide, %2 high
@@ -2723,7 +2723,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Makes airspace that the operation may enter no-fly areas, so that the UAVs stay out of it.</source>
-        <translation>Luftrom som operasjonen kan komme inn i, blir flyforbudsområder: da holder UAV-ene seg utenfor.</translation>
+        <translation>Gjør luftrom som operasjonen kan komme inn i, til flyforbudsområder, slik at UAV-ene holder seg utenfor.</translation>
     </message>
     <message>
         <source>Make entered airspace no-fly areas</source>
@@ -2731,7 +2731,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Removes all airspace. Undo restores it.</source>
-        <translation>Alt sammen; angre henter det tilbake.</translation>
+        <translation>Fjerner alt luftrom. Angre henter det tilbake.</translation>
     </message>
     <message>
         <source>Remove airspace</source>
@@ -2799,7 +2799,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>When last seen, the iceberg was within this radius with a probability of 95 %: the square root of 5.99 σ₀.</source>
-        <translation>Med 95 % var isfjellet innenfor en sirkel med denne radien da det sist ble sett: kvadratroten av 5,99 σ₀.</translation>
+        <translation>Da isfjellet sist ble sett, var det innenfor denne radien med 95 % sannsynlighet: kvadratroten av 5,99 σ₀.</translation>
     </message>
     <message>
         <source>Seen by</source>
@@ -2807,7 +2807,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Sets the usual uncertainty of this source, also for icebergs placed later.</source>
-        <translation>Setter usikkerheten til den vanlige for denne kilden, også for isfjell som plasseres fra nå av.</translation>
+        <translation>Setter den vanlige usikkerheten for denne kilden, også for isfjell som plasseres senere.</translation>
     </message>
     <message>
         <source>as typed</source>
@@ -2815,7 +2815,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Raises UAVs until their altitudes are %1 apart, so that none has to wait for another.</source>
-        <translation>Hever UAV-er til høydene deres er %1 fra hverandre, så ingen må vente på en annen.</translation>
+        <translation>Hever UAV-er til høydene er %1 fra hverandre, slik at ingen må vente på en annen.</translation>
     </message>
     <message>
         <source>Change %1</source>
@@ -2850,7 +2850,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Assign iceberg</source>
-        <translation>Overlat isfjell</translation>
+        <translation>Tildel isfjell</translation>
     </message>
     <message>
         <source>Order UAV</source>
@@ -2894,7 +2894,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>nested deeper than %1 levels</source>
-        <translation>har mer enn %1 nivåer inni hverandre</translation>
+        <translation>er nøstet dypere enn %1 nivåer</translation>
     </message>
     <message>
         <source>line %1: %2</source>
@@ -2954,7 +2954,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>must be a finite number of at least 0</source>
-        <translation>må være et endelig tall som ikke er under 0</translation>
+        <translation>må være et endelig tall på minst 0</translation>
     </message>
     <message>
         <source>must not be below %1</source>
@@ -2990,11 +2990,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>no iceberg &quot;%1&quot; is there at this time</source>
-        <translation>isfjellet «%1» er ikke der på dette tidspunktet</translation>
+        <translation>det finnes ikke noe isfjell «%1» på dette tidspunktet</translation>
     </message>
     <message>
         <source>with these, the run must hold at most %1 icebergs, not %2</source>
-        <translation>med disse kan kjøringen ha høyst %1 isfjell, ikke %2</translation>
+        <translation>med disse kan flygingen ha høyst %1 isfjell, ikke %2</translation>
     </message>
     <message>
         <source>is the UAV&apos;s and must be 0</source>
@@ -3026,7 +3026,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>must name a policy; visitation needs taus</source>
-        <translation>må nevne en strategi; visitation trenger taus</translation>
+        <translation>må oppgi en strategi; visitation trenger verdier av τ</translation>
     </message>
     <message>
         <source>must be I of N with 1 &lt;= I &lt;= N</source>
@@ -3034,7 +3034,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>differs: parts of one study are wanted</source>
-        <translation>er ulik: delene må være av samme studie</translation>
+        <translation>avviker: her trengs deler av samme studie</translation>
     </message>
     <message>
         <source>setting %1 of case %2 has two different outcomes: the parts were not flown by the same program</source>
@@ -3046,27 +3046,27 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>would become larger than %1 MiB: take fewer scenarios, or several studies</source>
-        <translation>ville bli større enn %1 MiB: ta færre scenarioer, eller flere studier</translation>
+        <translation>ville bli større enn %1 MiB: bruk færre scenarioer, eller flere studier</translation>
     </message>
     <message>
         <source>recorded %1, replayed %2</source>
-        <translation>lagret %1, fløyet på nytt %2</translation>
+        <translation>registrert %1, avspilt %2</translation>
     </message>
     <message>
         <source>at %1 s: recorded %2, replayed %3</source>
-        <translation>ved %1 s: lagret %2, fløyet på nytt %3</translation>
+        <translation>ved %1 s: registrert %2, avspilt %3</translation>
     </message>
     <message>
         <source>at %1 s: the replay has another</source>
-        <translation>ved %1 s: fløyet på nytt er det en annen</translation>
+        <translation>ved %1 s: avspillingen har en annen</translation>
     </message>
     <message>
         <source>at %1 s: not reached by the replay</source>
-        <translation>ved %1 s: nås ikke når kjøringen flys på nytt</translation>
+        <translation>ved %1 s: nås ikke i avspillingen</translation>
     </message>
     <message>
         <source>solves were cut by the clock, so this run is not bound to repeat</source>
-        <translation>løsningene ble avbrutt av klokken, så denne kjøringen gjentar seg ikke nødvendigvis</translation>
+        <translation>klokken avbrøt løsninger, så denne flygingen gjentar seg ikke nødvendigvis</translation>
     </message>
     <message>
         <source>cannot be opened: %1</source>
@@ -3114,11 +3114,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>would take more than %1 MB of memory, the limit for a file of its size: split it, or leave out what is empty; %2 in the environment doubles the limits of reading</source>
-        <translation>ville ta mer enn %1 MB minne, grensen for en så stor fil: del den opp, eller utelat det som er tomt; %2 i miljøvariablene dobler grensene for lesing</translation>
+        <translation>ville ta mer enn %1 MB minne, grensen for en fil av denne størrelsen: del den opp, eller utelat det som er tomt; %2 i miljøvariablene dobler grensene for lesing</translation>
     </message>
     <message>
         <source>there are more than %1 icebergs to choose from: narrow the area or the time; %2 in the environment doubles the limits of reading</source>
-        <translation>det er mer enn %1 isfjell å velge blant: begrens området eller tiden; %2 i miljøvariablene dobler grensene for lesing</translation>
+        <translation>det er flere enn %1 isfjell å velge blant: begrens området eller tiden; %2 i miljøvariablene dobler grensene for lesing</translation>
     </message>
     <message>
         <source>is an archive that cannot be read: it is cut off or damaged</source>
@@ -3154,7 +3154,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>columns of the format %1 cannot be mapped</source>
-        <translation>kolonnene i formatet %1 kan ikke velges</translation>
+        <translation>kolonnene i formatet %1 kan ikke tilordnes</translation>
     </message>
     <message>
         <source>holds no sightings</source>
@@ -3166,7 +3166,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>no column holds it; name one with a mapping</source>
-        <translation>ingen kolonne inneholder det; velg en kolonne</translation>
+        <translation>ingen kolonne inneholder det; tilordne en</translation>
     </message>
     <message>
         <source>columns %1 and %2 are both called &quot;%3&quot;: rename one</source>
@@ -3222,11 +3222,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>a number is out of range</source>
-        <translation>et tall er utenfor gyldig område</translation>
+        <translation>et tall er utenfor grensene</translation>
     </message>
     <message>
         <source>id is too long</source>
-        <translation>ID-en er for lang</translation>
+        <translation>id-en er for lang</translation>
     </message>
     <message>
         <source>is no point</source>
@@ -3250,7 +3250,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>only %1 of %2 icebergs found a place: the area is too thin</source>
-        <translation>bare %1 av %2 isfjell fikk plass: området er for tynt</translation>
+        <translation>bare %1 av %2 isfjell fikk plass: området er for smalt</translation>
     </message>
     <message>
         <source>a scenario has no such file: nothing was flown</source>
@@ -3374,7 +3374,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>must be at least %1 for a run of this length and so many icebergs, not %2; %3 in the environment doubles the limits of reading</source>
-        <translation>må være minst %1 for en så lang kjøring med så mange isfjell, ikke %2; %3 i miljøvariablene dobler grensene for lesing</translation>
+        <translation>må være minst %1 for en så lang flyging med så mange isfjell, ikke %2; %3 i miljøvariablene dobler grensene for lesing</translation>
     </message>
     <message>
         <source>with the policies would be %1 settings; at most %2 fit into one study: take several</source>
@@ -3386,7 +3386,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>names an iceberg, but the run holds none</source>
-        <translation>viser til et isfjell, men kjøringen har ingen</translation>
+        <translation>viser til et isfjell, men flygingen har ingen</translation>
     </message>
     <message>
         <source>airspace left out: a place or an arc cannot be read</source>
@@ -3426,15 +3426,15 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>dates such as %1 are read month first, which nothing in the file tells: --dates day-first or month-first says how</source>
-        <translation>datoer som %1 leses med måneden først, uten at noe i filen forteller det: --dates day-first eller month-first sier hvordan</translation>
+        <translation>datoer som %1 leses med måneden først; ingenting i filen avgjør det: --dates day-first eller month-first avgjør det</translation>
     </message>
     <message>
         <source>differs: this is the file of another study (--replace-study replaces it)</source>
-        <translation>er ulik: dette er filen til en annen studie (--replace-study erstatter den)</translation>
+        <translation>avviker: dette er filen til en annen studie (--replace-study erstatter den)</translation>
     </message>
     <message>
         <source>was changed by another program: each shard needs a file of its own</source>
-        <translation>ble endret av et annet program: hver del trenger sin egen fil</translation>
+        <translation>ble endret av et annet program: hver del trenger en egen fil</translation>
     </message>
     <message>
         <source>this plan solves no problem that could be verified or certified</source>
@@ -3462,7 +3462,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>must be a UTC date and time such as 2024-05-01T06:00:00Z</source>
-        <translation>må være dato og klokkeslett i UTC, for eksempel 2024-05-01T06:00:00Z</translation>
+        <translation>må være en dato og et klokkeslett i UTC, som 2024-05-01T06:00:00Z</translation>
     </message>
     <message>
         <source>must not be empty</source>
@@ -3502,7 +3502,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>is too short for the path home from the start</source>
-        <translation>er for kort til hjemveien fra startstedet</translation>
+        <translation>er for kort til veien hjem fra starten</translation>
     </message>
     <message>
         <source>is used, without a limited endurance, only when you order a return or export with the return home</source>
@@ -3510,7 +3510,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>is so near the geofence or a no-fly area that the UAV cannot take off there again and be sure to come home</source>
-        <translation>er så nær geogjerdet eller et flyforbudsområde at UAV-en ikke kan ta av der igjen og være sikker på å komme hjem</translation>
+        <translation>er så nær geogjerdet eller et flyforbudsområde at UAV-en ikke kan ta av derfra igjen og være sikker på å komme hjem</translation>
     </message>
     <message>
         <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
@@ -3526,7 +3526,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>is larger than half the field of view, so that icebergs count as reached that are not seen</source>
-        <translation>er større enn halve synsfeltet, så isfjell regnes som nådd uten å være sett</translation>
+        <translation>er større enn halve synsfeltet, så isfjell som ikke er sett, regnes som nådd</translation>
     </message>
     <message>
         <source>lies outside the area</source>
@@ -3538,7 +3538,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>is over before the UAV can get to the first iceberg</source>
-        <translation>er slutt før UAV-en rekker fram til det første isfjellet</translation>
+        <translation>er slutt før UAV-en kan nå det første isfjellet</translation>
     </message>
     <message>
         <source>drifts faster than icebergs do: is the unit right?</source>
@@ -3558,7 +3558,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>the back end exact proves latency plans of several UAVs for at most %1 icebergs</source>
-        <translation>løseren exact beviser latency-planer for flere UAV-er med høyst %1 isfjell</translation>
+        <translation>løseren exact beviser latency-planer for flere UAV-er for høyst %1 isfjell</translation>
     </message>
     <message>
         <source>the MILP formulation %1 is offered for at most %2 icebergs, not for %3</source>
@@ -3566,7 +3566,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
-        <translation>kolonnen «%1» forstås ikke: gi den et annet navn, eller tilordne den</translation>
+        <translation>kolonnen «%1» gjenkjennes ikke: gi den et annet navn, eller tilordne den</translation>
     </message>
     <message>
         <source>airspace left out: a height has no unit</source>
@@ -3586,7 +3586,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>takes off in the dark, at %1 UTC: civil twilight begins at %2 UTC</source>
-        <translation>starter i mørket, kl. %1 UTC: borgerlig tussmørke begynner kl. %2 UTC</translation>
+        <translation>tar av i mørket, kl. %1 UTC: borgerlig tussmørke begynner kl. %2 UTC</translation>
     </message>
     <message>
         <source>lands in the dark, at %1 UTC: civil twilight ends at %2 UTC</source>
@@ -3602,7 +3602,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>nothing tells which rows are sightings of one iceberg: choose one of these</source>
-        <translation>ingenting forteller hvilke rader som er observasjoner av ett isfjell: velg ett av disse</translation>
+        <translation>filen sier ikke hvilke rader som er observasjoner av ett isfjell: velg ett av disse</translation>
     </message>
     <message>
         <source>icebergs: %1, greatest speed between two sightings: %2 m/s</source>
@@ -3614,7 +3614,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>has several places: each is taken as an iceberg</source>
-        <translation>har flere steder: hvert tas som et isfjell</translation>
+        <translation>har flere posisjoner: hver regnes som et isfjell</translation>
     </message>
     <message>
         <source>has points beside lines or areas: only the points are taken</source>
@@ -3630,19 +3630,19 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>has the name of another track, but an iceberg cannot have drifted along both: it is taken as another iceberg</source>
-        <translation>har samme navn som et annet spor, men et isfjell kan ikke ha drevet langs begge: det tas som et annet isfjell</translation>
+        <translation>har samme navn som et annet spor, men et isfjell kan ikke ha drevet langs begge: det regnes som et annet isfjell</translation>
     </message>
     <message>
         <source>the property that names the iceberg is the same at two places at once: the ids of the features are taken instead</source>
-        <translation>egenskapen som gir isfjellet navn, er den samme på to steder samtidig: id-ene til objektene brukes i stedet</translation>
+        <translation>egenskapen som gir isfjellet navn, er den samme på to steder samtidig: objektenes id-er brukes i stedet</translation>
     </message>
     <message>
         <source>has more times than places: the times left over are not taken</source>
-        <translation>har flere tider enn steder: tidene til overs tas ikke med</translation>
+        <translation>har flere tider enn posisjoner: de overskytende tidene brukes ikke</translation>
     </message>
     <message>
         <source>the place can be read in more than one way: decimals follow a point</source>
-        <translation>stedet kan leses på flere måter: desimaler står etter et punktum</translation>
+        <translation>posisjonen kan leses på flere måter: desimaler skrives med punktum</translation>
     </message>
     <message>
         <source>coordinates are no degrees, and the file names no coordinate system: save it in WGS 84 (EPSG:4326)</source>
@@ -3662,11 +3662,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>links to another file, which is not read: import that file as well</source>
-        <translation>lenker til en annen fil, som ikke leses: importer den filen også</translation>
+        <translation>viser til en annen fil, som ikke leses: importer den filen også</translation>
     </message>
     <message>
         <source>the first document of the archive does not link to this one; it is read all the same</source>
-        <translation>det første dokumentet i arkivet lenker ikke til dette; det leses likevel</translation>
+        <translation>det første dokumentet i arkivet viser ikke til dette; det leses likevel</translation>
     </message>
     <message>
         <source>a document of the archive cannot be read</source>
@@ -3674,7 +3674,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>airspace left out: it has no outline</source>
-        <translation>luftrom utelatt: det har ikke noe omriss</translation>
+        <translation>luftrom utelatt: det mangler omriss</translation>
     </message>
     <message>
         <source>outline left out: no airspace begins above it</source>
@@ -3694,7 +3694,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>airspace left out: the scenario holds as many as it can</source>
-        <translation>luftrom utelatt: scenariet rommer ikke flere</translation>
+        <translation>luftrom utelatt: scenarioet har ikke plass til flere</translation>
     </message>
     <message>
         <source>airspace taken without a class</source>
@@ -3702,19 +3702,19 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>airspace taken down to the sea: its floor is missing or cannot be read</source>
-        <translation>luftrom tatt med helt ned til havet: gulvet mangler eller kan ikke leses</translation>
+        <translation>luftrom tatt med ned til havet: gulvet mangler eller kan ikke leses</translation>
     </message>
     <message>
         <source>airspace taken without end above: its ceiling is missing or cannot be read</source>
-        <translation>luftrom tatt med uten ende oppover: taket mangler eller kan ikke leses</translation>
+        <translation>luftrom tatt med uten øvre grense: taket mangler eller kan ikke leses</translation>
     </message>
     <message>
         <source>airspace taken with an outline round its own, which touches or crosses itself</source>
-        <translation>luftrom tatt med med et omriss rundt sitt eget, som berører eller krysser seg selv</translation>
+        <translation>luftrom tatt med i et større omriss: dets eget berører eller krysser seg selv</translation>
     </message>
     <message>
         <source>airspace taken with an outline round its own, which has too many corners</source>
-        <translation>luftrom tatt med med et omriss rundt sitt eget, som har for mange hjørner</translation>
+        <translation>luftrom tatt med i et større omriss: dets eget har for mange hjørner</translation>
     </message>
     <message>
         <source>line not understood and not used</source>
@@ -3738,7 +3738,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>taken without a number that is out of range</source>
-        <translation>tatt med uten et tall som er utenfor gyldig område</translation>
+        <translation>tatt med uten et tall som er utenfor grensene</translation>
     </message>
     <message>
         <source>a range, a limit or an estimate is read as one number</source>
@@ -3750,7 +3750,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>taken without a time, which it does not have</source>
-        <translation>tatt med uten tidspunkt, for det har ikke noe</translation>
+        <translation>tatt med uten tidspunkt, som mangler</translation>
     </message>
     <message>
         <source>taken without its time, which is years from all others</source>
@@ -3758,7 +3758,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>its time is moved by 1024 weeks, as a GPS clock has lost count of them</source>
-        <translation>tidspunktet er flyttet 1024 uker, fordi en GPS-klokke har mistet tellingen av dem</translation>
+        <translation>tidspunktet er flyttet 1024 uker, fordi en GPS-klokke har mistet telling</translation>
     </message>
     <message>
         <source>its id is too long and is shortened</source>
@@ -3774,11 +3774,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>the area must neither touch nor cross itself</source>
-        <translation>området kan verken berøre eller krysse seg selv</translation>
+        <translation>området må verken berøre eller krysse seg selv</translation>
     </message>
     <message>
         <source>a scenario holds at most %1 no-fly areas, not %2</source>
-        <translation>et scenario rommer høyst %1 flyforbudsområder, ikke %2</translation>
+        <translation>et scenario har høyst %1 flyforbudsområder, ikke %2</translation>
     </message>
     <message>
         <source>a scenario holds at most %1 airspace areas, not %2</source>
@@ -3786,7 +3786,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is the id of %2 already: each iceberg and UAV needs a unique id</source>
-        <translation>«%1» er allerede id-en til %2: hvert isfjell og hver UAV trenger sin egen id</translation>
+        <translation>«%1» er allerede id-en til %2: hvert isfjell og hver UAV trenger en unik id</translation>
     </message>
     <message>
         <source>a scenario holds from 1 to %1 UAVs, not %2</source>
@@ -3822,15 +3822,15 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>there is no UAV &quot;%1&quot; in this scenario</source>
-        <translation>det er ingen UAV «%1» i dette scenariet</translation>
+        <translation>det er ingen UAV «%1» i dette scenarioet</translation>
     </message>
     <message>
         <source>the wind must be slower than the UAV flies: wind of %1, airspeed of %2 %3</source>
-        <translation>vinden må være svakere enn UAV-ens fart: vind på %1, flyfart for %2 %3</translation>
+        <translation>vinden må være langsommere enn UAV-en flyr: vind på %1, flyfart på %2 %3</translation>
     </message>
     <message>
         <source>the UAV will make little headway in this wind: wind of %1, airspeed of %2 %3</source>
-        <translation>UAV-en kommer knapt fremover i denne vinden: vind på %1, flyfart for %2 %3</translation>
+        <translation>UAV-en kommer knapt fremover i denne vinden: vind på %1, flyfart på %2 %3</translation>
     </message>
     <message>
         <source>must not be shorter than the time step</source>
@@ -3854,7 +3854,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>is after the end of the run, so the iceberg is never planned</source>
-        <translation>er etter at flygingen er slutt, så isfjellet blir aldri planlagt</translation>
+        <translation>er etter slutten av flygingen, så isfjellet blir aldri planlagt</translation>
     </message>
     <message>
         <source>icebergs outside the area are not monitored; the UAV may fly beyond it</source>
@@ -3866,7 +3866,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>another UAV of this altitude layer starts so near that they fly apart first; let their altitudes differ by %1</source>
-        <translation>en annen UAV i dette høydelaget starter så nær at de først flyr fra hverandre; la høydene skille seg med %1</translation>
+        <translation>en annen UAV i dette høydelaget starter så nær at de først flyr fra hverandre; gi dem høyder med %1 forskjell</translation>
     </message>
     <message>
         <source>is too short to reach the nearest iceberg and return</source>
@@ -3898,15 +3898,15 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>this weather brings icing at its altitude, in which the UAV must not be flown</source>
-        <translation>dette været gir ising i flyhøyden, som UAV-en ikke må flys i</translation>
+        <translation>dette været gir ising i UAV-ens høyde, og UAV-en må ikke flys i ising</translation>
     </message>
     <message>
         <source>leaves less reserve than waiting for the other UAVs of the altitude layer may take, %1; separate altitudes, or a greater reserve, avoid it</source>
-        <translation>gir mindre reserve enn ventingen på de andre UAV-ene i høydelaget kan ta, %1; ulike høyder eller en større reserve unngår det</translation>
+        <translation>gir mindre reserve enn ventingen på de andre UAV-ene i høydelaget kan ta, %1; ulike høyder eller en større reserve hindrer det</translation>
     </message>
     <message>
         <source>keeps %1 free for a recovery slot, as other UAVs of the altitude layer land on the same pad; separate altitudes or pads avoid it</source>
-        <translation>holder %1 fri til en eget landingsvindu, fordi andre UAV-er i høydelaget lander på samme plass; ulike høyder eller plasser unngår det</translation>
+        <translation>holder %1 fri til et landingsvindu, fordi andre UAV-er i høydelaget lander på samme plass; ulike høyder eller plasser hindrer det</translation>
     </message>
     <message>
         <source>with the usual errors in wind and airspeed, 1 flight in 20 uses %1 or more of the reserve to come home</source>
@@ -3950,7 +3950,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>more icebergs than can be proven optimal; the plan comes with a bound</source>
-        <translation>flere isfjell enn det kan bevises optimum for; planen kommer med en skranke</translation>
+        <translation>for mange isfjell til å bevise planen optimal; planen får en grense</translation>
     </message>
     <message>
         <source>this policy plans icebergs one by one; nearby icebergs are not grouped</source>
@@ -4002,11 +4002,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
-        <translation>flyforbudsområder har ingen høyder: de i UAV-ens høyde skrives</translation>
+        <translation>flyforbudsområder har ingen høyder: de i høyden til UAV-en skrives</translation>
     </message>
     <message>
         <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
-        <translation>%1 kan tegne gjerdet den lange veien rundt: det krysser datolinjen</translation>
+        <translation>%1 kan tegne gjerdet den lange veien rundt: det krysser antimeridianen</translation>
     </message>
     <message>
         <source>the places where icebergs were reached are written, not the track</source>
@@ -4030,7 +4030,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>the file is about the whole flight, whatever is chosen to be exported</source>
-        <translation>filen handler om hele flygingen, uansett hva som er valgt å eksportere</translation>
+        <translation>filen handler om hele flygingen, uansett hva du velger å eksportere</translation>
     </message>
     <message>
         <source>UAVs without an iceberg to visit: %1</source>
@@ -4127,32 +4127,32 @@ Tilstøtende område %4</translation>
     <message numerus="yes">
         <source>%n UAV(s) taken over</source>
         <translation>
-            <numerusform>%n UAV overtatt</numerusform>
-            <numerusform>%n UAV-er overtatt</numerusform>
+            <numerusform>%n UAV tatt med</numerusform>
+            <numerusform>%n UAV-er tatt med</numerusform>
         </translation>
     </message>
     <message>
         <source>area taken over</source>
-        <translation>området overtatt</translation>
+        <translation>området tatt med</translation>
     </message>
     <message>
         <source>area taken over as geofence</source>
-        <translation>området overtatt som geogjerde</translation>
+        <translation>området tatt med som geogjerde</translation>
     </message>
     <message>
         <source>asset taken over</source>
-        <translation>objektet overtatt</translation>
+        <translation>objektet tatt med</translation>
     </message>
     <message numerus="yes">
         <source>%n no-fly area(s) taken over</source>
         <translation>
-            <numerusform>%n flyforbudsområde overtatt</numerusform>
-            <numerusform>%n flyforbudsområder overtatt</numerusform>
+            <numerusform>%n flyforbudsområde tatt med</numerusform>
+            <numerusform>%n flyforbudsområder tatt med</numerusform>
         </translation>
     </message>
     <message>
         <source>UAVs, area and asset of the file not taken over: the scenario is in use</source>
-        <translation>UAV-er, område og objekt i filen ikke overtatt: scenarioet er i bruk</translation>
+        <translation>UAV-er, område og objekt i filen er ikke tatt med: scenarioet er i bruk</translation>
     </message>
     <message numerus="yes">
         <source>%n UAV(s) left out: too many</source>
@@ -4171,8 +4171,8 @@ Tilstøtende område %4</translation>
     <message numerus="yes">
         <source>%n area(s) left out: unreadable</source>
         <translation>
-            <numerusform>%n område utelatt: uleselig</numerusform>
-            <numerusform>%n områder utelatt: uleselige</numerusform>
+            <numerusform>%n uleselig område utelatt</numerusform>
+            <numerusform>%n uleselige områder utelatt</numerusform>
         </translation>
     </message>
     <message>
@@ -4189,13 +4189,13 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>area left out: it is in several parts</source>
-        <translation>området utelatt: det er i flere deler</translation>
+        <translation>området utelatt: det består av flere deler</translation>
     </message>
     <message numerus="yes">
         <source>%n further area(s) left out</source>
         <translation>
-            <numerusform>%n område til utelatt</numerusform>
-            <numerusform>%n områder til utelatt</numerusform>
+            <numerusform>%n annet område utelatt</numerusform>
+            <numerusform>%n andre områder utelatt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4207,11 +4207,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>area is no geofence: too many corners</source>
-        <translation>området er ikke geogjerde: for mange hjørner</translation>
+        <translation>området er ikke noe geogjerde: for mange hjørner</translation>
     </message>
     <message>
         <source>area is no geofence: a UAV starts or lands outside</source>
-        <translation>området er ikke geogjerde: en UAV starter eller lander utenfor</translation>
+        <translation>området er ikke noe geogjerde: en UAV starter eller lander utenfor</translation>
     </message>
     <message numerus="yes">
         <source>%n no-fly area(s) left out: a UAV starts or lands inside, or the heights are wrong</source>
@@ -4230,8 +4230,8 @@ Tilstøtende område %4</translation>
     <message numerus="yes">
         <source>%n further asset(s) left out</source>
         <translation>
-            <numerusform>%n objekt til utelatt</numerusform>
-            <numerusform>%n objekter til utelatt</numerusform>
+            <numerusform>%n annet objekt utelatt</numerusform>
+            <numerusform>%n andre objekter utelatt</numerusform>
         </translation>
     </message>
     <message>
@@ -4241,8 +4241,8 @@ Tilstøtende område %4</translation>
     <message numerus="yes">
         <source>%n number(s) out of range left out</source>
         <translation>
-            <numerusform>%n tall utenfor gyldig område utelatt</numerusform>
-            <numerusform>%n tall utenfor gyldig område utelatt</numerusform>
+            <numerusform>%n tall utenfor grensene utelatt</numerusform>
+            <numerusform>%n tall utenfor grensene utelatt</numerusform>
         </translation>
     </message>
 </context>
@@ -4266,7 +4266,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Size of each picture in pixels, e.g. 1920x1080 (default: 1600x1000 for the map, 1600x700 for the charts).</source>
-        <translation>Størrelsen på hvert bilde i piksler, f.eks. 1920x1080 (forvalg: 1600x1000 for kartet, 1600x700 for diagrammene).</translation>
+        <translation>Størrelsen på hvert bilde i piksler, f.eks. 1920x1080 (standard: 1600x1000 for kartet, 1600x700 for diagrammene).</translation>
     </message>
     <message>
         <source>WxH</source>
@@ -4287,7 +4287,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>--theme: &quot;%1&quot; is not light, dark or both.</source>
-        <translation>--theme: «%1» er ikke light, dark eller both.</translation>
+        <translation>--theme: «%1» er verken light, dark eller both.</translation>
     </message>
     <message>
         <source>--pictures: the name of a folder is missing.</source>
@@ -4295,7 +4295,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Opens the window with a scenario; with --pictures it only writes pictures.</source>
-        <translation>Åpner planleggerens vindu med et scenario; med --pictures tegner programmet bare.</translation>
+        <translation>Åpner vinduet med et scenario; med --pictures skriver programmet bare bilder.</translation>
     </message>
     <message>
         <source>file</source>
@@ -4303,7 +4303,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Name one run or scenario file; %1 were named.</source>
-        <translation>Oppgi én tur- eller scenariofil; %1 ble oppgitt.</translation>
+        <translation>Oppgi én flyge- eller scenariofil; %1 ble oppgitt.</translation>
     </message>
     <message>
         <source>Bergwatch has crashed: %1</source>
@@ -4311,7 +4311,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Write a picture of the window with the scenario to &lt;file&gt;, then exit.</source>
-        <translation>Tegn vinduet med scenarioet til &lt;fil&gt;, og avslutt.</translation>
+        <translation>Skriv et bilde av vinduet med scenarioet til &lt;fil&gt;, og avslutt.</translation>
     </message>
     <message>
         <source>Fly until this time before the screenshot.</source>
@@ -4323,7 +4323,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Store settings in &lt;file&gt; instead of your own settings file.</source>
-        <translation>Lagre innstillinger i &lt;fil&gt; i stedet for dine egne.</translation>
+        <translation>Lagre innstillinger i &lt;fil&gt; i stedet for din egen innstillingsfil.</translation>
     </message>
     <message>
         <source>--size: &quot;%1&quot; is not a size like 1920x1080.</source>
@@ -4347,23 +4347,23 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
-        <translation>Et scenario (.berg), en kjøring (.bergrun) eller en studie (.bergstudy).</translation>
+        <translation>Et scenario (.berg), en flyging (.bergrun) eller en studie (.bergstudy).</translation>
     </message>
     <message>
         <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
-        <translation>Skriv håndboken som nettsider og som PDF i &lt;folder&gt;, med bildene der.</translation>
+        <translation>Skriv håndboken som nettsider og som PDF i &lt;mappe&gt;, der bildene ligger.</translation>
     </message>
     <message>
         <source>--manual takes no scenario file, --pictures or --screenshot.</source>
-        <translation>--manual tar verken scenariofil, --pictures eller --screenshot.</translation>
+        <translation>--manual godtar verken scenariofil, --pictures eller --screenshot.</translation>
     </message>
     <message>
         <source>Longest wait before the screenshot for predictions and the lower bound, in seconds.</source>
-        <translation>Vent høyst så lenge på forutsigelser og nedre grense før skjermbildet.</translation>
+        <translation>Lengste ventetid før skjermbildet på forutsigelser og nedre grense, i sekunder.</translation>
     </message>
     <message>
         <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
-        <translation>--wait: «%1» er ikke et antall sekunder på høyst %2.</translation>
+        <translation>--wait: «%1» er ikke et antall sekunder opp til %2.</translation>
     </message>
 </context>
 <context>
@@ -4422,7 +4422,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>The clipboard content cannot be pasted. %1</source>
-        <translation>Det som er på utklippstavlen, kan ikke limes inn. %1</translation>
+        <translation>Innholdet på utklippstavlen kan ikke limes inn. %1</translation>
     </message>
     <message numerus="yes">
         <source>Paste %n icebergs</source>
@@ -4455,7 +4455,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>The last UAV cannot be deleted: a scenario needs at least one.</source>
-        <translation>Den siste UAV-en blir: et scenario har minst én.</translation>
+        <translation>Den siste UAV-en kan ikke slettes: et scenario trenger minst én.</translation>
     </message>
     <message numerus="yes">
         <source>Duplicate %n UAVs</source>
@@ -4495,7 +4495,7 @@ Tilstøtende område %4</translation>
     <name>MapLegend</name>
     <message>
         <source>In view now: σ is 0</source>
-        <translation>I synsfeltet nå: σ er 0</translation>
+        <translation>I syne nå: σ er 0</translation>
     </message>
     <message>
         <source>Plan, next leg thicker</source>
@@ -4519,7 +4519,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Appears later, with time</source>
-        <translation>Kommer senere, med tidspunkt</translation>
+        <translation>Dukker opp senere, med tidspunkt</translation>
     </message>
     <message>
         <source>Compared: %1</source>
@@ -4535,11 +4535,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>In view</source>
-        <translation>I sikte</translation>
+        <translation>I syne</translation>
     </message>
     <message>
         <source>Appears later</source>
-        <translation>Kommer senere</translation>
+        <translation>Dukker opp senere</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -4563,11 +4563,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>In view now</source>
-        <translation>I synsfeltet nå</translation>
+        <translation>I syne nå</translation>
     </message>
     <message>
         <source>Lost: not found where expected</source>
-        <translation>Tapt: ikke der det skulle være</translation>
+        <translation>Tapt: ikke funnet der det var ventet</translation>
     </message>
     <message>
         <source>Lost</source>
@@ -4699,7 +4699,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Place to search, probability of finding</source>
-        <translation>Sted å lete, sjanse for funn</translation>
+        <translation>Sted å lete, sannsynlighet for funn</translation>
     </message>
     <message>
         <source>Place to search</source>
@@ -4707,7 +4707,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Airspace, for information</source>
-        <translation>Luftrom, til orientering</translation>
+        <translation>Luftrom, til opplysning</translation>
     </message>
     <message>
         <source>Airspace</source>
@@ -4790,7 +4790,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Flight time</source>
-        <translation>Flytid</translation>
+        <translation>Flygetid</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -4805,7 +4805,7 @@ Tilstøtende område %4</translation>
     <name>MapTools</name>
     <message>
         <source>Drag to move the map, turn the wheel to zoom. Esc leaves the tool.</source>
-        <translation>Dra flytter kartet, hjulet zoomer. Esc forlater verktøyet.</translation>
+        <translation>Dra for å flytte kartet, bruk hjulet til å zoome. Esc forlater verktøyet.</translation>
     </message>
     <message>
         <source>Move UAV</source>
@@ -4853,15 +4853,15 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Click to set the next point. Enter ends the line, Backspace removes a point, Esc clears.</source>
-        <translation>Klikk setter neste punkt, Enter avslutter linjen, Slett bakover angrer ett, Esc tømmer.</translation>
+        <translation>Klikk for å sette neste punkt. Enter avslutter linjen, Slett bakover fjerner et punkt, Esc tømmer.</translation>
     </message>
     <message>
         <source>Click to start another line. Esc clears this one.</source>
-        <translation>Klikk begynner en ny linje. Esc fjerner denne.</translation>
+        <translation>Klikk for å begynne en ny linje. Esc fjerner denne.</translation>
     </message>
     <message>
         <source>Click points to measure the path between them: geodesic length, true bearing, time of flight.</source>
-        <translation>Klikk punkter for å måle veien mellom dem: geodetisk lengde, rettvisende peiling, flytid.</translation>
+        <translation>Klikk punkter for å måle veien mellom dem: geodetisk lengde, rettvisende peiling, flygetid.</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -4904,7 +4904,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Nothing flown yet. Press Space to fly the plan</source>
-        <translation>Ingenting fløyet ennå: mellomrom flyr planen</translation>
+        <translation>Ingenting fløyet ennå. Trykk mellomrom for å fly planen</translation>
     </message>
     <message>
         <source>m²</source>
@@ -4940,7 +4940,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>At %1 zeta grows by %2 m² s per second; the mean since take-off is %3.</source>
-        <translation>Ved %1 vokser zeta med %2 m² s hvert sekund, siden avgang med %3 i gjennomsnitt.</translation>
+        <translation>Ved %1 vokser zeta med %2 m² s per sekund; gjennomsnittet siden avgang er %3.</translation>
     </message>
     <message>
         <source>Distance flown</source>
@@ -4952,7 +4952,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Distance flown until %1: %2.</source>
-        <translation>Fløyet distanse ved %1: %2.</translation>
+        <translation>Avstand fløyet til %1: %2.</translation>
     </message>
     <message>
         <source>Turn rate</source>
@@ -4972,11 +4972,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Cross-track error</source>
-        <translation>Avvik fra etappen</translation>
+        <translation>Sideavvik</translation>
     </message>
     <message>
         <source>Cross-track error, m, positive to the left</source>
-        <translation>Avvik fra etappen, m, positivt mot venstre</translation>
+        <translation>Sideavvik, m, positivt mot venstre</translation>
     </message>
     <message>
         <source>m</source>
@@ -5028,7 +5028,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Cross-track error at %1: %2.</source>
-        <translation>Avvik fra etappen ved %1: %2.</translation>
+        <translation>Sideavvik ved %1: %2.</translation>
     </message>
     <message>
         <source>Zeta %1</source>
@@ -5143,15 +5143,15 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Flight geography: all places that a plan may reach, plus a margin of %1 m.</source>
-        <translation>Flygeografi: alle steder en plan kan føre til, og %1 m rundt dem.</translation>
+        <translation>Flygeografi: alle steder som en plan kan nå, pluss en margin på %1 m.</translation>
     </message>
     <message>
         <source>Formulas and default constants: Digisky calculator 3.3.0, based on the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
-        <translation>Formler og vanlige konstanter: kalkulatoren til Digisky 3.3.0, etter veiledningen fra sveitsiske FOCA; ikke en myndighets egen tekst.</translation>
+        <translation>Formler og standardverdier: kalkulatoren Digisky 3.3.0, etter veiledningen fra sveitsiske FOCA; ikke en myndighets egen tekst.</translation>
     </message>
     <message>
         <source>The outlines are in the KML, KMZ and GeoJSON exports.</source>
-        <translation>Omrissene er i eksporten til KML, KMZ og GeoJSON.</translation>
+        <translation>Omrissene er i eksportene til KML, KMZ og GeoJSON.</translation>
     </message>
     <message>
         <source>UAV</source>
@@ -5171,7 +5171,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Gust limit</source>
-        <translation>Grense for vindkast</translation>
+        <translation>Vindkastgrense</translation>
     </message>
     <message>
         <source>Icing conditions</source>
@@ -5187,7 +5187,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Made by Bergwatch from the scenario. It does not imply that the operation may be flown.</source>
-        <translation>Laget av Bergwatch ut fra scenariet. Det sier ikke om operasjonen kan flys.</translation>
+        <translation>Laget av Bergwatch ut fra scenarioet. Det betyr ikke at operasjonen kan flys.</translation>
     </message>
     <message>
         <source>Checklist</source>
@@ -5199,7 +5199,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Operation volume: proposal, to be checked with your authority</source>
-        <translation>Operasjonsvolum: forslag, må avklares med myndigheten</translation>
+        <translation>Operasjonsvolum: forslag, som må avklares med myndigheten</translation>
     </message>
     <message>
         <source>Crew</source>
@@ -5269,7 +5269,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Click a line to go to that state; the disk marks the saved one.</source>
-        <translation>Klikk på en linje for å gå tilbake eller fram til den; disketten merker det som er lagret.</translation>
+        <translation>Klikk på en linje for å gå til den tilstanden; disketten merker den lagrede.</translation>
     </message>
     <message>
         <source>History of edits</source>
@@ -5610,7 +5610,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
-        <translation>Klikk legger til et isfjell, dra videre for å sette driften. Esc forlater verktøyet.</translation>
+        <translation>Klikk for å legge til et isfjell, dra for å sette driften. Esc forlater verktøyet.</translation>
     </message>
     <message>
         <source>Place UAV</source>
@@ -5618,7 +5618,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Release to keep this heading. Esc cancels.</source>
-        <translation>Slipp for å beholde denne kursen. Esc angrer.</translation>
+        <translation>Slipp for å beholde denne kursen. Esc avbryter.</translation>
     </message>
     <message>
         <source>Move asset</source>
@@ -5630,19 +5630,19 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Release to place it here. Esc cancels.</source>
-        <translation>Slipp for å plassere det her. Esc angrer.</translation>
+        <translation>Slipp for å plassere det her. Esc avbryter.</translation>
     </message>
     <message>
         <source>Click to move the asset here. Esc leaves the tool.</source>
-        <translation>Klikk flytter objektet hit. Esc forlater verktøyet.</translation>
+        <translation>Klikk for å flytte objektet hit. Esc forlater verktøyet.</translation>
     </message>
     <message>
         <source>Click to place the protected asset. Esc leaves the tool.</source>
-        <translation>Klikk plasserer objektet som skal vernes. Esc forlater verktøyet.</translation>
+        <translation>Klikk for å plassere det beskyttede objektet. Esc forlater verktøyet.</translation>
     </message>
     <message>
         <source>Click to add an iceberg that appears here now; drag to set its drift. In flight this cannot be undone.</source>
-        <translation>Klikk legger til et isfjell som dukker opp her og nå, dra videre for å sette driften. Under flyging kan det ikke angres.</translation>
+        <translation>Klikk for å legge til et isfjell som dukker opp her nå, dra for å sette driften. Under flyging kan dette ikke angres.</translation>
     </message>
     <message>
         <source>Add UAV</source>
@@ -5650,11 +5650,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Click to place the UAV; drag to set its heading. Ctrl+click adds another one. Esc leaves the tool.</source>
-        <translation>Klikk plasserer UAV-en, dra videre for å dreie den. Med Ctrl blir det en ny. Esc forlater verktøyet.</translation>
+        <translation>Klikk for å plassere UAV-en, dra for å sette kursen. Ctrl+klikk legger til en ny. Esc forlater verktøyet.</translation>
     </message>
     <message>
         <source>Click to place %1; drag to set its heading. Ctrl+click adds another UAV. Esc leaves the tool.</source>
-        <translation>Klikk plasserer %1, dra videre for å dreie den. Med Ctrl blir det en ny UAV. Esc forlater verktøyet.</translation>
+        <translation>Klikk for å plassere %1, dra for å sette kursen. Ctrl+klikk legger til en ny UAV. Esc forlater verktøyet.</translation>
     </message>
     <message>
         <source>Seen by %1.</source>
@@ -5676,7 +5676,7 @@ Tilstøtende område %4</translation>
     <message>
         <source>search and bound</source>
         <comment>solver</comment>
-        <translation>søk og skranke</translation>
+        <translation>søk og grense</translation>
     </message>
     <message>
         <source>COIN-OR CBC</source>
@@ -5745,11 +5745,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Solver limit reached; flying to the nearest iceberg</source>
-        <translation>Grensen er nådd, flyr til nærmeste isfjell</translation>
+        <translation>Grensen for løseren er nådd; flyr til nærmeste isfjell</translation>
     </message>
     <message>
         <source>Solver limit reached; previous plan kept</source>
-        <translation>Grensen er nådd, flyr den forrige planen</translation>
+        <translation>Grensen for løseren er nådd; forrige plan er beholdt</translation>
     </message>
     <message>
         <source>Chosen one iceberg at a time</source>
@@ -5757,7 +5757,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Following the existing route</source>
-        <translation>Følger ruten som alt er lagt</translation>
+        <translation>Følger den eksisterende ruten</translation>
     </message>
     <message>
         <source>under 1 ms</source>
@@ -5940,7 +5940,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
-        <translation>Veier usikkerhet sett tidlig mot veiens lengde, med τ.</translation>
+        <translation>Veier det å se usikre isfjell tidlig mot veiens lengde, med τ.</translation>
     </message>
     <message>
         <source>Flies the shortest path past all icebergs, then the next one.</source>
@@ -5952,11 +5952,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Flies to the nearest iceberg out of view.</source>
-        <translation>Flyr til det nærmeste isfjellet som ikke er i synsfeltet.</translation>
+        <translation>Flyr til det nærmeste isfjellet ute av syne.</translation>
     </message>
     <message>
         <source>Flies to the most uncertain iceberg.</source>
-        <translation>Flyr til isfjellet med størst usikkerhet.</translation>
+        <translation>Flyr til det mest usikre isfjellet.</translation>
     </message>
     <message>
         <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
@@ -5964,7 +5964,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
-        <translation>Forutsier zeta for veier som passerer isfjell på avstand og ser flere på én gang.</translation>
+        <translation>Forutsier zeta for baner som passerer isfjell på avstand og ser flere på én gang.</translation>
     </message>
     <message>
         <source>Weighted visiting order (published method)</source>
@@ -6271,11 +6271,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Differences vs the reference; the numbers are in the table of differences</source>
-        <translation>Forskjeller fra referansen; tallene står i tabellen over forskjeller</translation>
+        <translation>Forskjeller mot referansen; tallene står i tabellen over forskjeller</translation>
     </message>
     <message>
         <source>mean difference of ζ vs %1, %</source>
-        <translation>midlere forskjell i ζ fra %1, %</translation>
+        <translation>midlere forskjell i ζ mot %1, %</translation>
     </message>
     <message>
         <source>%1 (reference)</source>
@@ -6299,7 +6299,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>%1: icebergs: %2, seed %3, %4 s in steps of %5 s</source>
-        <translation>%1: isfjell: %2, frø %3, %4 s i steg på %5 s</translation>
+        <translation>%1: isfjell: %2, startfrø %3, %4 s i steg på %5 s</translation>
     </message>
     <message>
         <source>without noise</source>
@@ -6311,19 +6311,19 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>measured with noise, velocities uncertain by 0.1 m/s</source>
-        <translation>målt med støy, hastigheter ukjente med 0.1 m/s</translation>
+        <translation>målt med støy, hastigheter usikre med 0,1 m/s</translation>
     </message>
     <message>
         <source>measured with noise, unknown velocities that change like those of real icebergs</source>
-        <translation>målt med støy, med ukjente hastigheter som endrer seg slik isfjells gjør</translation>
+        <translation>målt med støy, ukjente hastigheter som endrer seg som hos virkelige isfjell</translation>
     </message>
     <message>
         <source>Random fields: %1, seeds %2 to %3. Icebergs in each: %4, in %5 m × %6 m, drifting at up to %7 m/s</source>
-        <translation>Tilfeldige felt: %1, frø %2 til %3. Isfjell i hvert: %4, i %5 m × %6 m, med drift opptil %7 m/s</translation>
+        <translation>Tilfeldige felt: %1, startfrø %2 til %3. Isfjell i hvert: %4, i %5 m × %6 m, med drift opptil %7 m/s</translation>
     </message>
     <message>
         <source>initial σ of %1 to %2 m², growing by q = %3 m²/s</source>
-        <translation>σ først %1 til %2 m², øker med q = %3 m²/s</translation>
+        <translation>σ ved start %1 til %2 m², vokser med q = %3 m²/s</translation>
     </message>
     <message>
         <source>Scenarios</source>
@@ -6335,11 +6335,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>the scenario’s own seed, the same for every setting</source>
-        <translation>scenarioets eget frø, det samme for alle innstillinger</translation>
+        <translation>scenarioets eget startfrø, det samme for alle innstillinger</translation>
     </message>
     <message>
         <source>seeds for each scenario: %1, starting with its own, the same for every setting</source>
-        <translation>frø for hvert scenario: %1, dets eget først, de samme for alle innstillinger</translation>
+        <translation>startfrø for hvert scenario: %1, med dets eget først, de samme for alle innstillinger</translation>
     </message>
     <message>
         <source>%1 to %2 by %3 (%4 values)</source>
@@ -6387,39 +6387,39 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>How to reproduce this report</source>
-        <translation>Slik lages den på nytt</translation>
+        <translation>Slik gjenskaper du rapporten</translation>
     </message>
     <message>
         <source>This page contains the whole study with every scenario, seed and result, and Bergwatch opens it as a study file. To make the page again from these results:</source>
-        <translation>Denne siden inneholder hele studien, med alle scenarioer, frø og resultater, og kan gis til Bergwatch som studiefil. Fra resultatene i den:</translation>
+        <translation>Denne siden inneholder hele studien, med alle scenarioer, startfrø og resultater, og Bergwatch åpner den som en studiefil. Slik lages siden på nytt fra disse resultatene:</translation>
     </message>
     <message>
         <source>To fly the study again; the results depend neither on the machine nor on the number of threads:</source>
-        <translation>Fløyet på nytt; tallene avhenger verken av maskinen eller av hvor mange tråder som flyr:</translation>
+        <translation>Slik flys studien på nytt; resultatene avhenger verken av maskinen eller av antallet tråder:</translation>
     </message>
     <message>
         <source>To fly the study again with your scenario files; the results depend neither on the machine nor on the number of threads:</source>
-        <translation>Fløyet på nytt, med scenariofilene ved navn; tallene avhenger verken av maskinen eller av hvor mange tråder som flyr:</translation>
+        <translation>Slik flys studien på nytt med scenariofilene dine; resultatene avhenger verken av maskinen eller av antallet tråder:</translation>
     </message>
     <message>
         <source>ζ is the total uncertainty σ of all icebergs, integrated over the flight. Lower is better.</source>
-        <translation>ζ er integralet over flygingen av usikkerheten σ for alle isfjell samlet: mindre er bedre.</translation>
+        <translation>ζ er den samlede usikkerheten σ for alle isfjell, integrert over flygingen. Lavere er bedre.</translation>
     </message>
     <message>
         <source>There is only one case, so there is no spread to show.</source>
-        <translation>Ett tilfelle, så det er ingen spredning å vise.</translation>
+        <translation>Det er bare ett tilfelle, så det er ingen spredning å vise.</translation>
     </message>
     <message>
         <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
-        <translation>Linjen er middelet over tilfellene (%1), båndene rommer den midterste halvdelen og 80 % av dem. Linjer på tvers er middelet for strategier uten τ.</translation>
+        <translation>Linjen er gjennomsnittet over tilfellene (%1); båndene inneholder den midterste halvdelen og 80 % av dem. Vannrette linjer er gjennomsnittet for strategier uten τ.</translation>
     </message>
     <message>
         <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
-        <translation>Hvert tilfelle sammenlignes med seg selv, med de samme isfjellene og den samme støyen; strekene er 95 %-intervaller for middelet (Students t). Til venstre for 0 er bedre enn referansen.</translation>
+        <translation>Forskjellene beregnes tilfelle for tilfelle, med de samme isfjellene og den samme støyen; strekene er 95 %-intervaller for gjennomsnittet (Students t). Verdier til venstre for 0 er bedre enn referansen.</translation>
     </message>
     <message>
         <source>Not every τ is drawn; the table contains all of them.</source>
-        <translation>Ikke alle τ er tegnet; alle står i tabellen.</translation>
+        <translation>Ikke alle τ er tegnet; tabellen inneholder alle.</translation>
     </message>
     <message>
         <source>ζ against τ</source>
@@ -6427,7 +6427,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Differences vs the reference</source>
-        <translation>Forskjeller fra referansen</translation>
+        <translation>Forskjeller mot referansen</translation>
     </message>
     <message>
         <source>Best τ of each case</source>
@@ -6435,15 +6435,15 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>The τ with the lowest ζ of a case, chosen in hindsight; it is not known before the flight. If several are equal, the smallest counts.</source>
-        <translation>Den τ som gir lavest ζ i et tilfelle, valgt i ettertid: ingen kjenner den før flygingen. Av like gode teller den minste.</translation>
+        <translation>Den τ som gir lavest ζ i et tilfelle, valgt i etterkant; den er ikke kjent før flygingen. Hvis flere er like, teller den minste.</translation>
     </message>
     <message>
         <source>Stuck: at most two icebergs were targets in the second half of the flight.</source>
-        <translation>Fastlåst: høyst to isfjell som mål i siste halvdel av flygingen.</translation>
+        <translation>Hengende: høyst to isfjell var mål i andre halvdel av flygingen.</translation>
     </message>
     <message>
         <source>ζ of the case and its difference vs %1.</source>
-        <translation>ζ for tilfellet og forskjellen fra %1.</translation>
+        <translation>ζ for tilfellet og forskjellen mot %1.</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -6459,7 +6459,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Stuck</source>
-        <translation>Fast</translation>
+        <translation>Hengende</translation>
     </message>
     <message>
         <source>yes</source>
@@ -6487,7 +6487,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Differences of ζ vs %1, case by case, with 95 % intervals of the mean. Worst: the largest difference of a case.</source>
-        <translation>Forskjeller i ζ fra %1, tilfelle for tilfelle, med 95 %-intervaller for middelet. Verst: den største forskjellen i et tilfelle.</translation>
+        <translation>Forskjeller i ζ mot %1, tilfelle for tilfelle, med 95 %-intervaller for gjennomsnittet. Verst: den største forskjellen i et tilfelle.</translation>
     </message>
     <message>
         <source>Mean, m² s</source>
@@ -6519,7 +6519,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Best τ of each case, chosen in hindsight</source>
-        <translation>Beste τ i hvert tilfelle, valgt i ettertid</translation>
+        <translation>Beste τ i hvert tilfelle, valgt i etterkant</translation>
     </message>
     <message>
         <source>Cases</source>
@@ -6531,7 +6531,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>One case is too few to recommend a policy. Fly more cases.</source>
-        <translation>Ett tilfelle anbefaler ingen strategi: fly flere.</translation>
+        <translation>Ett tilfelle er for lite til å anbefale en strategi. Fly flere tilfeller.</translation>
     </message>
     <message>
         <source>Lowest ζ: %1, %2 m² s.</source>
@@ -6551,7 +6551,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Best τ of each case, chosen in hindsight: median %1, 80 % of the cases between %2 and %3; its mean ζ is %4 against %5.</source>
-        <translation>Beste τ i hvert tilfelle, valgt i ettertid: median %1, 80 % av tilfellene mellom %2 og %3; midlere ζ er %4 mot %5.</translation>
+        <translation>Beste τ i hvert tilfelle, valgt i etterkant: median %1, 80 % av tilfellene mellom %2 og %3; midlere ζ er %4 mot %5.</translation>
     </message>
     <message>
         <source>Not complete.</source>
@@ -6559,7 +6559,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Missions flown: %1 of %2. The results below use only the cases that every setting has flown: %3 of %4.</source>
-        <translation>Fløyne oppdrag: %1 av %2. Alt nedenfor gjelder tilfellene som alle innstillinger har fløyet: %3 av %4.</translation>
+        <translation>Fløyne oppdrag: %1 av %2. Resultatene nedenfor bruker bare tilfellene som alle innstillinger har fløyet: %3 av %4.</translation>
     </message>
     <message>
         <source>Missions: %1. Cases: %2, each flown with every setting. Settings: %3.</source>
@@ -6579,7 +6579,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>the shortest path through all icebergs, flown to its end, then solved again</source>
-        <translation>den korteste ruten gjennom alle isfjell, fløyet til slutten og så løst på nytt</translation>
+        <translation>den korteste veien gjennom alle isfjell, fløyet til slutten og så løst på nytt</translation>
     </message>
     <message>
         <source>the shortest round tour, flown again and again</source>
@@ -6603,7 +6603,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
-        <translation>Lengst usett: fra et isfjell ble kjent eller sett, til det ble sett igjen, dro ut, ble fjernet eller opptaket slutter.</translation>
+        <translation>Lengst usett: fra et isfjell ble kjent eller sett, til det ble sett igjen, forlot området, ble fjernet eller opptaket slutter.</translation>
     </message>
     <message>
         <source>Planned: the first sortie of the plan before take-off, over ground in straight legs. Distances flown are through the air.</source>
@@ -6627,7 +6627,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Took off</source>
-        <translation>Lettet</translation>
+        <translation>Tok av</translation>
     </message>
     <message>
         <source>Landed</source>
@@ -6667,7 +6667,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Distance planned</source>
-        <translation>Strekning planlagt</translation>
+        <translation>Planlagt avstand</translation>
     </message>
     <message>
         <source>95 % within</source>
@@ -6675,11 +6675,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Something was changed in flight: the prediction was for another flight.</source>
-        <translation>Noe ble endret under flygingen: prognosen gjaldt en annen flyging.</translation>
+        <translation>Noe ble endret under flygingen: forutsigelsen gjaldt en annen flyging.</translation>
     </message>
     <message>
         <source>and %1 more; all of them: export log-html</source>
-        <translation>og %1 til; alle: eksporter log-html</translation>
+        <translation>og %1 til; eksporter log-html for alle</translation>
     </message>
     <message>
         <source>Nothing was flown</source>
@@ -6690,11 +6690,11 @@ Tilstøtende område %4</translation>
     <name>SelectTool</name>
     <message>
         <source>Release to place it here. Esc cancels.</source>
-        <translation>Slipp for å plassere her. Esc angrer flyttingen.</translation>
+        <translation>Slipp for å plassere det her. Esc avbryter.</translation>
     </message>
     <message>
         <source>The scenario is locked during a flight. Stop the flight to change it.</source>
-        <translation>Låst mens en flyging pågår. Stopp flygingen for å endre scenarioet.</translation>
+        <translation>Scenarioet er låst under en flyging. Stopp flygingen for å endre det.</translation>
     </message>
     <message>
         <source>Everything inside the frame is selected.</source>
@@ -6702,15 +6702,15 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Click to select, drag to move. Ctrl+click adds; drag on open water to select a box.</source>
-        <translation>Klikk velger, dra flytter. Ctrl legger til, dra på sjøen velger det som er innenfor rammen.</translation>
+        <translation>Klikk for å velge, dra for å flytte. Ctrl+klikk legger til; dra på åpent vann for å velge med en ramme.</translation>
     </message>
     <message>
         <source>Click to select. In flight you can drag the tip of the wind arrow and the asset.</source>
-        <translation>Klikk velger. Under flyging kan spissen av vindpilen og objektet dras.</translation>
+        <translation>Klikk for å velge. Under flyging kan du dra spissen av vindpilen og objektet.</translation>
     </message>
     <message>
         <source>Click to select. Choose Stop and edit to change the scenario.</source>
-        <translation>Klikk velger. Stopp og rediger for å endre scenariet.</translation>
+        <translation>Klikk for å velge. Velg Stopp og rediger for å endre scenarioet.</translation>
     </message>
 </context>
 <context>
@@ -6816,15 +6816,15 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
-        <translation>τ med lavest ζ i hvert tilfelle, valgt i ettertid: median %1, kvartiler %2 og %3.</translation>
+        <translation>τ med lavest ζ i hvert tilfelle, valgt i etterkant: median %1, kvartiler %2 og %3.</translation>
     </message>
     <message>
         <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
-        <translation>Mindre enn referansen i %1 av %2 tilfeller, verst %3. I middel %4 besøk.</translation>
+        <translation>Mindre enn referansen i %1 av %2 tilfeller, verst %3. I gjennomsnitt %4 besøk.</translation>
     </message>
     <message>
         <source>stuck</source>
-        <translation>fast</translation>
+        <translation>hengende</translation>
     </message>
     <message>
         <source>%1 visits, %2 plans, %3 flown. Return or a double click opens this run.</source>
@@ -6865,7 +6865,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Stuck</source>
-        <translation>Fast</translation>
+        <translation>Hengende</translation>
     </message>
     <message>
         <source>How the next iceberg is chosen.</source>
@@ -6873,7 +6873,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
-        <translation>Akkumulert usikkerhet i m² s, middel av alle tilfeller: mindre er bedre.</translation>
+        <translation>Akkumulert usikkerhet i m² s, gjennomsnitt av alle tilfeller: mindre er bedre.</translation>
     </message>
     <message>
         <source>Half of the cases have less.</source>
@@ -6885,11 +6885,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Mean of the differences, case by case, in per cent of the reference.</source>
-        <translation>Middel av forskjellene, tilfelle for tilfelle, i prosent av referansen.</translation>
+        <translation>Gjennomsnittet av forskjellene, tilfelle for tilfelle, i prosent av referansen.</translation>
     </message>
     <message>
         <source>Confidence interval of the mean difference by Student&apos;s t.</source>
-        <translation>For den midlere forskjellen: konfidensintervall etter Students t.</translation>
+        <translation>Konfidensintervall for den midlere forskjellen etter Students t.</translation>
     </message>
     <message>
         <source>Cases in which no other setting has less ζ.</source>
@@ -6897,7 +6897,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Cases that visit at most two icebergs in the second half.</source>
-        <translation>Tilfeller som flyr til høyst to isfjell i andre halvdel.</translation>
+        <translation>Tilfeller som besøker høyst to isfjell i andre halvdel.</translation>
     </message>
     <message>
         <source>Case</source>
@@ -6921,11 +6921,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Name of the scenario, or the seed it was drawn from.</source>
-        <translation>Navnet på scenarioet, eller frøet det ble trukket fra.</translation>
+        <translation>Navnet på scenarioet, eller startfrøet det ble trukket fra.</translation>
     </message>
     <message>
         <source>Seed of the true drift, the same for every setting.</source>
-        <translation>Det den sanne driften ble trukket fra: det samme for hver innstilling.</translation>
+        <translation>Startfrøet for den sanne driften, det samme for hver innstilling.</translation>
     </message>
     <message>
         <source>Accumulated uncertainty of this flight: less is better.</source>
@@ -6937,7 +6937,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>The τ with the lowest ζ in this case, in hindsight.</source>
-        <translation>τ med lavest ζ i dette tilfellet, i ettertid.</translation>
+        <translation>τ med lavest ζ i dette tilfellet, i etterkant.</translation>
     </message>
     <message>
         <source>The setting with the lowest ζ in this case.</source>
@@ -6945,7 +6945,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>Visits at most two icebergs in the second half.</source>
-        <translation>Flyr til høyst to isfjell i andre halvdel.</translation>
+        <translation>Besøker høyst to isfjell i andre halvdel.</translation>
     </message>
 </context>
 <context>
@@ -6967,7 +6967,7 @@ Tilstøtende område %4</translation>
     <name>TimeEntry</name>
     <message>
         <source>The day and month of &quot;%1&quot; are ambiguous. Type the date like 2026-11-29 12:00.</source>
-        <translation>Dag og måned i «%1» kan leses på to måter. Skriv det som 2026-11-29 12:00.</translation>
+        <translation>Dag og måned i «%1» kan leses på to måter. Skriv datoen som 2026-11-29 12:00.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has no date. Type it like 2026-11-29 12:00.</source>
@@ -7004,18 +7004,18 @@ mot %2</translation>
     </message>
     <message>
         <source>The arrow points downwind. The ring is the airspeed of the slowest UAV (%1); beyond the dashed ring UAVs make little headway.</source>
-        <translation>Pilen peker dit vinden blåser. Ringen er flyfarten til den langsomste UAV-en (%1); utenfor den stiplede ringen kommer UAV-er knapt fremover mot vinden.</translation>
+        <translation>Pilen peker dit vinden blåser. Ringen er flyfarten til den langsomste UAV-en (%1); utenfor den stiplede ringen kommer UAV-er knapt fremover.</translation>
     </message>
     <message>
         <source>The small aircraft in the middle of a leg shows the heading flown there.</source>
-        <translation>Det lille flyet midt på en etappe viser kursen som styres der.</translation>
+        <translation>Det lille flyet midt på en etappe viser kursen som flys der.</translation>
     </message>
 </context>
 <context>
     <name>WorkFailureText</name>
     <message>
         <source>Not enough memory. Close other programs or choose a smaller task.</source>
-        <translation>Det er ikke nok minne til dette. Lukk andre programmer, eller be om mindre.</translation>
+        <translation>Ikke nok minne. Lukk andre programmer, eller velg en mindre oppgave.</translation>
     </message>
     <message>
         <source>Internal error: %1</source>
@@ -7030,7 +7030,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Removes this notice. It returns if the condition ends and occurs again.</source>
-        <translation>Tar det bort fra denne lista. Det kommer tilbake når det var over og skjer igjen.</translation>
+        <translation>Fjerner denne meldingen. Den kommer tilbake hvis tilstanden slutter og oppstår igjen.</translation>
     </message>
     <message>
         <source>Continue from here</source>
@@ -7038,15 +7038,15 @@ mot %2</translation>
     </message>
     <message>
         <source>Discards the flight after this instant. From here you can change the trade-off and the policy and fly another path.</source>
-        <translation>Forkaster det som ble fløyet etter dette øyeblikket. Herfra kan avveining og strategi endres og en annen vei flys.</translation>
+        <translation>Forkaster flygingen etter dette øyeblikket. Herfra kan du endre avveining og strategi og fly en annen bane.</translation>
     </message>
     <message>
         <source>Back to latest</source>
-        <translation>Tilbake til siste</translation>
+        <translation>Tilbake til nyeste</translation>
     </message>
     <message>
         <source>Goes to the latest instant of the flight.</source>
-        <translation>Tilbake til slutten av det som er fløyet.</translation>
+        <translation>Går til det siste øyeblikket i flygingen.</translation>
     </message>
     <message>
         <source>Checks</source>
@@ -7054,7 +7054,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Lists all findings in the scenario.</source>
-        <translation>Viser alt som er funnet om scenarioet.</translation>
+        <translation>Lister opp alle funn i scenarioet.</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -7062,7 +7062,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Continues the flight where it was left.</source>
-        <translation>Tar opp flygingen der den ble forlatt.</translation>
+        <translation>Fortsetter flygingen der den ble forlatt.</translation>
     </message>
     <message>
         <source>No alarms</source>
@@ -7085,7 +7085,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Click to show it on the map.</source>
-        <translation>Klikk viser det.</translation>
+        <translation>Klikk for å vise det på kartet.</translation>
     </message>
     <message>
         <source>Acknowledged: %1</source>
@@ -7104,11 +7104,11 @@ mot %2</translation>
     </message>
     <message>
         <source>%1 contains no points, lines or polygons</source>
-        <translation>%1 inneholder ingen steder, linjer eller polygoner</translation>
+        <translation>%1 inneholder ingen punkter, linjer eller polygoner</translation>
     </message>
     <message>
         <source>The background map %1 cannot be read</source>
-        <translation>Bakgrunnen %1 kan ikke leses</translation>
+        <translation>Bakgrunnskartet %1 kan ikke leses</translation>
     </message>
     <message>
         <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
@@ -7138,7 +7138,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Quantity shown over time</source>
-        <translation>Hva som vises over tid</translation>
+        <translation>Størrelsen som vises over tid</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -7146,7 +7146,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Choose the lines to show</source>
-        <translation>Hvilke linjer som vises</translation>
+        <translation>Velg linjene som vises</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -7154,7 +7154,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Keep the newest minutes in view (End). The wheel zooms, the right button drags.</source>
-        <translation>Hold de nyeste minuttene i synsfeltet (End). Hjulet zoomer, høyre knapp drar.</translation>
+        <translation>Hold de nyeste minuttene i syne (End). Hjulet zoomer, høyre knapp drar.</translation>
     </message>
     <message>
         <source>All</source>
@@ -7170,7 +7170,7 @@ mot %2</translation>
     </message>
     <message>
         <source>Save the chart as a picture (PNG, SVG, PDF) or its numbers as CSV</source>
-        <translation>Lagre kurvene som bilde (PNG, SVG, PDF) eller tallene som CSV</translation>
+        <translation>Lagre diagrammet som bilde (PNG, SVG, PDF) eller tallene som CSV</translation>
     </message>
     <message>
         <source>Show all</source>
@@ -7213,11 +7213,11 @@ mot %2</translation>
     <name>berg::CheckPanel</name>
     <message>
         <source>Error: must be fixed before planning</source>
-        <translation>Feil: må rettes før noe kan planlegges</translation>
+        <translation>Feil: må rettes før planlegging</translation>
     </message>
     <message>
         <source>Warning: probably not intended</source>
-        <translation>Advarsel: trolig ikke det du ønsker</translation>
+        <translation>Advarsel: trolig ikke tilsiktet</translation>
     </message>
     <message>
         <source>Hint: good to know</source>
@@ -7225,7 +7225,7 @@ mot %2</translation>
     </message>
     <message>
         <source>No problems found</source>
-        <translation>Ingenting å rette</translation>
+        <translation>Ingen feil funnet</translation>
     </message>
     <message>
         <source>Findings about the scenario</source>
@@ -7247,7 +7247,7 @@ mot %2</translation>
     </message>
     <message>
         <source>This chart compares runs of one scenario.</source>
-        <translation>Her vises sammenligningen av flyginger av samme scenario.</translation>
+        <translation>Dette diagrammet sammenligner flyginger av samme scenario.</translation>
     </message>
     <message>
         <source>%1.
@@ -7276,7 +7276,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <name>berg::ComparisonPanel</name>
     <message>
         <source>Figures of the comparison</source>
-        <translation>Tall for de to flygingene</translation>
+        <translation>Tall for sammenligningen</translation>
     </message>
     <message>
         <source>Longest time unseen</source>
@@ -7296,7 +7296,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Progress of the flight in the background</source>
-        <translation>Framdrift for flygingen i bakgrunnen</translation>
+        <translation>Fremdrift for flygingen i bakgrunnen</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -7312,7 +7312,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>0: most uncertain first; the larger, the shorter the route.</source>
-        <translation>0: mest usikre først; jo større, desto kortere vei.</translation>
+        <translation>0: mest usikre først; jo større verdi, desto kortere rute.</translation>
     </message>
     <message>
         <source>Fly</source>
@@ -7332,7 +7332,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Removes the chosen run from the list.</source>
-        <translation>Tar den valgte flygingen ut av listen.</translation>
+        <translation>Fjerner den valgte flygingen fra listen.</translation>
     </message>
     <message>
         <source>Flying %1: %2 of %3</source>
@@ -7348,7 +7348,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Flies the same scenario along the shortest closed tour through all icebergs, as in Figure 5 of the paper, in the background.</source>
-        <translation>Flyr samme scenario langs den korteste rundturen gjennom alle isfjell, som i artikkelens figur 5, i bakgrunnen.</translation>
+        <translation>Flyr samme scenario i bakgrunnen langs den korteste lukkede rundturen gjennom alle isfjell, som i figur 5 i artikkelen.</translation>
     </message>
     <message>
         <source>Compare with the round tour</source>
@@ -7480,11 +7480,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <name>berg::DifferenceChart</name>
     <message>
         <source>Differences vs the reference</source>
-        <translation>Forskjeller fra referansen</translation>
+        <translation>Forskjeller mot referansen</translation>
     </message>
     <message>
         <source>This chart compares each setting with a reference, case by case.</source>
-        <translation>Her sammenlignes hver innstilling med en referanse, tilfelle for tilfelle.</translation>
+        <translation>Dette diagrammet sammenligner hver innstilling med en referanse, tilfelle for tilfelle.</translation>
     </message>
     <message>
         <source>Less ζ is better: to the left</source>
@@ -7492,7 +7492,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Mean of the cases with its 95 % confidence interval</source>
-        <translation>Middel av tilfellene med 95 % konfidensintervall</translation>
+        <translation>Gjennomsnittet av tilfellene med 95 % konfidensintervall</translation>
     </message>
     <message>
         <source>Difference of ζ vs %1, %</source>
@@ -7575,7 +7575,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Trade-off τ, policy, solver and route</source>
-        <translation>Avveining τ, strategi, løser og rute</translation>
+        <translation>Avveining τ, strategi, løser og rutetype</translation>
     </message>
     <message>
         <source>Pareto curve</source>
@@ -7670,7 +7670,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>The file exists. Bergwatch asks before it overwrites it.</source>
-        <translation>Finnes fra før: du blir spurt før noe går tapt.</translation>
+        <translation>Filen finnes. Bergwatch spør før den overskrives.</translation>
     </message>
     <message>
         <source>Working ...</source>
@@ -7784,7 +7784,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>How the file begins</source>
-        <translation>Hvordan filen begynner</translation>
+        <translation>Begynnelsen av filen</translation>
     </message>
     <message>
         <source>Map</source>
@@ -7800,7 +7800,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Preview of the page</source>
-        <translation>Siden slik den skrives</translation>
+        <translation>Forhåndsvisning av siden</translation>
     </message>
     <message>
         <source>Page</source>
@@ -7851,7 +7851,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Must exceed the wind speed.</source>
-        <translation>Alltid raskere enn vinden.</translation>
+        <translation>Må være høyere enn vindhastigheten.</translation>
     </message>
     <message>
         <source>Maximum bank angle</source>
@@ -7883,7 +7883,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Height above sea level. UAVs at least %1 apart in height may pass each other.</source>
-        <translation>Høyde over havet: UAV-er som skiller seg med %1 i den, går klar av hverandre.</translation>
+        <translation>Høyde over havet. UAV-er med minst %1 høydeforskjell kan passere hverandre.</translation>
     </message>
     <message>
         <source>unlimited</source>
@@ -7895,7 +7895,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Longest flight; the UAV is home before it ends. At 0 it lands only when ordered to return.</source>
-        <translation>Lengste flytur: den er hjemme før det; ved 0 lander den bare når den får ordre om å fly hjem.</translation>
+        <translation>Lengste flyging; UAV-en er hjemme før den er slutt. Ved 0 lander den bare etter ordre om å fly hjem.</translation>
     </message>
     <message>
         <source>Home east</source>
@@ -7903,7 +7903,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Landing place, east of the scenario&apos;s origin.</source>
-        <translation>Hvor den lander, øst for scenariets origo.</translation>
+        <translation>Landingssted, øst for scenarioets origo.</translation>
     </message>
     <message>
         <source>Home north</source>
@@ -7911,7 +7911,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Landing place, north of the scenario&apos;s origin.</source>
-        <translation>Hvor den lander, nord for scenariets origo.</translation>
+        <translation>Landingssted, nord for scenarioets origo.</translation>
     </message>
     <message>
         <source>Turn-around</source>
@@ -7927,7 +7927,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Share of the endurance that plans leave unused.</source>
-        <translation>Del av flytiden som ingen flyging planlegges å bruke.</translation>
+        <translation>Del av utholdenheten som planer ikke bruker.</translation>
     </message>
     <message>
         <source>by percentage</source>
@@ -7939,7 +7939,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Reserve as a time, in place of the percentage.</source>
-        <translation>En tid i stedet for prosentandelen.</translation>
+        <translation>Reserve som tid, i stedet for prosentandelen.</translation>
     </message>
     <message>
         <source>Climb</source>
@@ -7967,15 +7967,15 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Strongest wind in which the UAV may fly.</source>
-        <translation>Sterkeste vind den flys i.</translation>
+        <translation>Sterkeste vind UAV-en kan fly i.</translation>
     </message>
     <message>
         <source>Gust limit</source>
-        <translation>Grense for vindkast</translation>
+        <translation>Vindkastgrense</translation>
     </message>
     <message>
         <source>Strongest gusts in which the UAV may fly.</source>
-        <translation>Sterkeste vindkast den flys i.</translation>
+        <translation>Sterkeste vindkast UAV-en kan fly i.</translation>
     </message>
     <message>
         <source>Icing conditions</source>
@@ -7983,7 +7983,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Whether the UAV may fly below 0 °C in nearly saturated air.</source>
-        <translation>Om den kan flys under 0 °C i nesten mettet luft.</translation>
+        <translation>Om UAV-en kan fly under 0 °C i nesten mettet luft.</translation>
     </message>
     <message>
         <source>each time step</source>
@@ -7995,7 +7995,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
-        <translation>Tid mellom to kommandoer fra autopiloten; ved 0 kommer én i hvert tidssteg.</translation>
+        <translation>Tid mellom to kommandoer fra autopiloten; ved 0 gir den en i hvert tidssteg.</translation>
     </message>
     <message>
         <source>Drift east</source>
@@ -8003,7 +8003,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Known drift to the east, without the current.</source>
-        <translation>Kjent drift mot øst; strømmen kommer i tillegg.</translation>
+        <translation>Kjent drift mot øst, uten strømmen.</translation>
     </message>
     <message>
         <source>Drift north</source>
@@ -8011,7 +8011,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Known drift to the north, without the current.</source>
-        <translation>Kjent drift mot nord; strømmen kommer i tillegg.</translation>
+        <translation>Kjent drift mot nord, uten strømmen.</translation>
     </message>
     <message>
         <source>Drift error</source>
@@ -8027,15 +8027,15 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Long-term standard deviation of the drift about the current, along each axis. Example, a beacon off Canada: 0.15 m/s.</source>
-        <translation>Standardavvik for driften i det lange løp, langs hver akse, omkring strømmens. En bøye utenfor Canada: 0,15 m/s.</translation>
+        <translation>Standardavvik for driften omkring strømmen i det lange løp, langs hver akse. Eksempel, en bøye utenfor Canada: 0,15 m/s.</translation>
     </message>
     <message>
         <source>Drift time constant</source>
-        <translation>Driften endrer seg på</translation>
+        <translation>Driftens tidskonstant</translation>
     </message>
     <message>
         <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
-        <translation>Tiden som går før en kjent drift ikke er kjent lenger: den avtar mot strømmen. 0: driften er konstant. En bøye utenfor Canada: 36 000 s.</translation>
+        <translation>Tiden det tar før en kjent drift avtar mot strømmen. Ved 0 er driften konstant. Eksempel, en bøye utenfor Canada: 36 000 s.</translation>
     </message>
     <message>
         <source>Growth q</source>
@@ -8043,7 +8043,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Growth of the uncertainty per second out of view.</source>
-        <translation>Det usikkerheten vokser med per sekund utenfor synsfeltet.</translation>
+        <translation>Veksten i usikkerheten per sekund ute av syne.</translation>
     </message>
     <message>
         <source>Uncertainty σ₀</source>
@@ -8051,7 +8051,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Variance of the position when it was last seen.</source>
-        <translation>Posisjonens varians da det sist ble sett.</translation>
+        <translation>Variansen til posisjonen da det sist ble sett.</translation>
     </message>
     <message>
         <source>Last seen</source>
@@ -8059,7 +8059,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Time between the last sighting and the start; σ has grown since.</source>
-        <translation>Hvor lenge før start det sist ble sett; σ har vokst siden.</translation>
+        <translation>Tiden mellom siste observasjon og starten; σ har vokst siden.</translation>
     </message>
     <message>
         <source>Appears at</source>
@@ -8067,7 +8067,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Run time from which the iceberg is known; 0 is the start.</source>
-        <translation>Tidspunktet da det blir kjent; 0 er starten.</translation>
+        <translation>Tidspunktet da isfjellet blir kjent; 0 er starten.</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -8075,7 +8075,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Half its length. It sets the size on the map and how far outside the area the iceberg is monitored.</source>
-        <translation>Halve lengden: størrelsen på kartet, og hvor langt utenfor området det fortsatt overvåkes.</translation>
+        <translation>Halve lengden. Den bestemmer størrelsen på kartet og hvor langt utenfor området isfjellet overvåkes.</translation>
     </message>
     <message>
         <source>Visited by</source>
@@ -8083,7 +8083,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>The only UAV that may visit it.</source>
-        <translation>UAV-en som alene skal besøke det.</translation>
+        <translation>Den eneste UAV-en som kan besøke det.</translation>
     </message>
     <message>
         <source>Speed east</source>
@@ -8107,7 +8107,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Distance within which icebergs matter to the asset.</source>
-        <translation>Hvor nær et isfjell betyr noe for det.</translation>
+        <translation>Avstanden der isfjell har betydning for objektet.</translation>
     </message>
     <message>
         <source>Gain</source>
@@ -8115,7 +8115,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Additional weight of an iceberg at the asset.</source>
-        <translation>Hvor mye mer et isfjell i nærheten betyr.</translation>
+        <translation>Ekstra vekt for et isfjell ved objektet.</translation>
     </message>
     <message>
         <source>half the range</source>
@@ -8127,7 +8127,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>An iceberg predicted to enter it within an hour raises an alarm. At 0 it is half the range.</source>
-        <translation>Et isfjell på vei inn i den innen en time utløser alarm; ved 0 er den halve rekkevidden.</translation>
+        <translation>Et isfjell som forutsies å komme inn i den innen en time, utløser alarm. Ved 0 er den halve rekkevidden.</translation>
     </message>
     <message>
         <source>Stand-off ring</source>
@@ -8135,7 +8135,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Least distance of UAVs from the asset; for a ship, from its whole track.</source>
-        <translation>Ingen UAV kommer nærmere; for et skip gjelder det hele seilasen.</translation>
+        <translation>Minste avstand for UAV-er til objektet; for et skip, til hele sporet.</translation>
     </message>
     <message>
         <source>Stand-off ceiling</source>
@@ -8143,7 +8143,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Height above which UAVs may cross the ring.</source>
-        <translation>Over dette kan UAV-er fly over ringen.</translation>
+        <translation>Høyden der UAV-er kan krysse over ringen.</translation>
     </message>
     <message>
         <source>Shown on the map.</source>
@@ -8159,7 +8159,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>UAVs below this height may pass under the area.</source>
-        <translation>UAV-er som flyr lavere, flyr under det.</translation>
+        <translation>UAV-er under denne høyden kan passere under området.</translation>
     </message>
     <message>
         <source>Ceiling</source>
@@ -8167,7 +8167,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>UAVs above this height may pass over the area.</source>
-        <translation>UAV-er som flyr høyere, flyr over det.</translation>
+        <translation>UAV-er over denne høyden kan passere over området.</translation>
     </message>
     <message>
         <source>Corner of the airspace</source>
@@ -8187,7 +8187,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>East of the scenario&apos;s origin.</source>
-        <translation>Øst for scenariets origo.</translation>
+        <translation>Øst for scenarioets origo.</translation>
     </message>
     <message>
         <source>Station north</source>
@@ -8195,7 +8195,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>North of the scenario&apos;s origin.</source>
-        <translation>Nord for scenariets origo.</translation>
+        <translation>Nord for scenarioets origo.</translation>
     </message>
     <message>
         <source>Antenna height</source>
@@ -8211,11 +8211,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Link range</source>
-        <translation>Rekkevidde for samband</translation>
+        <translation>Sambandsrekkevidde</translation>
     </message>
     <message>
         <source>Range of the link; the lowest value means the radio horizon of the antenna and the UAV&apos;s altitude.</source>
-        <translation>Hvor langt sambandet rekker; ved laveste verdi til radiohorisonten for antennen og UAV-ens høyde.</translation>
+        <translation>Rekkevidden til sambandet; den laveste verdien betyr radiohorisonten for antennen og UAV-ens høyde.</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -8223,15 +8223,15 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Distance around all places of the plan, for turns and replanning. Not used with a geofence.</source>
-        <translation>Rundt alle steder en plan kan føre til, for svinger og endringer av planen. Med geogjerde brukes den ikke.</translation>
+        <translation>Avstand rundt alle steder i planen, til svinger og nye planer. Brukes ikke med geogjerde.</translation>
     </message>
     <message>
         <source>UAV size</source>
-        <translation>UAV-ens størrelse</translation>
+        <translation>UAV-størrelse</translation>
     </message>
     <message>
         <source>Largest dimension of a UAV; half of it is added to the ground-risk buffer.</source>
-        <translation>Største mål på en UAV; halvparten gjør bakkerisikobufferen bredere.</translation>
+        <translation>Største mål på en UAV; halvparten legges til bakkerisikobufferen.</translation>
     </message>
     <message>
         <source>Satellite position error</source>
@@ -8271,7 +8271,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Sets the turn radius v²/(g tan bank). Same source: 30°.</source>
-        <translation>Gir svingradien v²/(g tan krengning). Samme kilde: 30°.</translation>
+        <translation>Bestemmer svingradien v²/(g tan krengning). Samme kilde: 30°.</translation>
     </message>
     <message>
         <source>Height error</source>
@@ -8287,7 +8287,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Share of the speed that is climb during the reaction time. Same source: 0.707, a climb of 45°.</source>
-        <translation>Andel av farten som fører oppover i reaksjonstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
+        <translation>Andelen av farten som er stigning i reaksjonstiden. Samme kilde: 0,707, en stigning på 45°.</translation>
     </message>
     <message>
         <source>Pull-up part</source>
@@ -8295,7 +8295,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Height needed to level out, as a share of v²/g. Same source: 0.3.</source>
-        <translation>Andel av v²/g som utflatingen krever. Samme kilde: 0,3.</translation>
+        <translation>Høyden som kreves for å flate ut, som andel av v²/g. Samme kilde: 0,3.</translation>
     </message>
     <message>
         <source>Buffer ratio</source>
@@ -8335,7 +8335,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Names printed in the flight brief. If empty, the brief has a blank line.</source>
-        <translation>Hvem som flyr, trykkes på flygearket; tomt: en blank linje.</translation>
+        <translation>Navn som skrives ut på flygearket. Hvis feltet er tomt, får arket en blank linje.</translation>
     </message>
     <message>
         <source>Call sign</source>
@@ -8343,7 +8343,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Printed in the flight brief. If empty, the brief has a blank line.</source>
-        <translation>Trykkes på flygearket. Er feltet tomt, blir det en blank linje.</translation>
+        <translation>Skrives ut på flygearket. Hvis feltet er tomt, får arket en blank linje.</translation>
     </message>
     <message>
         <source>Contacts</source>
@@ -8359,7 +8359,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>How the UAVs are commanded, and what they do if the link is lost.</source>
-        <translation>Hvordan UAV-ene styres, og hva de gjør uten den.</translation>
+        <translation>Hvordan UAV-ene styres, og hva de gjør hvis sambandet faller ut.</translation>
     </message>
     <message>
         <source>Checklist</source>
@@ -8367,7 +8367,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>One item per line, printed with a box to tick.</source>
-        <translation>En linje for hvert punkt, trykkes med en rute å krysse av.</translation>
+        <translation>Ett punkt per linje, skrevet ut med en rute til å krysse av.</translation>
     </message>
     <message>
         <source>not known</source>
@@ -8379,7 +8379,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Speed of the gusts, compared with the limits of the UAVs.</source>
-        <translation>Vindkastenes fart, sammenlignet med UAV-enes grenser.</translation>
+        <translation>Farten til vindkastene, sammenlignet med grensene for UAV-ene.</translation>
     </message>
     <message>
         <source>Temperature</source>
@@ -8403,7 +8403,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Coordinate of the origin, in any format; a full coordinate or a place name sets both. Everything moves with it.</source>
-        <translation>For origo, i hvilken som helst form; en hel koordinat eller et navn setter begge. Alt flyttes med.</translation>
+        <translation>Origos koordinat, i en hvilken som helst form; en hel koordinat eller et stedsnavn setter begge. Alt flyttes med.</translation>
     </message>
     <message>
         <source>Longitude</source>
@@ -8415,7 +8415,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Exact: a sighting gives the true position. Filter: position and velocity are estimated from noisy measurements, and icebergs can get lost.</source>
-        <translation>Eksakt: et isfjell i synsfeltet er der det ses. Filter: målinger med støy, som posisjon og fart estimeres fra, og isfjell kan gå tapt.</translation>
+        <translation>Eksakt: en observasjon gir den sanne posisjonen. Filter: posisjon og hastighet anslås fra målinger med støy, og isfjell kan gå tapt.</translation>
     </message>
     <message>
         <source>Position error</source>
@@ -8431,7 +8431,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Time between two samples of the sensor, each of which measures what is in view.</source>
-        <translation>Tid mellom to bilder fra kameraet; hvert av dem måler det som er i synsfeltet.</translation>
+        <translation>Tid mellom to målinger fra sensoren; hver av dem måler det som er i syne.</translation>
     </message>
     <message>
         <source>Detection probability</source>
@@ -8439,7 +8439,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Probability that one sample shows an iceberg in view.</source>
-        <translation>Sannsynlighet for at ett bilde viser et isfjell i synsfeltet.</translation>
+        <translation>Sannsynligheten for at én måling viser et isfjell i syne.</translation>
     </message>
     <message>
         <source>Search</source>
@@ -8447,7 +8447,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Search pattern for an iceberg that is not at its estimated position.</source>
-        <translation>Søkemønster for et isfjell som ikke er ved sin estimerte posisjon.</translation>
+        <translation>Letemønster for et isfjell som ikke er i den estimerte posisjonen.</translation>
     </message>
     <message>
         <source>Trade-off τ</source>
@@ -8467,19 +8467,19 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Time to make a plan in flight; until it is ready the UAV continues with the previous plan.</source>
-        <translation>Hvor lang tid en plan tar i luften; til den foreligger, fortsetter UAV-en med den forrige planen.</translation>
+        <translation>Tiden det tar å lage en plan under flyging; til den er klar, fortsetter UAV-en med den forrige.</translation>
     </message>
     <message>
         <source>in view</source>
-        <translation>i synsfeltet</translation>
+        <translation>i syne</translation>
     </message>
     <message>
         <source>Acceptance radius</source>
-        <translation>Godkjenningsradius</translation>
+        <translation>Passeringsradius</translation>
     </message>
     <message>
         <source>Distance at which an iceberg counts as reached; at 0 it is reached when it is in view.</source>
-        <translation>Hvor nær UAV-en må komme et isfjell; ved 0 er det nådd når det er i synsfeltet.</translation>
+        <translation>Avstanden der et isfjell regnes som nådd; ved 0 er det nådd når det er i syne.</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -8487,7 +8487,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Shape of the area that the camera covers.</source>
-        <translation>Formen på det kameraet dekker.</translation>
+        <translation>Formen på området som kameraet dekker.</translation>
     </message>
     <message>
         <source>Group nearby icebergs</source>
@@ -8495,11 +8495,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Icebergs that fit into one field of view are planned as one point, from which all are seen.</source>
-        <translation>Isfjell som får plass i ett synsfelt, planlegges som ett punkt som alle ses fra.</translation>
+        <translation>Isfjell som får plass i ett synsfelt, planlegges som ett punkt der alle er i syne.</translation>
     </message>
     <message>
         <source>Title of the scenario, shown on the map.</source>
-        <translation>Scenarioets tittel, vises på kartet.</translation>
+        <translation>Tittelen på scenarioet, vist på kartet.</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -8507,7 +8507,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Any text, stored in the file.</source>
-        <translation>Valgfri tekst, lagres i filen.</translation>
+        <translation>Valgfri tekst som lagres i filen.</translation>
     </message>
     <message>
         <source>Start (UTC)</source>
@@ -8531,7 +8531,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Seed of the random drift: the same seed repeats the run.</source>
-        <translation>Bestemmer den tilfeldige driften: samme frø, samme flyging.</translation>
+        <translation>Startfrø for den tilfeldige driften: det samme startfrøet gjentar flygingen.</translation>
     </message>
     <message>
         <source>Time step</source>
@@ -8539,7 +8539,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Step of the simulation; a smaller step is more exact and slower.</source>
-        <translation>Simuleringens steg; lite er nøyaktig og langsomt.</translation>
+        <translation>Steget i simuleringen; et mindre steg er mer nøyaktig og langsommere.</translation>
     </message>
     <message>
         <source>Random drift</source>
@@ -8547,7 +8547,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Off: icebergs drift exactly as known.</source>
-        <translation>Av: isfjellene driver nøyaktig som kjent.</translation>
+        <translation>Av: isfjell driver nøyaktig som kjent.</translation>
     </message>
     <message>
         <source>Wind east</source>
@@ -8555,7 +8555,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Towards the east; must be below the UAV&apos;s airspeed.</source>
-        <translation>Mot øst; alltid langsommere enn UAV-en flyr.</translation>
+        <translation>Mot øst; må være lavere enn UAV-ens flyfart.</translation>
     </message>
     <message>
         <source>Wind north</source>
@@ -8563,7 +8563,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Towards the north; must be below the UAV&apos;s airspeed.</source>
-        <translation>Mot nord; alltid langsommere enn UAV-en flyr.</translation>
+        <translation>Mot nord; må være lavere enn UAV-ens flyfart.</translation>
     </message>
     <message>
         <source>Current east</source>
@@ -8595,7 +8595,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>no separation</source>
-        <translation>ingen avstandskrav</translation>
+        <translation>ikke noe avstandskrav</translation>
     </message>
     <message>
         <source>Separation</source>
@@ -8603,7 +8603,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
-        <translation>UAV-er holdes så langt fra hverandre, med mindre høydene deres skiller seg med %1.</translation>
+        <translation>Minste avstand mellom UAV-er med mindre enn %1 høydeforskjell.</translation>
     </message>
 </context>
 <context>
@@ -8720,7 +8720,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>ζ compared with the prediction for the policy before take-off.</source>
-        <translation>ζ mot det som ble forutsagt for strategien før avgang.</translation>
+        <translation>ζ sammenlignet med forutsigelsen for strategien før avgang.</translation>
     </message>
     <message>
         <source>Lower bound</source>
@@ -8756,7 +8756,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Compares the run with others.</source>
-        <translation>Stiller flygingen ved siden av andre.</translation>
+        <translation>Sammenligner flygingen med andre.</translation>
     </message>
     <message>
         <source>Save run</source>
@@ -8764,7 +8764,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Saves the run to a file.</source>
-        <translation>Tar vare på flygingen i en fil.</translation>
+        <translation>Lagrer flygingen i en fil.</translation>
     </message>
     <message>
         <source>Report</source>
@@ -8780,7 +8780,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Predicted range of ζ for 90 % of flights.</source>
-        <translation>ζ for ni av ti flyginger ble forutsagt å ligge i dette området.</translation>
+        <translation>Forutsagt område for ζ i 90 % av flygingene.</translation>
     </message>
     <message>
         <source>below %1 to %2</source>
@@ -8796,7 +8796,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>changed in flight</source>
-        <translation>endret underveis</translation>
+        <translation>endret under flyging</translation>
     </message>
     <message>
         <source>being computed, %1 %</source>
@@ -8811,7 +8811,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Flight to %1 discarded</source>
-        <translation>Flyging til %1 oppgitt</translation>
+        <translation>Flyging til %1 forkastet</translation>
     </message>
 </context>
 <context>
@@ -8822,7 +8822,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Ready. Press Space to fly</source>
-        <translation>Klar: mellomrom starter flygingen</translation>
+        <translation>Klar. Trykk mellomrom for å fly</translation>
     </message>
     <message>
         <source>Flying</source>
@@ -8842,14 +8842,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
-        <translation>Trykk I og klikk i kartet for å plassere ett, dra videre for å la det drive, eller importer observasjoner.</translation>
+        <translation>Trykk I og klikk på kartet for å plassere et isfjell, dra for å sette driften, eller importer observasjoner.</translation>
     </message>
 </context>
 <context>
     <name>berg::GenerateDialog</name>
     <message>
         <source>There is no room for this many icebergs at this spacing. Choose fewer icebergs, a smaller spacing or a larger area.</source>
-        <translation>Det er ikke plass til så mange så langt fra hverandre. Velg færre, en mindre avstand eller et større område.</translation>
+        <translation>Det er ikke plass til så mange isfjell med denne avstanden. Velg færre isfjell, en mindre avstand eller et større område.</translation>
     </message>
     <message>
         <source>The area is too thin to place icebergs in.</source>
@@ -8881,7 +8881,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Visible part of the map</source>
-        <translation>Det kartet viser</translation>
+        <translation>Synlig del av kartet</translation>
     </message>
     <message>
         <source>Rectangle in the middle of the map</source>
@@ -8933,7 +8933,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Drift direction, clockwise from north</source>
-        <translation>Retningen de driver mot, fra nord</translation>
+        <translation>Retningen på driften, med klokken fra nord</translation>
     </message>
     <message>
         <source>Spread to either side</source>
@@ -8973,7 +8973,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>The same seed generates the same field again.</source>
-        <translation>Samme tall gir samme felt på nytt.</translation>
+        <translation>Det samme startfrøet gir det samme feltet igjen.</translation>
     </message>
     <message>
         <source>&amp;Another</source>
@@ -8985,7 +8985,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>&amp;Seed</source>
-        <translation>&amp;Startverdi</translation>
+        <translation>&amp;Startfrø</translation>
     </message>
     <message>
         <source>R&amp;eplace existing icebergs</source>
@@ -8998,8 +8998,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message numerus="yes">
         <source>The scenario will have %n icebergs.</source>
         <translation>
-            <numerusform>Scenarioet får da ett isfjell.</numerusform>
-            <numerusform>Scenarioet får da %n isfjell.</numerusform>
+            <numerusform>Scenarioet får %n isfjell.</numerusform>
+            <numerusform>Scenarioet får %n isfjell.</numerusform>
         </translation>
     </message>
     <message>
@@ -9008,11 +9008,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Unknown, changing within 10 h</source>
-        <translation>Ikke kjent, endrer seg i løpet av 10 t</translation>
+        <translation>Ukjent, endrer seg i løpet av 10 t</translation>
     </message>
     <message>
         <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
-        <translation>Som tilpasset en bøye: 0,15 m/s langs hver akse, i alle retninger. Isfjellene måles da under flyging.</translation>
+        <translation>Som tilpasset en bøye: 0,15 m/s langs hver akse, i alle retninger. Isfjell måles da under flyging.</translation>
     </message>
 </context>
 <context>
@@ -9062,7 +9062,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>In flight the icebergs cannot be edited. Stop the flight to paste.</source>
-        <translation>Under flygingen kan isfjellene ikke endres. Stopp flygingen for å lime inn.</translation>
+        <translation>Isfjellene kan ikke redigeres under flyging. Stopp flygingen for å lime inn.</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -9089,7 +9089,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>The column &quot;%1&quot; is computed from others. Nothing was pasted.</source>
-        <translation>Kolonnen «%1» følger av de andre. Ingenting ble limt inn.</translation>
+        <translation>Kolonnen «%1» beregnes ut fra andre. Ingenting ble limt inn.</translation>
     </message>
 </context>
 <context>
@@ -9112,11 +9112,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Line of the file that names the columns, if a title precedes it.</source>
-        <translation>Linjen i filen som har kolonnenes navn, når en tittel står over den.</translation>
+        <translation>Linjen i filen som navngir kolonnene, hvis det står en tittel over den.</translation>
     </message>
     <message>
         <source>&amp;Header line</source>
-        <translation>&amp;Linje med overskrifter</translation>
+        <translation>Overskrifts&amp;linje</translation>
     </message>
     <message>
         <source>Columns as for the last file with this header.</source>
@@ -9143,7 +9143,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>No sighting can be imported.</source>
-        <translation>Ingen av observasjonene er tatt med.</translation>
+        <translation>Ingen observasjon kan importeres.</translation>
     </message>
     <message>
         <source>Import sightings from %1</source>
@@ -9223,7 +9223,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Choose below which rows belong to the same iceberg.</source>
-        <translation>Velg nedenfor hvilke rader som er observasjoner av ett isfjell.</translation>
+        <translation>Velg nedenfor hvilke rader som hører til samme isfjell.</translation>
     </message>
     <message>
         <source>Faster than 1.5 m/s or on land: %1. Check columns, units and ids.</source>
@@ -9254,7 +9254,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>The file does not say which rows belong to the same iceberg. Choose:</source>
-        <translation>Ingenting i filen forteller hvilke rader som er observasjoner av ett isfjell. Velg:</translation>
+        <translation>Filen sier ikke hvilke rader som hører til samme isfjell. Velg:</translation>
     </message>
     <message numerus="yes">
         <source>%n icebergs</source>
@@ -9292,11 +9292,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Growth of the uncertainty if there are too few sightings to estimate it.</source>
-        <translation>Usikkerhetens vekst der observasjonene er for få til å anslå den.</translation>
+        <translation>Veksten i usikkerheten hvis det er for få observasjoner til å anslå den.</translation>
     </message>
     <message>
         <source>This scenario</source>
-        <translation>Scenarioet på skjermen</translation>
+        <translation>Dette scenarioet</translation>
     </message>
     <message>
         <source>A new scenario</source>
@@ -9304,7 +9304,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Icebergs already in this scenario are updated by their ids.</source>
-        <translation>Isfjell som scenarioet på skjermen alt har, oppdateres etter id-ene.</translation>
+        <translation>Isfjell som alt er i dette scenarioet, oppdateres etter id-ene.</translation>
     </message>
     <message>
         <source>&amp;Into</source>
@@ -9320,7 +9320,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Visible part of the &amp;map</source>
-        <translation>Det &amp;kartet viser</translation>
+        <translation>Synlig del av &amp;kartet</translation>
     </message>
     <message>
         <source>South</source>
@@ -9344,7 +9344,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Sightings after the start become the true motion of an iceberg. Requires a start time.</source>
-        <translation>Observasjoner etter starten blir isfjellets sanne bevegelse. Da må starten oppgis.</translation>
+        <translation>Observasjoner etter starten blir den sanne bevegelsen til et isfjell. Krever en starttid.</translation>
     </message>
     <message>
         <source>Position &amp;error</source>
@@ -9356,7 +9356,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Standard deviation of an unknown drift along each axis. With 0 the drift counts as known and constant.</source>
-        <translation>Standardavvik for driften der den ikke er kjent, langs hver akse. Med 0 regnes driften som kjent og konstant.</translation>
+        <translation>Standardavvik for en ukjent drift langs hver akse. Med 0 regnes driften som kjent og konstant.</translation>
     </message>
     <message>
         <source>Drift &amp;changes in</source>
@@ -9364,7 +9364,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Time after which a known drift is no longer valid. 0 means never.</source>
-        <translation>Tiden som går før en kjent drift ikke er kjent lenger. 0: aldri.</translation>
+        <translation>Tiden før en kjent drift ikke lenger gjelder. 0 betyr aldri.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -9380,7 +9380,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>How to read dates such as 05/02/2021.</source>
-        <translation>Hvordan datoer som 05/02/2021 er ment.</translation>
+        <translation>Hvordan datoer som 05/02/2021 skal leses.</translation>
     </message>
     <message>
         <source>Dat&amp;es</source>
@@ -9388,11 +9388,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>UTC time that becomes the start of the scenario. Otherwise its start stays, or moves to the last sighting if that is later.</source>
-        <translation>UTC-tid som blir starten på scenarioet. Ellers blir starten stående, eller flyttes til den siste observasjonen der den er senere.</translation>
+        <translation>UTC-tid som blir starten på scenarioet. Ellers blir starten stående, eller den flyttes til den siste observasjonen hvis den er senere.</translation>
     </message>
     <message>
         <source>Standard deviation of a position along each axis if the file states none and no column names the source.</source>
-        <translation>Standardavvik for en posisjon langs hver akse der filen ikke oppgir noe og ingen kolonne navngir kilden.</translation>
+        <translation>Standardavvik for en posisjon langs hver akse hvis filen ikke oppgir noe og ingen kolonne navngir kilden.</translation>
     </message>
     <message>
         <source>As stated in the file</source>
@@ -9404,7 +9404,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Sensor that found the positions. Rows whose column “source”, “method” or “sensor” names another source use its error.</source>
-        <translation>Hva posisjonene ble funnet med. Rader der kolonnen «source», «method» eller «sensor» navngir en annen kilde, har feilen til den.</translation>
+        <translation>Sensoren som fant posisjonene. Rader der kolonnen «source», «method» eller «sensor» navngir en annen kilde, bruker feilen for den.</translation>
     </message>
     <message>
         <source>Seen b&amp;y</source>
@@ -9488,7 +9488,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Edits apply to all of them.</source>
-        <translation>Det som skrives her, gjelder for alle.</translation>
+        <translation>Endringer gjelder alle.</translation>
     </message>
     <message>
         <source>UAV %1</source>
@@ -9507,7 +9507,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
-        <translation>Id-en «%1» er opptatt. Hvert isfjell og hver UAV må ha sin egen.</translation>
+        <translation>Id-en «%1» er opptatt. Hvert isfjell og hver UAV trenger en unik id.</translation>
     </message>
     <message>
         <source>Change id</source>
@@ -9515,7 +9515,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Select an object on the map to edit it.</source>
-        <translation>Velg noe på kartet for å redigere det.</translation>
+        <translation>Velg et objekt på kartet for å redigere det.</translation>
     </message>
     <message>
         <source>Asset</source>
@@ -9531,11 +9531,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Identifies the iceberg in files and lists; must be unique.</source>
-        <translation>Navngir isfjellet i filer og lister; hver id finnes bare én gang.</translation>
+        <translation>Identifiserer isfjellet i filer og lister; må være unik.</translation>
     </message>
     <message>
         <source>Identifies the UAV in files and lists; must be unique.</source>
-        <translation>Navngir UAV-en i filer og lister; hver id finnes bare én gang.</translation>
+        <translation>Identifiserer UAV-en i filer og lister; må være unik.</translation>
     </message>
     <message>
         <source>A UAV needs an id.</source>
@@ -9582,11 +9582,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Opacity; at the left end the layer is hidden</source>
-        <translation>Dekning; helt til venstre er det skjult</translation>
+        <translation>Dekkevne; helt til venstre er laget skjult</translation>
     </message>
     <message>
         <source>Time covered by drift arrows; arrows too long for the map are shortened and dashed</source>
-        <translation>Hvor langt fram driftpilene ser; de som er for lange for kartet, er avkortet og stiplet</translation>
+        <translation>Tiden som driftpilene dekker; piler som er for lange for kartet, er forkortet og stiplet</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -9610,7 +9610,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Removes the background</source>
-        <translation>Viser ikke lenger noen bakgrunn</translation>
+        <translation>Fjerner bakgrunnen</translation>
     </message>
     <message>
         <source>Choose a file…</source>
@@ -9618,7 +9618,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
-        <translation>Et eget kart under alt annet: GeoJSON, KML eller KMZ, for eksempel et iskart</translation>
+        <translation>Ditt eget kart under alle lag, for eksempel et iskart: GeoJSON, KML eller KMZ</translation>
     </message>
     <message>
         <source>Background file: %1</source>
@@ -9714,8 +9714,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message numerus="yes">
         <source>%n icebergs and the UAVs on the sea. Arrow keys move the map or the selection, plus and minus zoom, F fits. The iceberg table lists the icebergs.</source>
         <translation>
-            <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser. Isfjelltabellen har dem rad for rad.</numerusform>
-            <numerusform>%n isfjell og UAV-en på sjøen. Piltastene flytter kartet eller det som er valgt, pluss og minus zoomer, F tilpasser. Isfjelltabellen har dem rad for rad.</numerusform>
+            <numerusform>%n isfjell og UAV-ene på sjøen. Piltastene flytter kartet eller utvalget, pluss og minus zoomer, F viser alt. Isfjelltabellen lister opp isfjellene.</numerusform>
+            <numerusform>%n isfjell og UAV-ene på sjøen. Piltastene flytter kartet eller utvalget, pluss og minus zoomer, F viser alt. Isfjelltabellen lister opp isfjellene.</numerusform>
         </translation>
     </message>
     <message>
@@ -9772,7 +9772,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Before the first overwrite of a file, a copy is kept as NAME.berg~</source>
-        <translation>Før en fil skrives over første gang, tas det som sto i den, vare på som NAVN.berg~</translation>
+        <translation>Før en fil overskrives første gang, lagres en kopi som NAVN.berg~</translation>
     </message>
     <message>
         <source>Reco&amp;ver unsaved work...</source>
@@ -9876,7 +9876,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Swept ar&amp;ea</source>
-        <translation>S&amp;ett område</translation>
+        <translation>Avsøkt områd&amp;e</translation>
     </message>
     <message>
         <source>S&amp;how true positions</source>
@@ -9884,7 +9884,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Shows the true positions of the icebergs beside the estimates. When off, the map shows only what an operator would see.</source>
-        <translation>Hvor isfjellene egentlig er, ved siden av der observatøren tror de er; av: bare det en operatør ville se</translation>
+        <translation>Viser de sanne posisjonene til isfjellene ved siden av estimatene. Når dette er av, viser kartet bare det en operatør ville se.</translation>
     </message>
     <message>
         <source>F&amp;light</source>
@@ -9940,11 +9940,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Step one &amp;tick</source>
-        <translation>Steg på ett ti&amp;dsskritt</translation>
+        <translation>Ett ti&amp;dssteg frem</translation>
     </message>
     <message>
         <source>Step back one t&amp;ick</source>
-        <translation>Steg tilbake ett t&amp;idsskritt</translation>
+        <translation>Ett t&amp;idssteg tilbake</translation>
     </message>
     <message>
         <source>&amp;Next event</source>
@@ -10032,7 +10032,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Finish drawing, undo last point</source>
-        <translation>Lukk det som tegnes, angre siste punkt</translation>
+        <translation>Avslutt tegningen, angre siste punkt</translation>
     </message>
     <message>
         <source>Enter, Backspace</source>
@@ -10048,7 +10048,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Cancel drawing, leave tool, clear selection</source>
-        <translation>Forlat det som tegnes, verktøyet, utvalget</translation>
+        <translation>Avbryt tegningen, forlat verktøyet, tøm utvalget</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -10064,7 +10064,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans and simulates UAV missions that monitor drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlegger, flyr og måler UAV-oppdrag som holder øye med drivende isfjell.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-lisens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområdene er laget med Natural Earth.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planlegger og simulerer UAV-oppdrag som overvåker drivende isfjell.&lt;/p&gt;&lt;p&gt;Egen kode: MIT-lisens. Qt Charts: GPL 3. COIN-OR CBC: EPL. Landområdene er laget med Natural Earth.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>No-fly area</source>
@@ -10198,7 +10198,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <name>berg::MissionRunner</name>
     <message>
         <source>The scenario has changed meanwhile. Nothing was exported.</source>
-        <translation>Scenariet er endret i mellomtiden. Ingenting ble eksportert.</translation>
+        <translation>Scenarioet er endret i mellomtiden. Ingenting ble eksportert.</translation>
     </message>
     <message>
         <source>The run has ended. Stop and edit to fly it differently.</source>
@@ -10213,7 +10213,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>The replay of this run differs from the recording: %1</source>
-        <translation>Fløyet på nytt blir denne flygingen annerledes: %1</translation>
+        <translation>Avspillingen av denne flygingen avviker fra opptaket: %1</translation>
     </message>
 </context>
 <context>
@@ -10228,11 +10228,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>&quot;%1&quot; is above the highest value. %2 was set.</source>
-        <translation>«%1» er over den høyeste verdien. %2 ble valgt.</translation>
+        <translation>«%1» er over den høyeste verdien. %2 ble satt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is below the lowest value. %2 was set.</source>
-        <translation>«%1» er under den laveste verdien. %2 ble valgt.</translation>
+        <translation>«%1» er under den laveste verdien. %2 ble satt.</translation>
     </message>
 </context>
 <context>
@@ -10259,15 +10259,15 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Not everything can stay at its place: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
-        <translation>Ikke alt kunne ligge der det er: et scenario rekker %1 fra origo. Flytt alt med, eller velg et nærmere sted.</translation>
+        <translation>Ikke alt kan ligge der det er: et scenario rekker %1 fra origo. Flytt alt med, eller velg et nærmere sted.</translation>
     </message>
     <message>
         <source>The origin moves to %1, %2 away. Positions, courses and drift on the Earth stay the same.</source>
-        <translation>Origo kommer til %1, %2 unna. Steder, kurser og drift på jorden blir de samme.</translation>
+        <translation>Origo flyttes til %1, %2 unna. Posisjoner, kurser og drift på jorden forblir de samme.</translation>
     </message>
     <message>
         <source>Everything moves to %1, %2 away, and keeps its position relative to the origin.</source>
-        <translation>Alt kommer til %1, %2 unna, og beholder plassen sin rundt origo.</translation>
+        <translation>Alt flyttes til %1, %2 unna, og beholder posisjonen i forhold til origo.</translation>
     </message>
     <message>
         <source>The origin is here now.</source>
@@ -10282,7 +10282,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Polar chart showing the location of the map. Click a place to move the map there.</source>
-        <translation>Polarkart over hvor kartet er. Et klikk velger et sted for kartet.</translation>
+        <translation>Polarkart som viser hvor kartet er. Klikk på et sted for å flytte kartet dit.</translation>
     </message>
 </context>
 <context>
@@ -10355,7 +10355,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Distance from the previous iceberg, or from the UAV</source>
-        <translation>Avstand fra det forrige, det første fra UAV-en</translation>
+        <translation>Avstand fra forrige isfjell, eller fra UAV-en</translation>
     </message>
     <message>
         <source>Arrival</source>
@@ -10363,7 +10363,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Uncertainty of the position now</source>
-        <translation>Posisjonens usikkerhet nå</translation>
+        <translation>Usikkerheten i posisjonen nå</translation>
     </message>
     <message>
         <source>later</source>
@@ -10382,7 +10382,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>It has no iceberg to visit.</source>
-        <translation>Den har ingenting å besøke.</translation>
+        <translation>Den har ikke noe isfjell å besøke.</translation>
     </message>
     <message>
         <source>%1, flown %2</source>
@@ -10395,15 +10395,15 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Den er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
+        <translation>Ingen plan mens UAV-en er på vei hjem, på bakken eller holder. En ny plan lages når den fortsetter.</translation>
     </message>
     <message>
         <source>In view</source>
-        <translation>I synsfelt</translation>
+        <translation>I syne</translation>
     </message>
     <message>
         <source>Probability that the iceberg is in view when the UAV reaches its estimate</source>
-        <translation>Sjansen for at isfjellet er i synsfeltet når dronen er over dets estimat</translation>
+        <translation>Sannsynligheten for at isfjellet er i syne når UAV-en når estimatet</translation>
     </message>
     <message>
         <source>%1 (search)</source>
@@ -10412,7 +10412,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Lost: searched for %1</source>
         <comment>times and chances of finding it</comment>
-        <translation>Mistet: letes etter %1</translation>
+        <translation>Tapt: letes etter %1</translation>
     </message>
     <message>
         <source>Returning home</source>
@@ -10432,7 +10432,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Uncertainty of the position on arrival</source>
-        <translation>Posisjonens usikkerhet når UAV-en er der</translation>
+        <translation>Usikkerheten i posisjonen ved ankomst</translation>
     </message>
     <message>
         <source>%1, flown by %2</source>
@@ -10462,11 +10462,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Ground speed in the present wind</source>
-        <translation>Fart over grunnen i vinden som er nå</translation>
+        <translation>Fart over grunnen i den nåværende vinden</translation>
     </message>
     <message>
         <source>Arrival of the UAV</source>
-        <translation>Når UAV-en er der</translation>
+        <translation>UAV-ens ankomst</translation>
     </message>
     <message>
         <source>95 % now</source>
@@ -10502,14 +10502,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Predicted for straight legs to the icebergs as they drift,
 without sightings en route and without new plans.</source>
-        <translation>Beregnet for rette etapper til isfjellene slik de driver,
-uten noe sett underveis og uten ny planlegging.</translation>
+        <translation>Forutsagt for rette etapper til isfjellene slik de driver,
+uten observasjoner underveis og uten nye planer.</translation>
     </message>
     <message>
         <source>Predicted for the path on the map, with every iceberg that comes into view
 on it, without new plans.</source>
-        <translation>Forutsagt for veien på kartet, med hvert isfjell som kommer i sikte
-på den, og uten at noe planlegges på nytt.</translation>
+        <translation>Forutsagt for banen på kartet, med hvert isfjell som kommer i syne
+på den, uten nye planer.</translation>
     </message>
     <message>
         <source>No useful lower bound on ζ</source>
@@ -10518,12 +10518,12 @@ på den, og uten at noe planlegges på nytt.</translation>
     <message>
         <source>The lower bound is proven for this scenario and its random drift,
 for any policy and any turn radius.</source>
-        <translation>Grensen er bevist for dette scenariet og støyen det trekker,
-uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
+        <translation>Den nedre grensen er bevist for dette scenarioet og den tilfeldige driften,
+for enhver strategi og enhver svingradius.</translation>
     </message>
     <message>
         <source>Out of radio range for %1</source>
-        <translation>Utenfor rekkevidde i %1</translation>
+        <translation>Utenfor radiorekkevidde i %1</translation>
     </message>
     <message>
         <source>Recovery slots: %1</source>
@@ -10531,11 +10531,11 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>UAV-en er på vei hjem, på bakken eller holder: den planlegges igjen ved avgang eller når den fortsetter.</translation>
+        <translation>Ingen plan mens UAV-en er på vei hjem, på bakken eller holder. En ny plan lages når den fortsetter.</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1</source>
-        <translation>Mot planen før: %1</translation>
+        <translation>Sammenlignet med forrige plan: %1</translation>
     </message>
     <message>
         <source>The run is complete.</source>
@@ -10563,15 +10563,15 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>Expected ζ at %1 with this plan: %2</source>
-        <translation>Forventet ζ kl. %1 hvis denne planen flys: %2</translation>
+        <translation>Forventet ζ kl. %1 med denne planen: %2</translation>
     </message>
     <message>
         <source>Expected ζ at the end with this plan: %1</source>
-        <translation>Forventet ζ hvis denne planen flys til slutten: %1</translation>
+        <translation>Forventet ζ til slutt med denne planen: %1</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1, ζ %2</source>
-        <translation>Mot planen før: %1, ζ %2</translation>
+        <translation>Sammenlignet med forrige plan: %1, ζ %2</translation>
     </message>
     <message>
         <source>Lower bound on ζ: being computed, %1 %</source>
@@ -10583,11 +10583,11 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>The length of this sortie is over ground, up to the end of the run at most.</source>
-        <translation>Lengden av dette toktet er over grunnen, høyst til flygingen slutter.</translation>
+        <translation>Lengden av dette toktet er over grunnen, høyst til slutten av flygingen.</translation>
     </message>
     <message>
         <source>Nothing to visit: there are no icebergs yet, all of them are in view, or none can be visited without using the reserve.</source>
-        <translation>Ingenting å besøke: det er ingen isfjell ennå, alle er i syne, eller ingen kan besøkes før reserven.</translation>
+        <translation>Ingenting å besøke: det er ingen isfjell ennå, alle er i syne, eller ingen kan besøkes uten å bruke reserven.</translation>
     </message>
     <message>
         <source>Longest time unseen: %1 (%2)</source>
@@ -10607,7 +10607,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>Sum of each iceberg&apos;s σ times the number of places after it in the order: larger if uncertain icebergs come early.</source>
-        <translation>Hvert isfjells σ ganger antall plasser etter dets egen i rekkefølgen: jo før de usikre kommer, desto mer.</translation>
+        <translation>Summen av hvert isfjells σ ganger antallet plasser etter det i rekkefølgen: større hvis usikre isfjell kommer tidlig.</translation>
     </message>
     <message>
         <source>Objective</source>
@@ -10615,7 +10615,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>Distance cost minus uncertainty reward: the objective that the solver minimises.</source>
-        <translation>Vektet avstand minus usikkerhetsgevinsten: det løseren gjør så lite som mulig.</translation>
+        <translation>Avstandskostnad minus usikkerhetsgevinst: målfunksjonen som løseren minimerer.</translation>
     </message>
     <message>
         <source>Distance weight μ</source>
@@ -10651,7 +10651,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>Planned length of the whole order through the air, with turns; in wind the mean of both directions. The solver weighs this length and the trade-off chart shows it. The plan panel shows the length of this sortie over ground.</source>
-        <translation>Lengden av hele rekkefølgen slik den ble planlagt, gjennom luften, i vind midlet av begge retninger, og med svingene: det løseren veier, som i avveiningsdiagrammet. Rutepanelet har lengden av dette toktet over grunnen.</translation>
+        <translation>Planlagt lengde av hele rekkefølgen gjennom luften, med svinger; i vind gjennomsnittet av begge retninger. Løseren veier denne lengden, og avveiningsdiagrammet viser den. Rutepanelet viser lengden av dette toktet over grunnen.</translation>
     </message>
 </context>
 <context>
@@ -10682,11 +10682,11 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>This scenario cannot be flown. Fix the reported errors first.</source>
-        <translation>Dette scenarioet kan ikke flys. Rett først det som er meldt.</translation>
+        <translation>Dette scenarioet kan ikke flys. Rett de meldte feilene først.</translation>
     </message>
     <message>
         <source>The run has ended.</source>
-        <translation>Turen er slutt.</translation>
+        <translation>Flygingen er slutt.</translation>
     </message>
     <message>
         <source>Fly again from the start (Space)</source>
@@ -10718,7 +10718,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>Time shown. Type a time to look back, e.g. 3:20.</source>
-        <translation>Vist tid. Skriv en tid for å se tilbake på den, f.eks. 3:20.</translation>
+        <translation>Vist tid. Skriv en tid for å se tilbake, f.eks. 3:20.</translation>
     </message>
     <message>
         <source>Length of the run</source>
@@ -10742,11 +10742,11 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>Scenario locked in flight. τ and policy can be changed while flying; the plan follows at once.</source>
-        <translation>Scenarioet er låst under flyging. τ og strategi kan endres under flyging; planen følger med straks.</translation>
+        <translation>Scenarioet er låst under flyging. τ og strategi kan endres; planen følger med straks.</translation>
     </message>
     <message>
         <source>Scenario locked</source>
-        <translation>Scenariet er låst</translation>
+        <translation>Scenarioet er låst</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a time. Type it like 3:20 or 45 min.</source>
@@ -10758,7 +10758,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>Time shown. Type a time to look back, e.g. 1215Z, or 3:20 since the start.</source>
-        <translation>Tiden som vises. Skriv en for å se tilbake på den, f.eks. 1215Z eller, siden start, 3:20.</translation>
+        <translation>Vist tid. Skriv en tid for å se tilbake, f.eks. 1215Z, eller 3:20 siden start.</translation>
     </message>
     <message>
         <source>End of the run</source>
@@ -10809,7 +10809,7 @@ uansett strategi og uansett hvor krapt UAV-en svinger.</translation>
     </message>
     <message>
         <source>Not predicted: flying it %1 times in advance takes more than %2.</source>
-        <translation>Ikke forutsagt: å fly det %1 ganger på forhånd tar mer enn %2.</translation>
+        <translation>Ikke forutsagt: å fly strategien %1 ganger på forhånd tar mer enn %2.</translation>
     </message>
     <message>
         <source>ζ is predicted before take-off by flying the mission %1 times with each policy, with drift
@@ -10934,7 +10934,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Restart Bergwatch to apply the new text size.</source>
-        <translation>Teksten får denne størrelsen når Bergwatch startes på nytt.</translation>
+        <translation>Start Bergwatch på nytt for å bruke den nye tekststørrelsen.</translation>
     </message>
     <message>
         <source>Night (red)</source>
@@ -10942,7 +10942,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Automatic, from the scenario</source>
-        <translation>Automatisk, etter scenariet</translation>
+        <translation>Automatisk, etter scenarioet</translation>
     </message>
     <message>
         <source>Ends at %1 m²</source>
@@ -10970,7 +10970,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>UTC, if the scenario has a start time</source>
-        <translation>UTC, der scenarioet har en start</translation>
+        <translation>UTC, hvis scenarioet har en starttid</translation>
     </message>
     <message>
         <source>Elapsed since the start</source>
@@ -11002,7 +11002,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>True and magnetic, declination entered by hand...</source>
-        <translation>Rettvisende og magnetiske, misvisning skrives inn …</translation>
+        <translation>Rettvisende og magnetiske, innskrevet misvisning …</translation>
     </message>
 </context>
 <context>
@@ -11017,7 +11017,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Remove it from this list.</source>
-        <translation>Ta den ut av denne listen.</translation>
+        <translation>Fjern den fra denne listen.</translation>
     </message>
 </context>
 <context>
@@ -11028,7 +11028,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Bergwatch ended unexpectedly. Unsaved changes were kept. Restore them, and then save them.</source>
-        <translation>Bergwatch sluttet uventet. Ulagrede endringer er tatt vare på. Gjenopprett dem, og lagre.</translation>
+        <translation>Bergwatch sluttet uventet. Ulagrede endringer er tatt vare på. Gjenopprett dem, og lagre dem.</translation>
     </message>
     <message>
         <source>&amp;Restore</source>
@@ -11072,8 +11072,8 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message numerus="yes">
         <source>%n files with these names exist. Their content would be lost.</source>
         <translation>
-            <numerusform>%n fil med dette navnet finnes. Innholdet går tapt.</numerusform>
-            <numerusform>%n filer med disse navnene finnes. Innholdet går tapt.</numerusform>
+            <numerusform>%n fil med dette navnet finnes. Innholdet ville gå tapt.</numerusform>
+            <numerusform>%n filer med disse navnene finnes. Innholdet ville gå tapt.</numerusform>
         </translation>
     </message>
     <message>
@@ -11093,7 +11093,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>The run is saved as soon as the current plan is made.</source>
-        <translation>Flygingen lagres når planen som er under arbeid, er laget.</translation>
+        <translation>Flygingen lagres så snart den nåværende planen er laget.</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -11147,15 +11147,15 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Zeta compared with that of A at the time both have flown.</source>
-        <translation>Zeta sammenlignet med den for A ved tiden begge har fløyet.</translation>
+        <translation>Zeta sammenlignet med den for A ved tiden som begge har fløyet.</translation>
     </message>
     <message>
         <source>Flown runs are listed here. The button below flies this scenario along the shortest round tour for comparison.</source>
-        <translation>Flyginger du har fløyet, kommer hit. Knappen nedenfor flyr dette scenarioet langs korteste rundtur ved siden av dine egne innstillinger.</translation>
+        <translation>Fløyne flyginger står her. Knappen nedenfor flyr dette scenarioet langs den korteste rundturen til sammenligning.</translation>
     </message>
     <message>
         <source>Its scenario differs from that of A: they cannot be compared.</source>
-        <translation>Et annet scenario enn det for A: de kan ikke sammenlignes.</translation>
+        <translation>Scenarioet er et annet enn for A: de kan ikke sammenlignes.</translation>
     </message>
     <message>
         <source>Make this run the reference A</source>
@@ -11185,7 +11185,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <name>berg::RunTimeLine</name>
     <message>
         <source>%1: point of no return; a later return uses the reserve</source>
-        <translation>%1: planens siste vendepunkt; senere trengs reserven for å komme hjem</translation>
+        <translation>%1: siste vendepunkt; en senere hjemtur bruker av reserven</translation>
     </message>
 </context>
 <context>
@@ -11242,7 +11242,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>%1 has it open. Changes saved there would be lost.</source>
-        <translation>%1 har den åpen. Det som lagres der, ville gå tapt.</translation>
+        <translation>%1 har den åpen. Endringer som lagres der, ville gå tapt.</translation>
     </message>
     <message>
         <source>Saved %1</source>
@@ -11250,7 +11250,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Saved %1; a backup copy cannot be written to its folder</source>
-        <translation>Lagret %1; mappen tar ikke imot en sikkerhetskopi</translation>
+        <translation>Lagret %1; en sikkerhetskopi kan ikke skrives i mappen</translation>
     </message>
     <message>
         <source>No files yet</source>
@@ -11299,13 +11299,13 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message numerus="yes">
         <source>%n areas: a scenario can have at most %1</source>
         <translation>
-            <numerusform>%n område: et scenario har plass til høyst %1</numerusform>
-            <numerusform>%n områder: et scenario har plass til høyst %1</numerusform>
+            <numerusform>%n område: et scenario kan ha høyst %1</numerusform>
+            <numerusform>%n områder: et scenario kan ha høyst %1</numerusform>
         </translation>
     </message>
     <message>
         <source>Airspace cannot be imported in flight. Stop the flight before importing.</source>
-        <translation>Luftrom kan ikke importeres under flygingen. Stopp flygingen for å importere det.</translation>
+        <translation>Luftrom kan ikke importeres under flyging. Stopp flygingen før du importerer.</translation>
     </message>
     <message>
         <source>Clipboard</source>
@@ -11313,7 +11313,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>The flight has continued in the meantime, so nothing was reported.</source>
-        <translation>Flygingen har gått videre i mellomtiden: ingenting ble meldt.</translation>
+        <translation>Flygingen har fortsatt i mellomtiden, så ingenting ble meldt.</translation>
     </message>
     <message numerus="yes">
         <source>Reported %n icebergs from %1</source>
@@ -11377,15 +11377,15 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <name>berg::SolveTimePanel</name>
     <message>
         <source>Proves the optimum by dynamic programming or by the bound of Bergwatch&apos;s engine.</source>
-        <translation>Beviser optimum, med dynamisk programmering eller med grensen fra vår egen løser.</translation>
+        <translation>Beviser optimum med dynamisk programmering eller med grensen fra Bergwatchs løser.</translation>
     </message>
     <message>
         <source>Searches, and proves as much as about a second of work allows.</source>
-        <translation>Søker, og beviser så langt omtrent et sekunds arbeid rekker.</translation>
+        <translation>Søker, og beviser så mye som omtrent ett sekunds regnetid tillater.</translation>
     </message>
     <message>
         <source>COIN-OR CBC on a MILP with a variable for each leg and position. Independent of Bergwatch&apos;s engine.</source>
-        <translation>COIN-OR CBC på et MILP med en variabel for hver etappe og plass. Bruker ingenting fra vår egen løser.</translation>
+        <translation>COIN-OR CBC på et MILP med en variabel for hver etappe og plass. Uavhengig av Bergwatchs løser.</translation>
     </message>
     <message>
         <source>COIN-OR CBC on the MILP as the paper prints it. Slow beyond 8 icebergs.</source>
@@ -11393,7 +11393,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>COIN-OR CBC on the few legs that the bound of Bergwatch&apos;s engine leaves.</source>
-        <translation>COIN-OR CBC på de få etappene som grensen fra vår løser lar stå igjen.</translation>
+        <translation>COIN-OR CBC på de få etappene som grensen fra Bergwatchs løser lar stå igjen.</translation>
     </message>
     <message>
         <source>Icebergs, up to</source>
@@ -11409,19 +11409,19 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Random problems as in Table 1 of the paper, the same at every run.</source>
-        <translation>Tilfeldige problemer som i artikkelens tabell 1, de samme hver gang.</translation>
+        <translation>Tilfeldige problemer som i tabell 1 i artikkelen, de samme hver gang.</translation>
     </message>
     <message>
         <source>Total time limit</source>
-        <translation>Tid til alt</translation>
+        <translation>Tidsgrense i alt</translation>
     </message>
     <message>
         <source>A solver that does not finish a size skips the larger ones.</source>
-        <translation>En løser som ikke blir ferdig med en størrelse, får ingen større.</translation>
+        <translation>En løser som ikke blir ferdig med en størrelse, hopper over de større.</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>
-        <translation>Målingens framdrift</translation>
+        <translation>Fremdrift for målingen</translation>
     </message>
     <message>
         <source>Save CSV…</source>
@@ -11437,7 +11437,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Start measures this machine on the problems of the paper, for comparison with the paper&apos;s times.</source>
-        <translation>Start måler denne maskinen ved siden av artikkelens, med artikkelens problemer.</translation>
+        <translation>Start måler denne maskinen på problemene i artikkelen, for å sammenligne med tidene i artikkelen.</translation>
     </message>
     <message>
         <source>Measured in %1.</source>
@@ -11445,7 +11445,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Start</source>
-        <translation>Start måling</translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Choose a solver first.</source>
@@ -11453,7 +11453,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Stopped. The times measured so far are kept.</source>
-        <translation>Stoppet. Det som er målt, er beholdt.</translation>
+        <translation>Stoppet. Tidene som er målt til nå, er beholdt.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -11480,7 +11480,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>New here? Take the tour, three steps</source>
-        <translation>Ny her? Ta omvisningen, tre steg</translation>
+        <translation>Ny her? Ta omvisningen, tre trinn</translation>
     </message>
     <message>
         <source>Tour</source>
@@ -11523,7 +11523,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Drag left to visit the most uncertain icebergs first, right for a shorter route. Ticks mark where another order becomes optimal.</source>
-        <translation>Til venstre kommer de mest usikre isfjellene først, til høyre blir veien kortere. Merkene viser hvor en annen rekkefølge blir den beste.</translation>
+        <translation>Dra til venstre for å besøke de mest usikre isfjellene først, til høyre for en kortere rute. Merkene viser hvor en annen rekkefølge blir optimal.</translation>
     </message>
     <message>
         <source>3. Press Space</source>
@@ -11531,18 +11531,18 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Press Space to fly and to pause. Drag the time line to look back. Stop and edit returns to the start.</source>
-        <translation>Mellomrom flyr planen og tar pause; dra langs tidslinjen for å se tilbake. «Stopp og rediger» går tilbake til start.</translation>
+        <translation>Trykk mellomrom for å fly og ta pause. Dra tidslinjen for å se tilbake. «Stopp og rediger» går tilbake til starten.</translation>
     </message>
     <message>
         <source>After this tour, press I and click on the map to place an iceberg. Drag it to move it, double-click it to set its drift and the uncertainty of its position. The plan follows at once.</source>
-        <translation>Etter denne omvisningen: trykk I og klikk i kartet: et isfjell. Dra det for å flytte det, dobbeltklikk på det for å oppgi driften og hvor usikker posisjonen er. Planen følger med straks.</translation>
+        <translation>Etter denne omvisningen: trykk I og klikk på kartet for å plassere et isfjell. Dra det for å flytte det, dobbeltklikk det for å sette driften og usikkerheten i posisjonen. Planen følger med straks.</translation>
     </message>
 </context>
 <context>
     <name>berg::StatusLine</name>
     <message>
         <source>Shows the findings about the scenario.</source>
-        <translation>Viser hva som er funnet om scenarioet.</translation>
+        <translation>Viser funnene om scenarioet.</translation>
     </message>
     <message>
         <source>%1   %2 E  %3 N</source>
@@ -11566,7 +11566,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Choose what to fly and press Start, or load a figure from the paper.</source>
-        <translation>Velg hva som skal flys, og trykk Start, eller ta en figur fra artikkelen.</translation>
+        <translation>Velg hva som skal flys, og trykk Start, eller last en figur fra artikkelen.</translation>
     </message>
     <message>
         <source>Trade-off τ</source>
@@ -11606,11 +11606,11 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>stuck in %1 of %2 cases</source>
-        <translation>står fast i %1 av %2 tilfeller</translation>
+        <translation>hengende i %1 av %2 tilfeller</translation>
     </message>
     <message>
         <source>stuck: visits at most two icebergs in the second half</source>
-        <translation>står fast: flyr til høyst to isfjell i andre halvdel</translation>
+        <translation>hengende: besøker høyst to isfjell i andre halvdel</translation>
     </message>
     <message>
         <source>%1 vs %2</source>
@@ -11649,7 +11649,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Bergwatch ended unexpectedly. This unsaved study was kept. Save it, or fly the rest.</source>
-        <translation>Bergwatch ble avsluttet uventet, og denne studien var ikke i noen fil. Lagre den, eller fly resten.</translation>
+        <translation>Bergwatch sluttet uventet. Denne ulagrede studien er tatt vare på. Lagre den, eller fly resten.</translation>
     </message>
     <message>
         <source>Autosaving failed: %1</source>
@@ -11722,11 +11722,11 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>ζ of this scenario for τ = 0, 0.1 … 4, and of the shortest path.</source>
-        <translation>ζ for dette scenariet med τ = 0, 0,1 … 4, og for korteste vei.</translation>
+        <translation>ζ for dette scenarioet med τ = 0, 0,1 … 4, og for den korteste veien.</translation>
     </message>
     <message>
         <source>Two flights of this scenario over the map: with the τ of lowest ζ, and along the shortest path.</source>
-        <translation>To flyginger av dette scenariet over kartet: med den τ som gir lavest ζ, og langs korteste vei.</translation>
+        <translation>To flyginger av dette scenarioet over kartet: med den τ som gir lavest ζ, og langs den korteste veien.</translation>
     </message>
 </context>
 <context>
@@ -11745,7 +11745,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Opens a study to view or continue it.</source>
-        <translation>Åpner en studie: for å se på den, eller fortsette den.</translation>
+        <translation>Åpner en studie for å vise eller fortsette den.</translation>
     </message>
     <message>
         <source>Save…</source>
@@ -11753,7 +11753,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Saves the study with all flights so far, also while it is running.</source>
-        <translation>Lagrer studien med alt som er fløyet, også mens den flys.</translation>
+        <translation>Lagrer studien med alle flyginger til nå, også mens den kjører.</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -11761,7 +11761,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Writes a page with pictures, scenarios, seeds, version and machine.</source>
-        <translation>Skriver en side med bilder, scenarioer, frø, versjon og maskin.</translation>
+        <translation>Skriver en side med bilder, scenarioer, startfrø, versjon og maskin.</translation>
     </message>
     <message>
         <source>Table…</source>
@@ -11777,7 +11777,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Saves the picture in front (PNG, SVG, PDF).</source>
-        <translation>Lagrer bildet som er framme (PNG, SVG, PDF).</translation>
+        <translation>Lagrer bildet i forgrunnen (PNG, SVG, PDF).</translation>
     </message>
     <message>
         <source>ζ against τ</source>
@@ -11813,7 +11813,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Repeats this case exactly and shows it on the map and the time line.</source>
-        <translation>Flyr dette tilfellet igjen, likt i hvert tall, og viser det på kartet og tidslinjen.</translation>
+        <translation>Gjentar dette tilfellet nøyaktig og viser det på kartet og tidslinjen.</translation>
     </message>
     <message>
         <source>Choose a point of the picture or a setting, then a case.</source>
@@ -11829,7 +11829,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Plans the scenario on the map with this setting.</source>
-        <translation>Planlegger scenariet på kartet med denne innstillingen.</translation>
+        <translation>Planlegger scenarioet på kartet med denne innstillingen.</translation>
     </message>
     <message>
         <source>Choose a point of the picture or a setting.</source>
@@ -11837,7 +11837,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Lowest ζ: %1. One case is too few for a recommendation: fly more of them.</source>
-        <translation>Lavest ζ: %1. Ett tilfelle gir ingen anbefaling: fly flere.</translation>
+        <translation>Lavest ζ: %1. Ett tilfelle er for lite til en anbefaling: fly flere.</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -11882,11 +11882,11 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Flies the missing missions of the study shown.</source>
-        <translation>Flyr det som mangler av studien som vises.</translation>
+        <translation>Flyr oppdragene som mangler i studien som vises.</translation>
     </message>
     <message>
         <source>Progress of the study</source>
-        <translation>Framdrift i studien</translation>
+        <translation>Fremdrift i studien</translation>
     </message>
     <message>
         <source>%1 missions, %2</source>
@@ -11906,7 +11906,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>The flights so far are kept.</source>
-        <translation>Det som er fløyet, beholdes.</translation>
+        <translation>Flygingene til nå beholdes.</translation>
     </message>
     <message>
         <source>Start study</source>
@@ -11929,7 +11929,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Fields of icebergs as in Table 3 of the paper, one for each seed.</source>
-        <translation>Isfjellfelt som i tabell 3 i artikkelen, ett for hvert frø.</translation>
+        <translation>Isfjellfelt som i tabell 3 i artikkelen, ett for hvert startfrø.</translation>
     </message>
     <message>
         <source>Number</source>
@@ -11941,11 +11941,11 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>First seed</source>
-        <translation>Første frø</translation>
+        <translation>Første startfrø</translation>
     </message>
     <message>
         <source>Further scenarios use the seeds that follow.</source>
-        <translation>De andre har frøene som følger.</translation>
+        <translation>De neste scenarioene bruker startfrøene som følger.</translation>
     </message>
     <message>
         <source>Icebergs</source>
@@ -11987,7 +11987,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Step between two values of τ.</source>
-        <translation>Mellom to verdier av τ.</translation>
+        <translation>Avstand mellom to verdier av τ.</translation>
     </message>
     <message numerus="yes">
         <source>%n random scenarios</source>
@@ -12006,7 +12006,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Too many values of τ. Choose a larger step.</source>
-        <translation>Dette er for mange verdier av τ. Ta et større steg.</translation>
+        <translation>For mange verdier av τ. Velg et større steg.</translation>
     </message>
     <message>
         <source>Choose at least one policy.</source>
@@ -12018,7 +12018,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Knowledge of the drift in random scenarios, and how icebergs are observed.</source>
-        <translation>Hva som er kjent om driften i tilfeldige scenarier, og hvordan isfjell blir sett.</translation>
+        <translation>Kunnskapen om driften i tilfeldige scenarioer, og hvordan isfjell observeres.</translation>
     </message>
     <message>
         <source>As published</source>
@@ -12026,7 +12026,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Velocities are known, and an iceberg in view has no uncertainty.</source>
-        <translation>Hastighetene er kjent, og et isfjell i synsfeltet har ingen usikkerhet.</translation>
+        <translation>Hastighetene er kjent, og et isfjell i syne har ingen usikkerhet.</translation>
     </message>
     <message>
         <source>Measured</source>
@@ -12042,7 +12042,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Measured; velocities are uncertain by 0.1 m/s along each axis.</source>
-        <translation>Målt; hastighetene er ukjente med 0,1 m/s langs hver akse.</translation>
+        <translation>Målt; hastighetene er usikre med 0,1 m/s langs hver akse.</translation>
     </message>
     <message>
         <source>Real drift</source>
@@ -12050,7 +12050,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Measured; velocities are unknown and change, as observed for icebergs with beacons.</source>
-        <translation>Målt; hastighetene er ukjente og endrer seg, som hos isfjell med sporingsbøyer.</translation>
+        <translation>Målt; hastighetene er ukjente og endrer seg, som observert for isfjell med drivbøyer.</translation>
     </message>
     <message>
         <source>Drift</source>
@@ -12134,7 +12134,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>This build of Bergwatch does not include this solver.</source>
-        <translation>Denne utgaven av Bergwatch er bygd uten denne løseren.</translation>
+        <translation>Denne utgaven av Bergwatch inneholder ikke denne løseren.</translation>
     </message>
     <message>
         <source>The chosen policy does not use this.</source>
@@ -12146,7 +12146,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
-        <translation>Liten: isfjell med stor usikkerhet kommer først. Stor: veien blir kort. Piltaster endrer τ med 0,01, Page-taster med 0,25.</translation>
+        <translation>Liten: de mest usikre isfjellene kommer først. Stor: veien blir kort. Piltaster endrer τ med 0,01, Page-taster med 0,25.</translation>
     </message>
     <message>
         <source>Trade-off τ from 0 to 100.</source>
@@ -12154,15 +12154,15 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Solver of the plan. Automatic proves small problems optimal and searches in large ones.</source>
-        <translation>Det som lager planen. Automatisk beviser små problemer og søker i store.</translation>
+        <translation>Løseren for planen. Automatisk beviser små problemer optimale og søker i store.</translation>
     </message>
     <message>
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
-        <translation>Én vei slutter ved det siste isfjellet; en rundtur regner også med tilbakeveien.</translation>
+        <translation>Én vei slutter ved det siste isfjellet; en rundtur omfatter også hjemturen.</translation>
     </message>
     <message>
         <source>Locked while looking back. Choose Back to latest or Continue from here to change it.</source>
-        <translation>Låst mens du ser tilbake. Velg Tilbake til siste eller Fly videre herfra for å endre det.</translation>
+        <translation>Låst mens du ser tilbake. Velg Tilbake til nyeste eller Fly videre herfra for å endre det.</translation>
     </message>
 </context>
 <context>
@@ -12195,7 +12195,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Reading unsaved work</source>
-        <translation>Leser arbeid som ikke er lagret</translation>
+        <translation>Leser ulagret arbeid</translation>
     </message>
 </context>
 <context>
@@ -12260,7 +12260,7 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>You are viewing an earlier instant. To change this, continue from here or go back to the latest.</source>
-        <translation>Du ser tilbake. Fly videre herfra, eller gå til det nyeste bildet, for å endre dette.</translation>
+        <translation>Du ser på et tidligere øyeblikk. Fly videre herfra, eller gå tilbake til det nyeste, for å endre dette.</translation>
     </message>
     <message>
         <source>Change wind</source>
@@ -12268,15 +12268,15 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
     <message>
         <source>Assign iceberg</source>
-        <translation>Overlat isfjell</translation>
+        <translation>Tildel isfjell</translation>
     </message>
     <message>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
-        <translation>Scenariet er låst under flyging. Stopp flygingen for å endre det.</translation>
+        <translation>Scenarioet er låst under flyging. Stopp flygingen for å endre det.</translation>
     </message>
     <message>
         <source>The scenario was changed before take-off: nothing was flown.</source>
-        <translation>Scenariet ble endret før avgang: ingenting ble fløyet.</translation>
+        <translation>Scenarioet ble endret før avgang: ingenting ble fløyet.</translation>
     </message>
     <message>
         <source>Restore flight</source>
