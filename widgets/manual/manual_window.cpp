@@ -237,15 +237,20 @@ void ManualWindow::go(const QTreeWidgetItem* item)
 void ManualWindow::showLine(const QString& line)
 {
     const QString begin = line.section(u" · "_s, 0, 0); // first cell of a row
-    for (QTextBlock block = m_text->cursorForPosition({}).block(); block.isValid();
-         block = block.next())
-        if (const auto at = block.text().indexOf(begin); at >= 0) {
-            QTextCursor cursor(block);
-            cursor.setPosition(block.position() + static_cast<int>(at));
-            m_text->setTextCursor(cursor);
-            m_text->ensureCursorVisible();
-            return;
-        }
+    const auto isFoundFrom = [&](QTextBlock block) {
+        while (block.isValid() && !block.text().contains(begin))
+            block = block.next();
+        if (!block.isValid())
+            return false;
+        QTextCursor cursor(block);
+        cursor.setPosition(block.position() + static_cast<int>(block.text().indexOf(begin)));
+        m_text->setTextCursor(cursor);
+        m_text->ensureCursorVisible();
+        return true;
+    };
+    // Beside a table, a position in the view can belong to a row below.
+    if (!isFoundFrom(m_text->cursorForPosition({}).block()))
+        isFoundFrom(m_text->document()->begin());
 }
 
 void ManualWindow::showPlace(const QString& place)
