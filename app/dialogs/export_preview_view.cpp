@@ -77,15 +77,6 @@ struct WaypointRow
     int number; ///< of this UAV, from 1
 };
 
-enum WaypointCell
-{
-    Number,
-    Title,
-    Place,
-    Time,
-    UavName
-};
-
 std::vector<WaypointRow> waypointRows(const ExportContent& content)
 {
     std::vector<WaypointRow> rows;
@@ -97,47 +88,42 @@ std::vector<WaypointRow> waypointRows(const ExportContent& content)
     return rows;
 }
 
-QString cellText(const ExportContent& content, const WaypointRow& row, int cell,
-                 const QLocale& locale)
-{
-    switch (cell) {
-    case Number:
-        return QString::number(row.number);
-    case Title:
-        return row.visit->iceberg < 0 ? ExportPreviewView::tr("Home")
-                                      : QString::fromStdString(titleOf(content, *row.visit));
-    case Place:
-        return placeText(content.frame.toGeographic(row.visit->position_m), kPlaceDecimals, locale);
-    case Time:
-        return MissionClock{.start = content.start}.dateText(row.visit->time_s);
-    default:
-        return QString::fromStdString(titleOf(row.uav->uav));
-    }
-}
-
 /** The name of the UAV only where there are several. */
 CellSheet waypointSheet(const ExportPreviewPointer& preview, const QLocale& locale)
 {
     const ExportContent& content = preview->content;
     const auto rows = std::make_shared<const std::vector<WaypointRow>>(waypointRows(content));
-    CellSheet sheet{.titles = {ExportPreviewView::tr("No."), ExportPreviewView::tr("Iceberg"),
-                               ExportPreviewView::tr("Position"), ExportPreviewView::tr("Time")},
-                    .rows = static_cast<int>(rows->size()),
-                    .text =
-                        [preview, rows, locale](int row, int cell) {
-                            return cellText(preview->content,
-                                            (*rows)[static_cast<std::size_t>(row)], cell, locale);
-                        },
-                    .key = [preview, rows, locale](int row, int cell) -> CellKey {
-                        const WaypointRow& waypoint = (*rows)[static_cast<std::size_t>(row)];
-                        if (cell == Number)
-                            return {.number = static_cast<double>(waypoint.number)};
-                        if (cell == Time)
-                            return {.number = waypoint.visit->time_s};
-                        return {.text = cellText(preview->content, waypoint, cell, locale)};
-                    }};
+    const auto rowOf = [preview, rows](int row) -> const WaypointRow& {
+        return (*rows)[static_cast<std::size_t>(row)];
+    };
+    CellSheet sheet{
+        .columns = {{.title = ExportPreviewView::tr("No."),
+                     .text = [rowOf](int row) { return QString::number(rowOf(row).number); },
+                     .key = [rowOf](int row) { return double(rowOf(row).number); }},
+                    {.title = ExportPreviewView::tr("Iceberg"),
+                     .text =
+                         [preview, rowOf](int row) {
+                             const Visit& visit = *rowOf(row).visit;
+                             return visit.iceberg < 0
+                                        ? ExportPreviewView::tr("Home")
+                                        : QString::fromStdString(titleOf(preview->content, visit));
+                         }},
+                    {.title = ExportPreviewView::tr("Position"),
+                     .text =
+                         [preview, rowOf, locale](int row) {
+                             return placeText(
+                                 preview->content.frame.toGeographic(rowOf(row).visit->position_m),
+                                 kPlaceDecimals, locale);
+                         }},
+                    {.title = ExportPreviewView::tr("Time"),
+                     .text = [clock = MissionClock{.start = content.start},
+                              rowOf](int row) { return clock.dateText(rowOf(row).visit->time_s); },
+                     .key = [rowOf](int row) { return rowOf(row).visit->time_s; }}},
+        .rows = static_cast<int>(rows->size())};
     if (areDistinguished(content.uavs))
-        sheet.titles << ExportPreviewView::tr("UAV");
+        sheet.columns.push_back({.title = ExportPreviewView::tr("UAV"), .text = [rowOf](int row) {
+                                     return QString::fromStdString(titleOf(rowOf(row).uav->uav));
+                                 }});
     return sheet;
 }
 

@@ -188,22 +188,19 @@ void FigureView::contextMenuEvent(QContextMenuEvent* event)
 /** Shows the readouts of all items as a table, in the order of the arrow keys. */
 void FigureView::showValues()
 {
-    std::vector<std::pair<QString, QString>> rows;
+    QStringList points;
+    QStringList values;
     for (const DrawnItem& item : m_drawing.items) {
         QStringList lines = linesOf(item);
-        const QString first = lines.isEmpty() ? QString() : lines.takeFirst();
-        rows.emplace_back(first, lines.join(QStringLiteral(", ")));
+        points << (lines.isEmpty() ? QString() : lines.takeFirst());
+        values << lines.join(QStringLiteral(", "));
     }
-    const int count = static_cast<int>(rows.size());
-    ValueTable::open(accessibleName(),
-                     {.titles = {tr("Point"), tr("Values")},
-                      .rows = count,
-                      .text =
-                          [rows = std::move(rows)](int row, int column) {
-                              const auto& [point, values] = rows[static_cast<std::size_t>(row)];
-                              return column == 0 ? point : values;
-                          }},
-                     this);
+    ValueTable::open(
+        accessibleName(),
+        {.columns = {{.title = tr("Point"), .text = [points](int row) { return points[row]; }},
+                     {.title = tr("Values"), .text = [values](int row) { return values[row]; }}},
+         .rows = static_cast<int>(points.size())},
+        this);
 }
 
 /** Paints the readout beside its point, on the side with room. */

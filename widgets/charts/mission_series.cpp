@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <memory>
 
 using namespace Qt::StringLiterals;
 
@@ -92,29 +93,24 @@ std::string MissionSeries::csv(const TimeChartContent& content) const
 CellSheet MissionSeries::values(const TimeChartContent& content, const QLocale& locale) const
 {
     constexpr int kDigits = 4;
-    CellSheet values{.titles = {MissionSeriesText::tr("Time")},
-                     .rows = static_cast<int>(m_times_s.size()),
-                     .text = {}};
-    std::vector<std::vector<QPointF>> lines;
-    std::vector<QList<QPointF>> own;
+    const auto times_s = std::make_shared<const std::vector<double>>(m_times_s);
+    const auto timeOf_s = [times_s](int row) { return (*times_s)[static_cast<std::size_t>(row)]; };
+    CellSheet values{.columns = {{.title = MissionSeriesText::tr("Time"),
+                                  .text = [clock = content.clock, timeOf_s](
+                                              int row) { return clock.text(timeOf_s(row)); }}},
+                     .rows = static_cast<int>(m_times_s.size())};
     for (std::size_t i = 0; i < content.lines.size(); ++i) {
-        values.titles << headerOf(content.lines[i]);
-        lines.push_back(m_lines[i].points());
-        own.push_back(content.lines[i].points);
+        const auto text = [timeOf_s, line = m_lines[i].points(), own = content.lines[i].points,
+                           locale](int row) {
+            const double time_s = timeOf_s(row);
+            if (const auto at = pointAt(own, time_s))
+                return significantText(at->y(), kDigits, locale);
+            const auto at = std::ranges::lower_bound(line, time_s, {}, &QPointF::x);
+            return at != line.end() && at->x() == time_s ? significantText(at->y(), kDigits, locale)
+                                                         : QString();
+        };
+        values.columns.push_back({.title = headerOf(content.lines[i]), .text = text});
     }
-    values.text = [clock = content.clock, times_s = m_times_s, lines = std::move(lines),
-                   own = std::move(own), locale](int row, int column) {
-        const double time_s = times_s[static_cast<std::size_t>(row)];
-        if (column == 0)
-            return clock.text(time_s);
-        if (const auto at = pointAt(own[static_cast<std::size_t>(column - 1)], time_s))
-            return significantText(at->y(), kDigits, locale);
-        const std::vector<QPointF>& line = lines[static_cast<std::size_t>(column - 1)];
-        const auto at = std::lower_bound(line.begin(), line.end(), time_s,
-                                         [](const QPointF& p, double x_s) { return p.x() < x_s; });
-        return at != line.end() && at->x() == time_s ? significantText(at->y(), kDigits, locale)
-                                                     : QString();
-    };
     return values;
 }
 

@@ -18,10 +18,12 @@ constexpr QSize kBest_px(560, 420);
 
 void copy(const CellSheet& values)
 {
-    QString text = values.titles.join(u'\t') + u'\n';
-    for (int row = 0; row < values.rows; ++row)
-        for (int column = 0; column < values.titles.size(); ++column)
-            text += values.text(row, column) + (column + 1 < values.titles.size() ? u'\t' : u'\n');
+    QString text;
+    for (int row = -1; row < values.rows; ++row) {
+        for (const CellColumn& column : values.columns)
+            text += (row < 0 ? column.title : column.text(row)) + u'\t';
+        text.back() = u'\n';
+    }
     QGuiApplication::clipboard()->setText(text);
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/model/cell_model.h"
 
+#include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -11,19 +12,13 @@ namespace {
 /** Returns names and numbers, sorted by the numbers. */
 CellSheet sheetOf(const QStringList& names, const std::vector<double>& numbers)
 {
-    return {.titles = {u"Name"_s, u"Number"_s},
-            .rows = static_cast<int>(names.size()),
-            .text =
-                [names, numbers](int row, int column) {
-                    return column == 0 ? names[row]
-                                       : QString::number(numbers[static_cast<std::size_t>(row)]);
-                },
-            .key =
-                [names, numbers](int row, int column) {
-                    return column == 0 ? CellKey{.text = names[row]}
-                                       : CellKey{.number = numbers[static_cast<std::size_t>(row)]};
-                },
-            .hasNumbers = true};
+    const auto number = [numbers](int row) { return numbers[static_cast<std::size_t>(row)]; };
+    return {.columns =
+                withNumbers({{.title = u"Name"_s, .text = [names](int row) { return names[row]; }},
+                             {.title = u"Number"_s,
+                              .text = [number](int row) { return QString::number(number(row)); },
+                              .key = number}}),
+            .rows = static_cast<int>(names.size())};
 }
 
 QStringList column(const CellModel& model, int column)
@@ -89,6 +84,96 @@ private slots:
         model.setSheet(sheetOf({u"a"_s, u"b"_s}, {6, 5}));
         QCOMPARE(resets.count(), 1);
         QCOMPARE(column(model, 0), (QStringList{u"b"_s, u"a"_s}));
+    }
+
+    void cellsWithoutANumberComeLast()
+    {
+        CellModel model;
+        CellSheet sheet = sheetOf({u"a"_s, u"b"_s, u"c"_s}, {1, 2, 3});
+        sheet.columns[1].key = [](int row) {
+            return row == 1 ? CellKey(std::nullopt) : CellKey(double(row));
+        };
+        model.setSheet(sheet);
+        model.sort(1, Qt::AscendingOrder);
+        QCOMPARE(column(model, 0), (QStringList{u"a"_s, u"c"_s, u"b"_s}));
+        model.sort(1, Qt::DescendingOrder);
+        QCOMPARE(column(model, 0), (QStringList{u"c"_s, u"a"_s, u"b"_s}));
+    }
+
+    void onlyTheSpanOfOtherTextsIsReported()
+    {
+        CellModel model;
+        const QAbstractItemModelTester tester(&model);
+        const QStringList names{u"a"_s, u"b"_s, u"c"_s, u"d"_s};
+        model.setSheet(sheetOf(names, {1, 2, 3, 4}));
+        QSignalSpy changes(&model, &CellModel::dataChanged);
+        model.updateSheet(sheetOf(names, {1, 2, 3, 4}));
+        QCOMPARE(changes.count(), 0);
+        model.updateSheet(sheetOf(names, {1, 5, 6, 4}));
+        QCOMPARE(changes.count(), 1);
+        QCOMPARE(changes.front().at(0).toModelIndex(), model.index(1, 0));
+        QCOMPARE(changes.front().at(1).toModelIndex(), model.index(2, 1));
+        model.updateSheet(sheetOf(names, {1, 5, 6, 7}), [](int row) { return row != 0; });
+        QCOMPARE(changes.count(), 2);
+        QCOMPARE(changes.back().at(1).toModelIndex(), model.index(0, 1));
+    }
+
+    void rowsAreAddedAndRemovedAtTheEnd()
+    {
+        CellModel model;
+        const QAbstractItemModelTester tester(&model);
+        model.setSheet(sheetOf({u"a"_s, u"b"_s}, {1, 2}));
+        const QPersistentModelIndex chosen = model.index(1, 0);
+        QSignalSpy resets(&model, &CellModel::modelReset);
+        model.updateSheet(sheetOf({u"a"_s, u"b"_s, u"c"_s}, {1, 2, 3}));
+        QCOMPARE(column(model, 0), (QStringList{u"a"_s, u"b"_s, u"c"_s}));
+        QVERIFY(chosen.isValid());
+        model.updateSheet(sheetOf({u"a"_s}, {1}));
+        QCOMPARE(column(model, 0), QStringList{u"a"_s});
+        QVERIFY(!chosen.isValid());
+        QCOMPARE(resets.count(), 0);
+    }
+
+    void updatedRowsKeepTheirIndices()
+    {
+        CellModel model;
+        const QAbstractItemModelTester tester(&model);
+        const QStringList names{u"a"_s, u"b"_s, u"c"_s};
+        model.setSheet(sheetOf(names, {1, 2, 3}));
+        model.sort(1, Qt::AscendingOrder);
+        const QPersistentModelIndex chosen = model.index(0, 0);
+        QSignalSpy resets(&model, &CellModel::modelReset);
+        model.updateSheet(sheetOf(names, {4, 2, 3}));
+        QCOMPARE(column(model, 0), (QStringList{u"b"_s, u"c"_s, u"a"_s}));
+        QCOMPARE(chosen.row(), 2);
+        CellSheet filtered = sheetOf(names, {4, 2, 3});
+        filtered.isShown = [](int row) { return row != 1; };
+        model.updateSheet(filtered);
+        QCOMPARE(column(model, 0), (QStringList{u"c"_s, u"a"_s}));
+        QCOMPARE(resets.count(), 1);
+        filtered.isShown = [](int row) { return row != 0; };
+        model.updateSheet(filtered);
+        QCOMPARE(column(model, 0), (QStringList{u"b"_s, u"c"_s}));
+        QCOMPARE(resets.count(), 1);
+    }
+
+    void cellIsEditedInItsRowOfTheSheet()
+    {
+        CellModel model;
+        CellSheet sheet = sheetOf({u"b"_s, u"a"_s}, {1, 2});
+        int edited = -1;
+        sheet.columns[0].edit = [&edited](int row, const QVariant& value) {
+            edited = row;
+            return value.toString() == u"c"_s;
+        };
+        model.setSheet(sheet);
+        model.sort(0, Qt::AscendingOrder);
+        QVERIFY(!model.flags(model.index(0, 1)).testFlag(Qt::ItemIsEditable));
+        QVERIFY(!model.setData(model.index(0, 1), u"c"_s, Qt::EditRole));
+        QVERIFY(model.flags(model.index(0, 0)).testFlag(Qt::ItemIsEditable));
+        QCOMPARE(model.index(0, 0).data(Qt::EditRole).toString(), u"a"_s);
+        QVERIFY(model.setData(model.index(0, 0), u"c"_s, Qt::EditRole));
+        QCOMPARE(edited, 1);
     }
 
     void numbersStandOnTheRight()

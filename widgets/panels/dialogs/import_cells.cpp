@@ -30,21 +30,6 @@ struct ImportCells
 constexpr int kRow_px = 22;
 constexpr int kRowsMeasured = 50; ///< rows measured for the width of a column
 
-enum IcebergCell
-{
-    Id,
-    Outcome,
-    Sightings,
-    LastSeen,
-    Age,
-    Speed,
-    Direction,
-    VelocityFrom,
-    Sigma,
-    Growth,
-    Notes
-};
-
 QString notesText(const ImportedIceberg& report)
 {
     QStringList notes;
@@ -62,63 +47,12 @@ std::optional<UtcTime> lastSeen(const ImportPreview& preview, const ImportRow& r
            std::chrono::milliseconds(static_cast<std::int64_t>(row.report.age_s * 1000));
 }
 
-/** Returns the number of a cell, or nullopt if the cell has text or is empty. */
-std::optional<double> numberOfCell(const ImportRow& row, int cell)
+/** Returns the direction of the drift, degrees clockwise from north; nullopt without a drift. */
+std::optional<double> directionOfDrift(const ImportRow& row)
 {
-    const bool drifts = row.taken && row.velocity_mps.norm() > 0;
-    switch (cell) {
-    case Sightings:
-        return static_cast<double>(row.report.sightings);
-    case LastSeen:
-        return row.taken ? std::optional(-row.report.age_s) : std::nullopt;
-    case Age:
-        return row.taken ? std::optional(row.report.age_s) : std::nullopt;
-    case Speed:
-        return row.taken ? std::optional(row.velocity_mps.norm()) : std::nullopt;
-    case Direction:
-        return drifts ? std::optional(
-                            headingFromPsi(std::atan2(row.velocity_mps.y(), row.velocity_mps.x())))
-                      : std::nullopt;
-    case Sigma:
-        return row.taken ? std::optional(row.sigma_m2) : std::nullopt;
-    case Growth:
-        return row.taken ? std::optional(row.q_m2ps) : std::nullopt;
-    default:
+    if (!row.taken || row.velocity_mps.norm() == 0)
         return std::nullopt;
-    }
-}
-
-QString icebergText(const ImportPreview& preview, const ImportRow& row, int cell,
-                    const QLocale& locale)
-{
-    if (cell == Id)
-        return QString::fromStdString(row.report.id);
-    if (cell == Outcome)
-        return importOutcomeWord(row.report.outcome);
-    if (cell == Notes)
-        return notesText(row.report);
-    if (cell == VelocityFrom)
-        return row.taken ? velocitySourceText(row.report, locale) : QString();
-    if (cell == LastSeen) {
-        const std::optional<UtcTime> time = lastSeen(preview, row);
-        return time ? utcTimeText(*time) : QString();
-    }
-    const std::optional<double> number = numberOfCell(row, cell);
-    if (!number)
-        return {};
-    switch (cell) {
-    case Age:
-        return ageText(*number, locale);
-    case Speed:
-        return fixedText(*number, 2, locale);
-    case Direction:
-        return fixedText(*number, 0, locale);
-    case Sigma:
-    case Growth:
-        return significantText(*number, 3, locale);
-    default:
-        return fixedText(*number, 0, locale);
-    }
+    return headingFromPsi(std::atan2(row.velocity_mps.y(), row.velocity_mps.x()));
 }
 
 /** Returns the name of the field that a column is used for; empty if it is unused. */
@@ -160,25 +94,66 @@ QString copiedRows(const QTableView& table)
 
 CellSheet icebergSheet(const PreviewPointer& preview, const QLocale& locale)
 {
-    return {.titles = {ImportCells::tr("Id"), ImportCells::tr("Result"),
-                       ImportCells::tr("Sightings"), ImportCells::tr("Last seen, UTC"),
-                       ImportCells::tr("Age"), ImportCells::tr("Speed, m/s"),
-                       ImportCells::tr("Direction, °"), ImportCells::tr("Velocity from"),
-                       ImportCells::tr("σ, m²"), ImportCells::tr("q, m²/s"),
-                       ImportCells::tr("Notes")},
-            .rows = static_cast<int>(preview->rows.size()),
-            .text =
-                [preview, locale](int row, int column) {
-                    return icebergText(*preview, preview->rows[static_cast<std::size_t>(row)],
-                                       column, locale);
-                },
-            .key = [preview, locale](int row, int column) -> CellKey {
-                const ImportRow& iceberg = preview->rows[static_cast<std::size_t>(row)];
-                if (column == Id || column == Outcome || column == VelocityFrom || column == Notes)
-                    return {.text = icebergText(*preview, iceberg, column, locale)};
-                constexpr double kLast = std::numeric_limits<double>::infinity();
-                return {.number = numberOfCell(iceberg, column).value_or(kLast)};
-            }};
+    const auto rowOf = [preview](int row) -> const ImportRow& {
+        return preview->rows[static_cast<std::size_t>(row)];
+    };
+    const auto words = [&](const QString& title, auto text) -> CellColumn {
+        return {.title = title, .text = [rowOf, text](int row) { return text(rowOf(row)); }};
+    };
+    const auto numbers = [&](const QString& title, auto number, auto text) -> CellColumn {
+        static constexpr double kLast = std::numeric_limits<double>::infinity();
+        return {.title = title,
+                .text =
+                    [rowOf, number, text](int row) {
+                        const std::optional<double> value = number(rowOf(row));
+                        return value ? text(*value) : QString();
+                    },
+                .key = [rowOf, number](int row) { return number(rowOf(row)).value_or(kLast); }};
+    };
+    const auto taken = [](auto number) {
+        return [number](const ImportRow& row) {
+            return row.taken ? std::optional<double>(number(row)) : std::nullopt;
+        };
+    };
+    const auto fixed = [locale](int decimals) {
+        return [=](double value) { return fixedText(value, decimals, locale); };
+    };
+    const auto significant = [locale](double value) { return significantText(value, 3, locale); };
+    CellColumn seen =
+        numbers(ImportCells::tr("Last seen, UTC"),
+                taken([](const ImportRow& row) { return -row.report.age_s; }), fixed(0));
+    seen.text = [preview, rowOf](int row) {
+        const std::optional<UtcTime> time = lastSeen(*preview, rowOf(row));
+        return time ? utcTimeText(*time) : QString();
+    };
+    return {
+        .columns =
+            {words(ImportCells::tr("Id"),
+                   [](const ImportRow& row) { return QString::fromStdString(row.report.id); }),
+             words(ImportCells::tr("Result"),
+                   [](const ImportRow& row) { return importOutcomeWord(row.report.outcome); }),
+             numbers(
+                 ImportCells::tr("Sightings"),
+                 [](const ImportRow& row) { return std::optional<double>(row.report.sightings); },
+                 fixed(0)),
+             seen,
+             numbers(ImportCells::tr("Age"),
+                     taken([](const ImportRow& row) { return row.report.age_s; }),
+                     [locale](double age_s) { return ageText(age_s, locale); }),
+             numbers(ImportCells::tr("Speed, m/s"),
+                     taken([](const ImportRow& row) { return row.velocity_mps.norm(); }), fixed(2)),
+             numbers(ImportCells::tr("Direction, °"), directionOfDrift, fixed(0)),
+             words(ImportCells::tr("Velocity from"),
+                   [locale](const ImportRow& row) {
+                       return row.taken ? velocitySourceText(row.report, locale) : QString();
+                   }),
+             numbers(ImportCells::tr("σ, m²"),
+                     taken([](const ImportRow& row) { return row.sigma_m2; }), significant),
+             numbers(ImportCells::tr("q, m²/s"),
+                     taken([](const ImportRow& row) { return row.q_m2ps; }), significant),
+             words(ImportCells::tr("Notes"),
+                   [](const ImportRow& row) { return notesText(row.report); })},
+        .rows = static_cast<int>(preview->rows.size())};
 }
 
 CellSheet rowSheet(const PreviewPointer& preview, Rejections ImportResult::*list,
@@ -192,39 +167,34 @@ CellSheet rowSheet(const PreviewPointer& preview, Rejections ImportResult::*list
     const QString place = counted == "feature"  ? ImportCells::tr("Feature")
                           : counted == "packet" ? ImportCells::tr("Packet")
                                                 : ImportCells::tr("Line");
-    return {.titles = {place, ImportCells::tr("Reason"), ImportCells::tr("Text")},
-            .rows = static_cast<int>(rows.first.size()),
-            .text = [rowOf, locale](int row, int column) -> QString {
-                const RejectedRow& listed = rowOf(row);
-                if (column == 0)
-                    return fixedText(static_cast<double>(listed.line), 0, locale);
-                return column == 1 ? issueWords(listed.fault)
-                                   : QString::fromStdString(listed.detail);
-            },
-            .key = [rowOf](int row, int column) -> CellKey {
-                const RejectedRow& listed = rowOf(row);
-                if (column == 0)
-                    return {.number = static_cast<double>(listed.line)};
-                return {.text = column == 1 ? issueWords(listed.fault)
-                                            : QString::fromStdString(listed.detail)};
-            }};
+    const auto line = [rowOf](int row) { return static_cast<double>(rowOf(row).line); };
+    return {
+        .columns = {{.title = place,
+                     .text = [=](int row) { return fixedText(line(row), 0, locale); },
+                     .key = line},
+                    {.title = ImportCells::tr("Reason"),
+                     .text = [rowOf](int row) { return issueWords(rowOf(row).fault); }},
+                    {.title = ImportCells::tr("Text"),
+                     .text =
+                         [rowOf](int row) { return QString::fromStdString(rowOf(row).detail); }}},
+        .rows = static_cast<int>(rows.first.size())};
 }
 
 CellSheet headSheet(const PreviewPointer& preview)
 {
     const TableHead& head = preview->head;
-    QStringList titles;
-    for (const QString& column : head.columns) {
-        const QString field = fieldOf(*preview, column);
-        titles << column + u'\n' + (field.isEmpty() ? u"\u2013"_s : field);
+    CellSheet sheet{.columns = {}, .rows = static_cast<int>(head.rows.size())};
+    for (qsizetype i = 0; i < head.columns.size(); ++i) {
+        const QString field = fieldOf(*preview, head.columns[i]);
+        sheet.columns.push_back(
+            {.title = head.columns[i] + u'\n' + (field.isEmpty() ? u"\u2013"_s : field),
+             .text =
+                 [preview, i](int row) {
+                     return preview->head.rows[static_cast<std::size_t>(row)].value(i);
+                 },
+             .key = [](int row) { return double(row); }});
     }
-    return {.titles = titles,
-            .rows = static_cast<int>(head.rows.size()),
-            .text =
-                [preview](int row, int column) {
-                    return preview->head.rows[static_cast<std::size_t>(row)].value(column);
-                },
-            .key = [](int row, int) { return CellKey{.number = static_cast<double>(row)}; }};
+    return sheet;
 }
 
 QTableView* newCellTable(CellModel& model, const QString& name, const QString& accessibleName)

@@ -5,24 +5,22 @@
 #include "widgets/words/plan_text.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 using namespace Qt::StringLiterals;
 
 namespace berg {
-EventModel::EventModel(const QLocale& locale, QObject* parent)
-    : QAbstractTableModel(parent), m_locale(locale)
+EventModel::EventModel(const QLocale& locale, QObject* parent) : CellModel(parent), m_locale(locale)
 {
+    clear();
 }
 
 void EventModel::clear()
 {
-    beginResetModel();
     m_rows.clear();
     m_events = m_plans = 0;
     m_next.clear();
-    endResetModel();
+    resetSheet(sheet());
 }
 
 void EventModel::setHistory(const MissionHistory& history, const std::vector<Iceberg>& icebergs,
@@ -31,7 +29,6 @@ void EventModel::setHistory(const MissionHistory& history, const std::vector<Ice
     if (history.rewrites != m_rewrites || history.events.size() < m_events)
         clear();
     m_rewrites = history.rewrites;
-    std::vector<Row> news;
     for (; m_events < history.events.size(); ++m_events) {
         const MissionEvent& event = history.events[m_events];
         const PlanEvent* plan = nullptr;
@@ -43,15 +40,11 @@ void EventModel::setHistory(const MissionHistory& history, const std::vector<Ice
         }
         if (!addsInformation(event, plan))
             continue;
-        news.push_back(rowOf(event, plan, icebergs, uavs));
-        news.back().number = m_events;
+        m_rows.push_back(rowOf(event, plan, icebergs, uavs));
+        m_rows.back().number = m_events;
     }
-    if (news.empty())
-        return;
-    const int first = rowCount();
-    beginInsertRows({}, first, first + static_cast<int>(news.size()) - 1);
-    std::ranges::move(news, std::back_inserter(m_rows));
-    endInsertRows();
+    if (m_rows.size() > static_cast<std::size_t>(rowCount()))
+        updateSheet(sheet(), [](int /*row*/) { return true; });
 }
 
 bool EventModel::addsInformation(const MissionEvent& event, const PlanEvent* plan)
@@ -94,8 +87,7 @@ void EventModel::setClock(const MissionClock& clock)
     if (clock == m_clock)
         return;
     m_clock = clock;
-    if (!m_rows.empty())
-        emit dataChanged(index(0, Time), index(rowCount() - 1, Time));
+    reportRows(0, rowCount() - 1);
 }
 
 void EventModel::setShown(std::size_t shown)
@@ -105,9 +97,7 @@ void EventModel::setShown(std::size_t shown)
     const int before = lastShown();
     m_shown = shown;
     const int now = lastShown();
-    if (before != now)
-        emit dataChanged(index(std::min(before, now) + 1, 0),
-                         index(std::max(before, now), ColumnCount - 1), {AheadRole});
+    reportRows(std::min(before, now) + 1, std::max(before, now), {AheadRole});
 }
 
 int EventModel::lastShown() const
@@ -116,65 +106,24 @@ int EventModel::lastShown() const
     return static_cast<int>(ahead - m_rows.begin()) - 1;
 }
 
-double EventModel::time_s(int row) const
+CellSheet EventModel::sheet() const
 {
-    return m_rows.at(static_cast<std::size_t>(row)).event.time_s;
-}
-
-int EventModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int EventModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-QVariant EventModel::data(const QModelIndex& index, int role) const
-{
-    if (!index.isValid())
-        return {};
-    const auto i = static_cast<std::size_t>(index.row());
-    const Row& row = m_rows.at(i);
-    if (role == Qt::DisplayRole)
-        switch (index.column()) {
-        case Time:
-            return m_clock.text(row.event.time_s);
-        case What:
-            return row.what;
-        case Details:
-            return row.details;
-        default:
-            return {};
-        }
-    if (role == Qt::ToolTipRole && index.column() == Time && m_clock.start)
-        return m_clock.details(row.event.time_s);
-    if (role == Qt::ToolTipRole)
-        return row.toolTip.isEmpty() ? row.what : row.toolTip;
-    if (role == AheadRole)
-        return row.number >= m_shown;
-    return {};
-}
-
-QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal)
-        return {};
-    if (role == Qt::TextAlignmentRole)
-        return int(Qt::AlignLeft | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case Time:
-        return tr("Time");
-    case What:
-        return tr("Event");
-    case Details:
-        return tr("How it was planned");
-    default:
-        return {};
-    }
+    return {.columns = {{.title = tr("Time"),
+                         .text = [this](int row) { return m_clock.text(time_s(row)); }},
+                        {.title = tr("Event"), .text = [this](int row) { return rowAt(row).what; }},
+                        {.title = tr("How it was planned"),
+                         .text = [this](int row) { return rowAt(row).details; }}},
+            .rows = static_cast<int>(m_rows.size()),
+            .toolTip =
+                [this](int row, int column) {
+                    const Row& event = rowAt(row);
+                    if (column == Time && m_clock.start)
+                        return m_clock.details(event.event.time_s);
+                    return event.toolTip.isEmpty() ? event.what : event.toolTip;
+                },
+            .other = [this](int row, int /*column*/, int role) -> QVariant {
+                return role == AheadRole ? QVariant(rowAt(row).number >= m_shown) : QVariant();
+            }};
 }
 
 } // namespace berg

@@ -1,20 +1,19 @@
 #pragma once
 
 #include "core/sim/recorder.h"
+#include "widgets/model/cell_model.h"
 #include "widgets/theme/mission_clock.h"
 
-#include <QAbstractTableModel>
 #include <QLocale>
 
 #include <map>
-#include <vector>
 
 namespace berg {
 
 struct MissionHistory;
 
 /** The event log as a table that grows at its end: time, event, and how a plan was made. */
-class EventModel : public QAbstractTableModel
+class EventModel : public CellModel
 {
     Q_OBJECT
 
@@ -23,8 +22,7 @@ public:
     {
         Time,
         What,
-        Details,
-        ColumnCount
+        Details
     };
     enum Role
     {
@@ -47,13 +45,7 @@ public:
     /** Returns the last row up to the instant shown, or −1 if there is none. */
     [[nodiscard]] int lastShown() const;
     /** Returns the time of a row, s. */
-    [[nodiscard]] double time_s(int row) const;
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override;
+    [[nodiscard]] double time_s(int row) const { return rowAt(row).event.time_s; }
 
 private:
     struct Row
@@ -70,6 +62,11 @@ private:
     [[nodiscard]] Row rowOf(const MissionEvent& event, const PlanEvent* plan,
                             const std::vector<Iceberg>& icebergs,
                             const std::vector<Uav>& uavs) const;
+    [[nodiscard]] const Row& rowAt(int row) const
+    {
+        return m_rows.at(static_cast<std::size_t>(row));
+    }
+    [[nodiscard]] CellSheet sheet() const;
 
     QLocale m_locale;
     MissionClock m_clock;

@@ -28,19 +28,11 @@ bool isText(IcebergColumn column)
            column == IcebergColumn::Uav;
 }
 
-bool isSameIcebergs(const std::vector<IcebergTableRow>& a, const std::vector<IcebergTableRow>& b)
-{
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const IcebergTableRow& one, const IcebergTableRow& other) {
-                          return one.id == other.id;
-                      });
-}
-
 } // namespace
 
 IcebergTableModel::IcebergTableModel(ScenarioDocument& document, const QLocale& locale,
                                      QObject* parent)
-    : QAbstractTableModel(parent), m_document(document), m_locale(locale)
+    : CellModel(parent), m_document(document), m_locale(locale)
 {
     showScenario();
 }
@@ -61,32 +53,20 @@ void IcebergTableModel::showRecord(const FlightRecord& record)
 void IcebergTableModel::setRows(std::vector<IcebergTableRow> rows, const TableState& state)
 {
     const bool hasOtherColumns = std::exchange(m_state, state) != state;
-    if (isSameIcebergs(rows, m_rows)) {
-        updateRows(std::move(rows));
-        if (hasOtherColumns)
-            emit columnsChanged();
-        return;
-    }
-    beginResetModel();
-    m_rows = std::move(rows);
-    rankNames();
-    m_shown = arranged();
-    endResetModel();
-}
-
-void IcebergTableModel::updateRows(std::vector<IcebergTableRow> rows)
-{
-    std::vector<bool> hasChanged(rows.size());
-    bool hasOtherName = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        hasChanged[i] = rows[i] != m_rows[i];
-        hasOtherName = hasOtherName || rows[i].name != m_rows[i].name;
-    }
-    m_rows = std::move(rows);
-    if (hasOtherName)
+    const std::vector<IcebergTableRow> before = std::exchange(m_rows, std::move(rows));
+    const auto isSameIn = [&](auto part) {
+        return std::ranges::equal(before, m_rows, {}, part, part);
+    };
+    const bool hasSameIcebergs = isSameIn(&IcebergTableRow::id);
+    if (!hasSameIcebergs || !isSameIn(&IcebergTableRow::name))
         rankNames();
-    rearrange();
-    reportChanges(hasChanged);
+    if (!hasSameIcebergs)
+        return resetSheet(sheet());
+    updateSheet(sheet(), [&](int row) {
+        return before[static_cast<std::size_t>(row)] == m_rows[static_cast<std::size_t>(row)];
+    });
+    if (hasOtherColumns)
+        emit columnsChanged();
 }
 
 void IcebergTableModel::rankNames()
@@ -105,95 +85,67 @@ void IcebergTableModel::rankNames()
         m_nameRanks[static_cast<std::size_t>(order[rank])] = static_cast<int>(rank);
 }
 
-bool IcebergTableModel::isBefore(int a, int b) const
+CellSheet IcebergTableModel::sheet()
 {
-    const auto i = static_cast<std::size_t>(a);
-    const auto j = static_cast<std::size_t>(b);
-    const bool isAscending = m_sortOrder == Qt::AscendingOrder;
-    const IcebergColumn column = columnOf(m_sortColumn);
+    const auto iceberg = [this](int row) -> const IcebergTableRow& {
+        return m_rows[static_cast<std::size_t>(row)];
+    };
+    CellSheet sheet{
+        .columns = {},
+        .rows = total(),
+        .toolTip =
+            [=, this](int row, int column) {
+                return cellToolTip(iceberg(row), columnOf(column), m_locale);
+            },
+        .other = [=, this](int row, int column,
+                           int role) { return rowData(iceberg(row), columnOf(column), role); },
+        .speaksTips = true};
+    for (std::size_t column = 0; column < kIcebergColumns; ++column)
+        sheet.columns.push_back(cellColumn(static_cast<IcebergColumn>(column)));
+    if (!m_filter.isEmpty())
+        sheet.isShown = [=, this](int row) {
+            return iceberg(row).name.contains(m_filter, Qt::CaseInsensitive) ||
+                   QString::fromStdString(iceberg(row).id).contains(m_filter, Qt::CaseInsensitive);
+        };
+    return sheet;
+}
+
+CellColumn IcebergTableModel::cellColumn(IcebergColumn column)
+{
+    const IcebergColumnSpec& spec = specOf(m_specs, column);
+    const auto at = [](int row) { return static_cast<std::size_t>(row); };
+    CellColumn shown{.title = spec.title,
+                     .tip = spec.toolTip,
+                     .text =
+                         [=, this](int row) {
+                             return cellText(m_rows[at(row)], column, m_state.isInFlight, m_locale);
+                         },
+                     .key =
+                         [=, this](int row) {
+                             return column == IcebergColumn::Name
+                                        ? CellKey(double(m_nameRanks[at(row)]))
+                                        : CellKey(m_rows[at(row)].value(column));
+                         },
+                     .isNumber = !isText(column)};
+    if (!m_state.isInFlight && spec.isEditable())
+        shown.edit = [=, this](int row, const QVariant& value) {
+            return setAll({shownRow(row)}, column, value);
+        };
     if (column == IcebergColumn::Name)
-        return isAscending ? m_nameRanks[i] < m_nameRanks[j] : m_nameRanks[i] > m_nameRanks[j];
-    const std::optional<double> first = m_rows[i].value(column);
-    const std::optional<double> second = m_rows[j].value(column);
-    if (!first || !second)
-        return first && !second;
-    return isAscending ? *first < *second : *first > *second;
-}
-
-/** Returns the icebergs to show, filtered and sorted. */
-std::vector<int> IcebergTableModel::arranged() const
-{
-    std::vector<int> shown;
-    shown.reserve(m_rows.size());
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        const IcebergTableRow& row = m_rows[i];
-        if (m_filter.isEmpty() || row.name.contains(m_filter, Qt::CaseInsensitive) ||
-            QString::fromStdString(row.id).contains(m_filter, Qt::CaseInsensitive))
-            shown.push_back(static_cast<int>(i));
-    }
-    if (m_sortColumn >= 0)
-        std::stable_sort(shown.begin(), shown.end(),
-                         [this](int a, int b) { return isBefore(a, b); });
+        shown.value = [=, this](int row) { return m_rows[at(row)].name; };
+    else if (!spec.half)
+        shown.value = [=, this, unit = spec.unit](int row) {
+            return unit.fromSi(m_rows[at(row)].value(column).value_or(0));
+        };
     return shown;
-}
-
-void IcebergTableModel::rearrange()
-{
-    std::vector<int> shown = arranged();
-    if (shown == m_shown)
-        return;
-    if (shown.size() != m_shown.size()) {
-        beginResetModel();
-        m_shown = std::move(shown);
-        endResetModel();
-        return;
-    }
-    // Views take the same number of rows for the same icebergs in another order; a renamed iceberg
-    // that the filter now hides loses its row.
-    emit layoutAboutToBeChanged({}, VerticalSortHint);
-    std::vector<int> rowOfIceberg(m_rows.size(), -1);
-    for (std::size_t row = 0; row < shown.size(); ++row)
-        rowOfIceberg[static_cast<std::size_t>(shown[row])] = static_cast<int>(row);
-    const QModelIndexList before = persistentIndexList();
-    QModelIndexList after;
-    after.reserve(before.size());
-    for (const QModelIndex& at : before) {
-        const int iceberg = m_shown[static_cast<std::size_t>(at.row())];
-        after << index(rowOfIceberg[static_cast<std::size_t>(iceberg)], at.column());
-    }
-    m_shown = std::move(shown);
-    changePersistentIndexList(before, after);
-    emit layoutChanged({}, VerticalSortHint);
-}
-
-void IcebergTableModel::reportChanges(const std::vector<bool>& hasChanged)
-{
-    int first = rowCount();
-    int last = -1;
-    for (int row = 0; row < rowCount(); ++row)
-        if (hasChanged[static_cast<std::size_t>(m_shown[static_cast<std::size_t>(row)])]) {
-            first = std::min(first, row);
-            last = row;
-        }
-    if (last >= first)
-        emit dataChanged(index(first, 0), index(last, columnCount() - 1));
 }
 
 void IcebergTableModel::setFilter(const QString& text)
 {
     if (text == m_filter)
         return;
-    beginResetModel();
     m_filter = text;
-    m_shown = arranged();
-    endResetModel();
-}
-
-void IcebergTableModel::sort(int column, Qt::SortOrder order)
-{
-    m_sortColumn = column;
-    m_sortOrder = order;
-    rearrange();
+    resetSheet(sheet());
 }
 
 void IcebergTableModel::setHighlight(const std::string& id)
@@ -202,20 +154,18 @@ void IcebergTableModel::setHighlight(const std::string& id)
     m_highlight = id;
     for (const int row : {before, rowOf(id)})
         if (row >= 0)
-            emit dataChanged(index(row, 0), index(row, columnCount() - 1), {HighlightRole});
+            reportRows(row, row, {HighlightRole});
 }
 
 const IcebergTableRow& IcebergTableModel::rowAt(int row) const
 {
-    return m_rows.at(static_cast<std::size_t>(m_shown.at(static_cast<std::size_t>(row))));
+    return m_rows.at(static_cast<std::size_t>(sourceRow(row)));
 }
 
 int IcebergTableModel::rowOf(const std::string& id) const
 {
-    const auto it = std::find_if(m_shown.begin(), m_shown.end(), [&](int iceberg) {
-        return m_rows[static_cast<std::size_t>(iceberg)].id == id;
-    });
-    return it == m_shown.end() ? -1 : static_cast<int>(it - m_shown.begin());
+    const auto it = std::ranges::find(m_rows, id, &IcebergTableRow::id);
+    return it == m_rows.end() ? -1 : shownRow(static_cast<int>(it - m_rows.begin()));
 }
 
 const IcebergColumnSpec& IcebergTableModel::spec(int column) const
@@ -230,39 +180,14 @@ bool IcebergTableModel::hasColumn(int column) const
            (m_state.hasAsset || !one.isOfAsset) && (m_state.hasFleet || !one.isOfFleet);
 }
 
-int IcebergTableModel::rowCount(const QModelIndex& parent) const
+QVariant IcebergTableModel::rowData(const IcebergTableRow& row, IcebergColumn column,
+                                    int role) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
-}
-
-int IcebergTableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(kIcebergColumns);
-}
-
-QVariant IcebergTableModel::data(const QModelIndex& index, int role) const
-{
-    if (!index.isValid())
-        return {};
-    const IcebergColumn column = columnOf(index.column());
-    const IcebergTableRow& row = rowAt(index.row());
     switch (role) {
-    case Qt::DisplayRole:
-        return cellText(row, column, m_state.isInFlight, m_locale);
-    case Qt::EditRole:
-        return column == IcebergColumn::Name ? QVariant(row.name)
-               : spec(index.column()).half
-                   ? QVariant(cellText(row, column, m_state.isInFlight, m_locale))
-                   : QVariant(spec(index.column()).unit.fromSi(row.value(column).value_or(0)));
-    case Qt::ToolTipRole:
-        return cellToolTip(row, column, m_locale);
     case Qt::AccessibleTextRole:
         return column == IcebergColumn::Name && row.ringEntry_s
                    ? QVariant(ringEntryText(row.label(), *row.ringEntry_s, m_locale, row.times))
                    : QVariant();
-    case Qt::TextAlignmentRole:
-        return QVariant::fromValue((isText(column) ? Qt::AlignLeft : Qt::AlignRight) |
-                                   Qt::AlignVCenter);
     case SigmaRole:
         return row.value(IcebergColumn::Sigma).value_or(0);
     case StateRole:
@@ -274,37 +199,6 @@ QVariant IcebergTableModel::data(const QModelIndex& index, int role) const
     default:
         return {};
     }
-}
-
-QVariant IcebergTableModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || section >= columnCount())
-        return {};
-    switch (role) {
-    case Qt::DisplayRole:
-        return spec(section).title;
-    case Qt::ToolTipRole:
-    case Qt::AccessibleTextRole:
-        return spec(section).toolTip;
-    case Qt::TextAlignmentRole:
-        return QVariant::fromValue((isText(columnOf(section)) ? Qt::AlignLeft : Qt::AlignRight) |
-                                   Qt::AlignVCenter);
-    default:
-        return {};
-    }
-}
-
-Qt::ItemFlags IcebergTableModel::flags(const QModelIndex& index) const
-{
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    flags.setFlag(Qt::ItemIsEditable,
-                  index.isValid() && !m_state.isInFlight && spec(index.column()).isEditable());
-    return flags;
-}
-
-bool IcebergTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
-{
-    return role == Qt::EditRole && setAll({index.row()}, columnOf(index.column()), value);
 }
 
 bool IcebergTableModel::setAll(const std::vector<int>& rows, IcebergColumn column,

@@ -1,20 +1,19 @@
 #pragma once
 
+#include "widgets/model/cell_model.h"
 #include "widgets/model/scenario_document.h"
 #include "widgets/panels/icebergs/iceberg_table_paste.h"
 #include "widgets/panels/icebergs/iceberg_table_rows.h"
 
-#include <QAbstractTableModel>
 #include <QLocale>
 
 namespace berg {
 
 /**
- * Model of the iceberg table with its own sorting and filter: before take-off the editable icebergs
- * of the document, in flight those of the instant shown. An update reports the span of changed
- * rows; the model is reset only when icebergs are added or removed.
+ * Model of the iceberg table with a filter: before take-off the editable icebergs of the document,
+ * in flight those of the instant shown. The model is reset only when icebergs are added or removed.
  */
-class IcebergTableModel : public QAbstractTableModel
+class IcebergTableModel : public CellModel
 {
     Q_OBJECT
 
@@ -67,18 +66,6 @@ public:
     /** Pastes from this cell to the right, through `columns`, and down, in one undo step. */
     PasteOutcome paste(const QString& text, int row, int column, const std::vector<int>& columns);
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override;
-    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    /**
-     * Sorts by a column; −1 restores the order of the scenario. Cells without a number come last.
-     */
-    void sort(int column, Qt::SortOrder order) override;
-
 signals:
     /** Emitted after an edit with a sentence on why it was rejected, or an empty text. */
     void edited(const QString& fault);
@@ -97,12 +84,11 @@ private:
     [[nodiscard]] QString setPlaces(const std::vector<int>& rows, IcebergColumn column,
                                     const QString& text);
     void setRows(std::vector<IcebergTableRow> rows, const TableState& state);
-    void updateRows(std::vector<IcebergTableRow> rows);
     void rankNames();
-    [[nodiscard]] std::vector<int> arranged() const;
-    [[nodiscard]] bool isBefore(int a, int b) const;
-    void rearrange();
-    void reportChanges(const std::vector<bool>& hasChanged);
+    [[nodiscard]] CellSheet sheet();
+    [[nodiscard]] CellColumn cellColumn(IcebergColumn column);
+    [[nodiscard]] QVariant rowData(const IcebergTableRow& row, IcebergColumn column,
+                                   int role) const;
     [[nodiscard]] QString copiedCell(const IcebergTableRow& row, int column) const;
 
     ScenarioDocument& m_document;
@@ -110,11 +96,8 @@ private:
     IcebergColumnSpecs m_specs = icebergColumnSpecs();
     std::vector<IcebergTableRow> m_rows; ///< in the order of the scenario
     std::vector<int> m_nameRanks;        ///< by iceberg index: rank in the order of names
-    std::vector<int> m_shown;            ///< by row: index of its iceberg
     QString m_filter;
     std::string m_highlight;
-    int m_sortColumn = -1;
-    Qt::SortOrder m_sortOrder = Qt::AscendingOrder;
     TableState m_state;
 };
 

@@ -7,7 +7,6 @@
 #include <QMimeData>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -56,61 +55,74 @@ std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
     return lines;
 }
 
+/** Returns why a UAV is not planned. */
+QString modeText(FlightMode mode)
+{
+    switch (mode) {
+    case FlightMode::Home:
+        return PlanModel::tr("Returning home");
+    case FlightMode::Ground:
+        return PlanModel::tr("On the ground");
+    case FlightMode::Hold:
+        return PlanModel::tr("Holding");
+    case FlightMode::Idle:
+    case FlightMode::Leg:
+    case FlightMode::RunOut:
+    case FlightMode::Circle:
+    case FlightMode::Search:
+        break;
+    }
+    return missingValueText();
+}
+
 } // namespace
 
-PlanModel::PlanModel(const QLocale& locale, QObject* parent)
-    : QAbstractTableModel(parent), m_locale(locale)
+struct PlanModel::Lines
 {
+    QLocale locale;
+    TimesAhead times{};
+    std::vector<PlanLine> lines{};
+
+    [[nodiscard]] const PlanLine& at(int row) const
+    {
+        return lines.at(static_cast<std::size_t>(row));
+    }
+    [[nodiscard]] const PlanLine& uavOf(int row) const;
+    [[nodiscard]] QString text(int row, Column column) const;
+    [[nodiscard]] QString uavText(const PlanLine& line, Column column) const;
+    [[nodiscard]] QString toolTip(int row, Column column) const;
+    [[nodiscard]] QString searchesText(const std::vector<PlannedSearch>& searches) const;
+    [[nodiscard]] QString uavToolTip(const PlanLine& line) const;
+    [[nodiscard]] static std::vector<CellColumn> columns(const std::shared_ptr<const Lines>& lines);
+};
+
+PlanModel::PlanModel(const QLocale& locale, QObject* parent)
+    : CellModel(parent), m_locale(locale), m_lines(std::make_shared<Lines>(Lines{locale}))
+{
+    resetSheet({.columns = Lines::columns(m_lines)});
 }
 
 void PlanModel::setPlan(const std::vector<PlanSection>& sections, const TimesAhead& times)
 {
-    setLines(linesOf(sections), times);
-}
-
-void PlanModel::setLines(std::vector<PlanLine> lines, const TimesAhead& times)
-{
-    if (lines == m_lines && times == m_times)
+    const auto lines = std::make_shared<const Lines>(
+        Lines{.locale = m_locale, .times = times, .lines = linesOf(sections)});
+    const auto before = std::exchange(m_lines, lines);
+    if (lines->lines == before->lines && times == before->times)
         return;
-    m_times = times;
-    const int before = rowCount();
-    const int after = static_cast<int>(lines.size());
-
-    // Lines are added and removed at the end, so that the ones above keep their place in the view.
-    if (after < before) {
-        beginRemoveRows({}, after, before - 1);
-        m_lines.resize(static_cast<std::size_t>(after));
-        endRemoveRows();
-    } else if (after > before) {
-        beginInsertRows({}, before, after - 1);
-        m_lines.insert(m_lines.end(), lines.begin() + before, lines.end());
-        endInsertRows();
-    }
-    m_lines = std::move(lines);
-    updateContents(std::min(before, after));
-}
-
-/** Reports the changed ones of the first `kept` lines as one span. */
-void PlanModel::updateContents(int kept)
-{
-    const std::vector<LineContent> before = std::exchange(m_contents, {});
-    m_contents.reserve(m_lines.size());
-    int first = kept;
-    int last = -1;
-    for (int row = 0; row < rowCount(); ++row) {
-        LineContent& content = m_contents.emplace_back();
-        content.uav = line(row).uav;
-        content.isAssigned = line(row).row.isAssigned;
-        for (int column = 0; column < ColumnCount; ++column)
-            content.texts[static_cast<std::size_t>(column)] =
-                text(row, static_cast<Column>(column));
-        if (row < kept && content != before[static_cast<std::size_t>(row)]) {
-            first = std::min(first, row);
-            last = row;
-        }
-    }
-    if (last >= first)
-        emit dataChanged(index(first, 0), index(last, ColumnCount - 1));
+    const CellSheet sheet{
+        .columns = Lines::columns(lines),
+        .rows = static_cast<int>(lines->lines.size()),
+        .toolTip = [lines](int row,
+                           int column) { return lines->toolTip(row, static_cast<Column>(column)); },
+        .other = [this, lines](int row, int column,
+                               int role) { return lineData(*lines, row, column, role); },
+        .speaksTips = true};
+    updateSheet(sheet, [&](int row) {
+        const PlanLine& one = before->at(row);
+        const PlanLine& other = lines->at(row);
+        return one.uav == other.uav && one.row.isAssigned == other.row.isAssigned &&
+               hasTextsOf(sheet, row);
+    });
 }
 
 void PlanModel::setHighlight(const std::string& id)
@@ -121,7 +133,7 @@ void PlanModel::setHighlight(const std::string& id)
     m_highlight = id;
     for (const int row : {before, rowOf(id)})
         if (row >= 0)
-            emit dataChanged(index(row, 0), index(row, ColumnCount - 1), {HighlightRole});
+            reportRows(row, row, {HighlightRole});
 }
 
 void PlanModel::setDropUav(int uav)
@@ -129,20 +141,19 @@ void PlanModel::setDropUav(int uav)
     if (uav == m_dropUav)
         return;
     m_dropUav = uav;
-    if (!m_lines.empty())
-        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {DropRole});
+    reportRows(0, rowCount() - 1, {DropRole});
 }
 
 bool PlanModel::mayMiss() const
 {
-    return std::ranges::any_of(m_lines, [](const PlanLine& line) {
+    return std::ranges::any_of(m_lines->lines, [](const PlanLine& line) {
         return line.row.chance && *line.row.chance < kSurelySeen;
     });
 }
 
 bool PlanModel::isPatrol() const
 {
-    return std::ranges::any_of(m_lines,
+    return std::ranges::any_of(m_lines->lines,
                                [](const PlanLine& line) { return line.row.again_s.has_value(); });
 }
 
@@ -157,7 +168,7 @@ QString PlanModel::widestText(Column column) const
 
 const PlanLine& PlanModel::line(int row) const
 {
-    return m_lines.at(static_cast<std::size_t>(row));
+    return m_lines->at(row);
 }
 
 const std::string& PlanModel::idOf(int row) const
@@ -167,84 +178,76 @@ const std::string& PlanModel::idOf(int row) const
 
 int PlanModel::rowOf(const std::string& id) const
 {
-    const auto it = std::find_if(m_lines.begin(), m_lines.end(),
-                                 [&](const PlanLine& line) { return line.row.id == id; });
-    return it == m_lines.end() ? -1 : static_cast<int>(it - m_lines.begin());
+    const auto it =
+        std::ranges::find(m_lines->lines, id, [](const PlanLine& line) { return line.row.id; });
+    return it == m_lines->lines.end() ? -1 : static_cast<int>(it - m_lines->lines.begin());
 }
 
 /**
  * Returns the line of the UAV that visits the iceberg, or the line itself for a UAV; fleets only.
  */
-const PlanLine& PlanModel::uavOf(int row) const
+const PlanLine& PlanModel::Lines::uavOf(int row) const
 {
-    while (!line(row).isUav())
+    while (!at(row).isUav())
         --row;
-    return line(row);
+    return at(row);
 }
 
-int PlanModel::rowCount(const QModelIndex& parent) const
+QString PlanModel::Lines::text(int row, Column column) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
-}
-
-int PlanModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-QString PlanModel::text(int row, Column column) const
-{
-    if (line(row).isUav())
-        return uavText(line(row), column);
-    const PlanRow& planned = line(row).row;
+    if (at(row).isUav())
+        return uavText(at(row), column);
+    const PlanRow& planned = at(row).row;
     if (!planned.isSeen && column == Arrival)
-        return planned.again_s ? m_times.text(*planned.again_s) : tr("later");
+        return planned.again_s ? times.text(*planned.again_s) : PlanModel::tr("later");
     if (!planned.isSeen && (column == Leg || column == ArrivalSigma || column == Chance))
         return missingValueText();
     if ((column == Course || column == GroundSpeed) && !planned.course)
         return missingValueText();
     switch (column) {
     case Number:
-        return line(row).number > 0 ? fixedText(line(row).number, 0, m_locale) : QString();
+        return at(row).number > 0 ? fixedText(at(row).number, 0, locale) : QString();
     case Name:
-        return planned.searches.empty() ? planned.name : tr("%1 (search)").arg(planned.name);
+        return planned.searches.empty() ? planned.name
+                                        : PlanModel::tr("%1 (search)").arg(planned.name);
     case Leg:
         // It is planned as one point with the iceberg above, so there is no leg between the two.
-        return planned.leg_m > 0 ? distanceText(planned.leg_m, m_locale) : missingValueText();
+        return planned.leg_m > 0 ? distanceText(planned.leg_m, locale) : missingValueText();
     case Course:
         return courseText(planned.course->true_deg, planned.course->declination_deg);
     case GroundSpeed:
-        return speedText(planned.course->groundSpeed_mps, m_locale, 3);
+        return speedText(planned.course->groundSpeed_mps, locale, 3);
     case Arrival:
-        return m_times.text(planned.arrival_s);
+        return times.text(planned.arrival_s);
     case Again:
-        return planned.again_s && planned.isSeen ? m_times.text(*planned.again_s)
+        return planned.again_s && planned.isSeen ? times.text(*planned.again_s)
                                                  : missingValueText();
     case Sigma:
-        return firstUncertainty(planned.sigma_m2, m_locale);
+        return firstUncertainty(planned.sigma_m2, locale);
     case ArrivalSigma:
-        return firstUncertainty(planned.arrivalSigma_m2, m_locale);
+        return firstUncertainty(planned.arrivalSigma_m2, locale);
     case Chance:
-        return planned.chance ? chanceText(*planned.chance, m_locale) : missingValueText();
+        return planned.chance ? chanceText(*planned.chance, locale) : missingValueText();
     case ColumnCount:
         break;
     }
     return {};
 }
 
-QString PlanModel::uavText(const PlanLine& line, Column column) const
+QString PlanModel::Lines::uavText(const PlanLine& line, Column column) const
 {
     switch (column) {
     case Name:
         return line.row.name;
     case Leg:
-        return !line.isIdle ? distanceText(line.row.leg_m, m_locale) : missingValueText();
+        return !line.isIdle ? distanceText(line.row.leg_m, locale) : missingValueText();
     case Arrival:
         if (!line.row.isSeen)
             return modeText(line.mode);
-        return !line.isIdle ? m_times.text(line.row.arrival_s) : missingValueText();
+        return !line.isIdle ? times.text(line.row.arrival_s) : missingValueText();
     case Sigma:
-        return line.row.isSeen ? tr("%n visits", nullptr, line.visits) : missingValueText();
+        return line.row.isSeen ? PlanModel::tr("%n visits", nullptr, line.visits)
+                               : missingValueText();
     case Number:
     case Course:
     case GroundSpeed:
@@ -257,98 +260,74 @@ QString PlanModel::uavText(const PlanLine& line, Column column) const
     return {};
 }
 
-QString PlanModel::modeText(FlightMode mode)
+QString PlanModel::Lines::uavToolTip(const PlanLine& line) const
 {
-    switch (mode) {
-    case FlightMode::Home:
-        return tr("Returning home");
-    case FlightMode::Ground:
-        return tr("On the ground");
-    case FlightMode::Hold:
-        return tr("Holding");
-    case FlightMode::Idle:
-    case FlightMode::Leg:
-    case FlightMode::RunOut:
-    case FlightMode::Circle:
-    case FlightMode::Search:
-        break;
-    }
-    return missingValueText();
-}
-
-QString PlanModel::uavToolTip(const PlanLine& line) const
-{
-    const QString name = tr("%1 (id %2)").arg(line.row.name, QString::fromStdString(line.row.id));
+    const QString name =
+        PlanModel::tr("%1 (id %2)").arg(line.row.name, QString::fromStdString(line.row.id));
     if (!line.row.isSeen)
         return name + u'\n' +
-               tr("No plan while the UAV returns, is on the ground or holds. A new one is made "
-                  "when it resumes.");
+               PlanModel::tr(
+                   "No plan while the UAV returns, is on the ground or holds. A new one is made "
+                   "when it resumes.");
     if (line.isIdle)
-        return name + u'\n' + tr("It has no iceberg to visit.");
+        return name + u'\n' + PlanModel::tr("It has no iceberg to visit.");
     return name + u'\n' +
-           (m_times.clock.isUtc() ? tr("%1, flown by %2", "length and end of a path, UTC")
-                                  : tr("%1, flown %2", "length and end of a way"))
-               .arg(distanceText(line.row.leg_m, m_locale), m_times.text(line.row.arrival_s));
+           (times.clock.isUtc() ? PlanModel::tr("%1, flown by %2", "length and end of a path, UTC")
+                                : PlanModel::tr("%1, flown %2", "length and end of a way"))
+               .arg(distanceText(line.row.leg_m, locale), times.text(line.row.arrival_s));
 }
 
-QString PlanModel::toolTip(int row, Column column) const
+QString PlanModel::Lines::toolTip(int row, Column column) const
 {
-    if (line(row).isUav())
-        return uavToolTip(line(row));
-    const PlanRow& planned = line(row).row;
+    if (at(row).isUav())
+        return uavToolTip(at(row));
+    const PlanRow& planned = at(row).row;
     if (column == Name) {
-        const QString name = tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
+        const QString name =
+            PlanModel::tr("%1 (id %2)").arg(planned.name, QString::fromStdString(planned.id));
         if (!planned.searches.empty())
             return name + u'\n' + searchesText(planned.searches);
-        return planned.isAssigned ? name + u'\n' + tr("Assigned to %1").arg(uavOf(row).row.name)
-                                  : name;
+        return planned.isAssigned
+                   ? name + u'\n' + PlanModel::tr("Assigned to %1").arg(uavOf(row).row.name)
+                   : name;
     }
     if (column == Chance && !planned.searches.empty())
         return searchesText(planned.searches);
     const bool isLater = planned.isLater || (!planned.isSeen && planned.again_s);
     if (isLater && column != Sigma && column != ArrivalSigma && column != Again)
-        return tr("A later visit of the patrol, %1. Its path is planned when its turn comes.")
-            .arg(m_times.text(planned.isSeen ? planned.arrival_s : *planned.again_s));
+        return PlanModel::tr(
+                   "A later visit of the patrol, %1. Its path is planned when its turn comes.")
+            .arg(times.text(planned.isSeen ? planned.arrival_s : *planned.again_s));
     if (column == Again)
-        return planned.again_s ? m_times.toolTip(*planned.again_s) : QString();
+        return planned.again_s ? times.toolTip(*planned.again_s) : QString();
     if (!planned.isSeen && column != Sigma)
-        return tr("The plan ends before this iceberg is seen.");
+        return PlanModel::tr("The plan ends before this iceberg is seen.");
     if (column == Arrival)
-        return m_times.toolTip(planned.arrival_s);
+        return times.toolTip(planned.arrival_s);
     if (planned.course && column != Sigma && column != ArrivalSigma && column != Chance)
-        return tr("Course over ground %1, ground speed %2")
+        return PlanModel::tr("Course over ground %1, ground speed %2")
             .arg(courseText(planned.course->true_deg, planned.course->declination_deg),
-                 speedText(planned.course->groundSpeed_mps, m_locale, 3));
+                 speedText(planned.course->groundSpeed_mps, locale, 3));
     if (column != Sigma && column != ArrivalSigma)
         return {};
-    return tr("Now %1; at arrival %2, if the iceberg is not seen before")
-        .arg(uncertaintyText(planned.sigma_m2, m_locale),
-             uncertaintyText(planned.arrivalSigma_m2, m_locale));
+    return PlanModel::tr("Now %1; at arrival %2, if the iceberg is not seen before")
+        .arg(uncertaintyText(planned.sigma_m2, locale),
+             uncertaintyText(planned.arrivalSigma_m2, locale));
 }
 
-QString PlanModel::searchesText(const std::vector<PlannedSearch>& searches) const
+QString PlanModel::Lines::searchesText(const std::vector<PlannedSearch>& searches) const
 {
     QStringList places;
     for (const PlannedSearch& search : searches)
-        places << u"%1 (%2)"_s.arg(m_times.text(search.time_s),
-                                   chanceText(search.chance, m_locale));
-    return tr("Lost: searched for %1", "times and chances of finding it").arg(places.join(u", "_s));
+        places << u"%1 (%2)"_s.arg(times.text(search.time_s), chanceText(search.chance, locale));
+    return PlanModel::tr("Lost: searched for %1", "times and chances of finding it")
+        .arg(places.join(u", "_s));
 }
 
-QVariant PlanModel::data(const QModelIndex& index, int role) const
+QVariant PlanModel::lineData(const Lines& lines, int row, int column, int role) const
 {
-    if (!index.isValid())
-        return {};
-    const auto column = static_cast<Column>(index.column());
-    const PlanLine& line = this->line(index.row());
+    const PlanLine& line = lines.at(row);
     switch (role) {
-    case Qt::DisplayRole:
-        return text(index.row(), column);
-    case Qt::ToolTipRole:
-        return toolTip(index.row(), column);
-    case Qt::TextAlignmentRole:
-        return QVariant::fromValue((column == Name ? Qt::AlignLeft : Qt::AlignRight) |
-                                   Qt::AlignVCenter);
     case SigmaRole:
         if (column == Sigma)
             return line.row.sigma_m2;
@@ -371,52 +350,36 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const
     }
 }
 
-QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int role) const
+std::vector<CellColumn> PlanModel::Lines::columns(const std::shared_ptr<const Lines>& lines)
 {
-    if (orientation != Qt::Horizontal)
-        return {};
-    const auto column = static_cast<Column>(section);
-    if (role == Qt::TextAlignmentRole)
-        return QVariant::fromValue((column == Name ? Qt::AlignLeft : Qt::AlignRight) |
-                                   Qt::AlignVCenter);
-    const bool isText = role == Qt::DisplayRole;
-    if (!isText && role != Qt::ToolTipRole && role != Qt::AccessibleTextRole)
-        return {};
-    switch (column) {
-    case Number:
-        return isText ? u"#"_s : tr("Place in the visiting order");
-    case Name:
-        return isText ? tr("Iceberg") : tr("Name of the iceberg");
-    case Leg:
-        return isText ? tr("Leg") : tr("Distance from the previous iceberg, or from the UAV");
-    case Course:
-        return isText ? tr("Course") : tr("Course over ground at the start of the leg");
-    case GroundSpeed:
-        return isText ? tr("Speed", "over ground") : tr("Ground speed in the present wind");
-    case Arrival:
-        return isText ? tr("Arrival") : tr("Arrival of the UAV");
-    case Again:
-        return isText ? tr("Again") : tr("When the patrol comes back to the iceberg");
-    case Sigma:
-        return isText ? isSigmaFirst() ? tr("σ now") : tr("95 % now")
-                      : tr("Uncertainty of the position now");
-    case ArrivalSigma:
-        return isText ? isSigmaFirst() ? u"σ, m²"_s : u"95 %"_s
-                      : tr("Uncertainty of the position on arrival");
-    case Chance:
-        return isText ? tr("In view")
-                      : tr("Probability that the iceberg is in view when the UAV reaches its "
-                           "estimate");
-    case ColumnCount:
-        break;
-    }
-    return {};
+    std::vector<CellColumn> columns;
+    const auto add = [&](const QString& title, const QString& tip) {
+        const auto column = static_cast<Column>(columns.size());
+        columns.push_back({.title = title,
+                           .tip = tip,
+                           .text = [lines, column](int row) { return lines->text(row, column); },
+                           .isNumber = column != Name});
+    };
+    add(u"#"_s, PlanModel::tr("Place in the visiting order"));
+    add(PlanModel::tr("Iceberg"), PlanModel::tr("Name of the iceberg"));
+    add(PlanModel::tr("Leg"), PlanModel::tr("Distance from the previous iceberg, or from the UAV"));
+    add(PlanModel::tr("Course"), PlanModel::tr("Course over ground at the start of the leg"));
+    add(PlanModel::tr("Speed", "over ground"), PlanModel::tr("Ground speed in the present wind"));
+    add(PlanModel::tr("Arrival"), PlanModel::tr("Arrival of the UAV"));
+    add(PlanModel::tr("Again"), PlanModel::tr("When the patrol comes back to the iceberg"));
+    add(isSigmaFirst() ? PlanModel::tr("σ now") : PlanModel::tr("95 % now"),
+        PlanModel::tr("Uncertainty of the position now"));
+    add(isSigmaFirst() ? u"σ, m²"_s : u"95 %"_s,
+        PlanModel::tr("Uncertainty of the position on arrival"));
+    add(PlanModel::tr("In view"),
+        PlanModel::tr("Probability that the iceberg is in view when the UAV reaches its estimate"));
+    return columns;
 }
 
 Qt::ItemFlags PlanModel::flags(const QModelIndex& index) const
 {
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    if (m_lines.empty() || m_lines.front().uav < 0)
+    Qt::ItemFlags flags = CellModel::flags(index);
+    if (m_lines->lines.empty() || m_lines->lines.front().uav < 0)
         return flags; // there is no other UAV to assign an iceberg to
     // Also on the root, else a view without an indicator refuses drops.
     flags |= Qt::ItemIsDropEnabled;
@@ -444,7 +407,8 @@ bool PlanModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int /
     if (action != Qt::MoveAction || !parent.isValid() || line(parent.row()).uav < 0 ||
         data == nullptr || !data->hasFormat(kIcebergType))
         return false;
-    emit assignRequested(data->data(kIcebergType).toStdString(), uavOf(parent.row()).row.id);
+    emit assignRequested(data->data(kIcebergType).toStdString(),
+                         m_lines->uavOf(parent.row()).row.id);
     return true;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "widgets/model/cell_model.h"
 #include "widgets/panels/plan/plan_rows.h"
 #include "widgets/theme/mission_clock.h"
 
-#include <QAbstractTableModel>
 #include <QLocale>
 
-#include <array>
+#include <memory>
 
 namespace berg {
 
@@ -26,9 +26,9 @@ struct PlanLine
 
 /**
  * The plan as a table. With several UAVs, each has a line above its icebergs, onto which icebergs
- * can be dragged. Changed lines are reported as one span.
+ * can be dragged.
  */
-class PlanModel : public QAbstractTableModel
+class PlanModel : public CellModel
 {
     Q_OBJECT
 
@@ -72,11 +72,6 @@ public:
     /** Returns the row, or −1 if the id is not in the plan. */
     [[nodiscard]] int rowOf(const std::string& id) const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     [[nodiscard]] QStringList mimeTypes() const override;
     [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
@@ -100,30 +95,13 @@ signals:
     void assignRequested(const std::string& iceberg, const std::string& uav);
 
 private:
-    /** Displayed content of a line, for detecting changes. */
-    struct LineContent
-    {
-        std::array<QString, ColumnCount> texts;
-        int uav = -1;
-        bool isAssigned = false;
-        bool operator==(const LineContent&) const = default;
-    };
+    /** Lines with their texts. */
+    struct Lines;
 
-    void setLines(std::vector<PlanLine> lines, const TimesAhead& times);
-    void updateContents(int kept);
-    [[nodiscard]] QString text(int row, Column column) const;
-    [[nodiscard]] QString uavText(const PlanLine& line, Column column) const;
-    [[nodiscard]] QString toolTip(int row, Column column) const;
-    [[nodiscard]] QString searchesText(const std::vector<PlannedSearch>& searches) const;
-    /** Returns why the UAV is not planned. */
-    [[nodiscard]] static QString modeText(FlightMode mode);
-    [[nodiscard]] QString uavToolTip(const PlanLine& line) const;
-    [[nodiscard]] const PlanLine& uavOf(int row) const;
+    [[nodiscard]] QVariant lineData(const Lines& lines, int row, int column, int role) const;
 
     QLocale m_locale;
-    TimesAhead m_times;
-    std::vector<PlanLine> m_lines;
-    std::vector<LineContent> m_contents; ///< content of the lines as last reported
+    std::shared_ptr<const Lines> m_lines;
     std::string m_highlight;
     int m_dropUav = -1;
 };

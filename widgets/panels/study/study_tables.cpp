@@ -51,65 +51,45 @@ struct SettingRows
     }
     [[nodiscard]] double bestIn(int row) const
     {
-        return static_cast<double>(result->bestIn[static_cast<std::size_t>(row)]);
+        return isSetting(row) ? static_cast<double>(result->bestIn[static_cast<std::size_t>(row)])
+                              : -1;
     }
     [[nodiscard]] double cases() const { return static_cast<double>(summary().cases.size()); }
     [[nodiscard]] QString number(double value) const { return significantText(value, 4, locale); }
 
-    [[nodiscard]] QString text(int row, int column) const
+    [[nodiscard]] QString name(int row) const
     {
-        const bool hasSpread = summary().cases.size() > 1;
-        switch (column) {
-        case SettingName:
-            return isSetting(row) ? settingText(setting(row).setting, locale)
-                                  : StudyTables::tr("Best τ of each case");
-        case SettingMean:
-            return number(zeta(row).mean);
-        case SettingMedian:
-            return number(zeta(row).median);
-        case SettingQuartiles:
-            return hasSpread ? StudyTables::tr("%1 – %2", "from, to")
-                                   .arg(number(zeta(row).quartile1), number(zeta(row).quartile3))
-                             : missingValueText();
-        case SettingDifference:
-            return isReference(row) ? StudyTables::tr("reference")
-                                    : changeText(difference(row).mean, locale);
-        case SettingInterval:
-            return hasSpread && !isReference(row)
-                       ? StudyTables::tr("%1 to %2")
-                             .arg(changeText(difference(row).low, locale),
-                                  changeText(difference(row).high, locale))
-                       : missingValueText();
-        case SettingBestIn:
-            return isSetting(row) ? fixedText(bestIn(row), 0, locale) : QString();
-        default:
-            return isSetting(row) ? fixedText(setting(row).stuckShare * cases(), 0, locale)
-                                  : QString();
-        }
+        return isSetting(row) ? settingText(setting(row).setting, locale)
+                              : StudyTables::tr("Best τ of each case");
     }
-    [[nodiscard]] CellKey key(int row, int column) const
+    /** Sorts names by tau, then by text. */
+    [[nodiscard]] CellKey nameKey(int row) const
     {
-        // Sorted by tau, then by name.
         constexpr double kLast = std::numeric_limits<double>::infinity();
-        switch (column) {
-        case SettingName:
-            return {.number = isSetting(row) ? setting(row).setting.tau.value_or(kLast) : kLast,
-                    .text = text(row, column)};
-        case SettingMean:
-            return {.number = zeta(row).mean};
-        case SettingMedian:
-            return {.number = zeta(row).median};
-        case SettingQuartiles:
-            return {.number = zeta(row).quartile1};
-        case SettingDifference:
-            return {.number = difference(row).mean};
-        case SettingInterval:
-            return {.number = difference(row).low};
-        case SettingBestIn:
-            return {.number = isSetting(row) ? bestIn(row) : -1};
-        default:
-            return {.number = isSetting(row) ? setting(row).stuckShare : -1};
-        }
+        return {isSetting(row) ? setting(row).setting.tau.value_or(kLast) : kLast, name(row)};
+    }
+    [[nodiscard]] bool hasSpread() const { return summary().cases.size() > 1; }
+    [[nodiscard]] QString quartiles(int row) const
+    {
+        return hasSpread() ? StudyTables::tr("%1 – %2", "from, to")
+                                 .arg(number(zeta(row).quartile1), number(zeta(row).quartile3))
+                           : missingValueText();
+    }
+    [[nodiscard]] QString interval(int row) const
+    {
+        return hasSpread() && !isReference(row) ? StudyTables::tr("%1 to %2")
+                                                      .arg(changeText(difference(row).low, locale),
+                                                           changeText(difference(row).high, locale))
+                                                : missingValueText();
+    }
+    /** Returns a number of cases of a setting; empty for the best tau of each case. */
+    [[nodiscard]] QString count(int row, double number) const
+    {
+        return isSetting(row) ? fixedText(number, 0, locale) : QString();
+    }
+    [[nodiscard]] double stuck(int row) const
+    {
+        return isSetting(row) ? setting(row).stuckShare * cases() : -1;
     }
     [[nodiscard]] QString toolTip(int row) const
     {
@@ -164,43 +144,6 @@ struct CaseRows
         return best ? std::optional(best->byCase[static_cast<std::size_t>(row)]) : std::nullopt;
     }
 
-    [[nodiscard]] QString text(int row, int column) const
-    {
-        switch (column) {
-        case CaseName:
-            return of(row).scenario;
-        case CaseSeed:
-            return QString::number(of(row).seed);
-        case CaseZeta:
-            return significantText(zeta(row), 4, locale);
-        case CaseDifference:
-            return setting == summary().reference ? StudyTables::tr("reference")
-                                                  : changeText(difference(row), locale);
-        case CaseBestTau:
-            return bestTau(row) ? fixedText(*bestTau(row), 2, locale) : missingValueText();
-        case CaseBest:
-            return settingText(summary().settings[best(row)].setting, locale);
-        default:
-            return outcome(row).stuck ? StudyTables::tr("stuck") : QString();
-        }
-    }
-    [[nodiscard]] CellKey key(int row, int column) const
-    {
-        switch (column) {
-        case CaseZeta:
-            return {.number = zeta(row)};
-        case CaseDifference:
-            return {.number = difference(row)};
-        case CaseBestTau:
-            return {.number = bestTau(row).value_or(0)};
-        case CaseBest:
-            return {.number = static_cast<double>(best(row))};
-        case CaseStuck:
-            return {.number = outcome(row).stuck ? 1.0 : 0.0};
-        default:
-            return {.number = static_cast<double>(row)};
-        }
-    }
     [[nodiscard]] QString toolTip(int row) const
     {
         const Metrics& metrics = outcome(row).metrics;
@@ -238,31 +181,53 @@ CellSheet studySettings(const StudyPointer& result, const Theme& theme, const QL
     const bool hasBest = cases > 1 && result->summary.bestTau;
     const std::size_t rows = cases > 0 ? result->summary.settings.size() + (hasBest ? 1 : 0) : 0;
     return {
-        .titles = {StudyTables::tr("Setting"), StudyTables::tr("Mean ζ"),
-                   StudyTables::tr("Median ζ"), StudyTables::tr("Quartiles"),
-                   StudyTables::tr("vs reference"), StudyTables::tr("95 % interval"),
-                   StudyTables::tr("Best in"), StudyTables::tr("Stuck")},
+        .columns = withNumbers(
+            {{.title = StudyTables::tr("Setting"),
+              .tip = StudyTables::tr("How the next iceberg is chosen."),
+              .text = [of](int row) { return of.name(row); },
+              .key = [of](int row) { return of.nameKey(row); }},
+             {.title = StudyTables::tr("Mean ζ"),
+              .tip = StudyTables::tr(
+                  "Accumulated uncertainty in m² s, mean of all cases: less is better."),
+              .text = [of](int row) { return of.number(of.zeta(row).mean); },
+              .key = [of](int row) { return of.zeta(row).mean; }},
+             {.title = StudyTables::tr("Median ζ"),
+              .tip = StudyTables::tr("Half of the cases have less."),
+              .text = [of](int row) { return of.number(of.zeta(row).median); },
+              .key = [of](int row) { return of.zeta(row).median; }},
+             {.title = StudyTables::tr("Quartiles"),
+              .tip = StudyTables::tr("A quarter of the cases has less than the first, a "
+                                     "quarter more than the second."),
+              .text = [of](int row) { return of.quartiles(row); },
+              .key = [of](int row) { return of.zeta(row).quartile1; }},
+             {.title = StudyTables::tr("vs reference"),
+              .tip = StudyTables::tr("Mean of the differences, case by case, in per cent of "
+                                     "the reference."),
+              .text =
+                  [of](int row) {
+                      return of.isReference(row) ? StudyTables::tr("reference")
+                                                 : changeText(of.difference(row).mean, of.locale);
+                  },
+              .key = [of](int row) { return of.difference(row).mean; }},
+             {.title = StudyTables::tr("95 % interval"),
+              .tip = StudyTables::tr("Confidence interval of the mean difference by Student's t."),
+              .text = [of](int row) { return of.interval(row); },
+              .key = [of](int row) { return of.difference(row).low; }},
+             {.title = StudyTables::tr("Best in"),
+              .tip = StudyTables::tr("Cases in which no other setting has less ζ."),
+              .text = [of](int row) { return of.count(row, of.bestIn(row)); },
+              .key = [of](int row) { return of.bestIn(row); }},
+             {.title = StudyTables::tr("Stuck"),
+              .tip = StudyTables::tr("Cases that visit at most two icebergs in the second half."),
+              .text = [of](int row) { return of.count(row, of.stuck(row)); },
+              .key = [of](int row) { return of.stuck(row); }}}),
         .rows = static_cast<int>(rows),
-        .text = [of](int row, int column) { return of.text(row, column); },
-        .key = [of](int row, int column) { return of.key(row, column); },
-        .titleTips = {StudyTables::tr("How the next iceberg is chosen."),
-                      StudyTables::tr(
-                          "Accumulated uncertainty in m² s, mean of all cases: less is better."),
-                      StudyTables::tr("Half of the cases have less."),
-                      StudyTables::tr(
-                          "A quarter of the cases has less than the first, a quarter more than "
-                          "the second."),
-                      StudyTables::tr("Mean of the differences, case by case, in per cent of the "
-                                      "reference."),
-                      StudyTables::tr("Confidence interval of the mean difference by Student's t."),
-                      StudyTables::tr("Cases in which no other setting has less ζ."),
-                      StudyTables::tr("Cases that visit at most two icebergs in the second half.")},
-        .toolTip = [of](int row) { return of.toolTip(row); },
-        .icon = [of, theme](int row) -> QVariant {
-            return of.isSetting(row) ? policyMark(of.setting(row).setting.policy, theme, kMark_px)
-                                     : QVariant();
-        },
-        .hasNumbers = true};
+        .toolTip = [of](int row, int) { return of.toolTip(row); },
+        .other = [of, theme](int row, int column, int role) -> QVariant {
+            return role == Qt::DecorationRole && column == 0 && of.isSetting(row)
+                       ? policyMark(of.setting(row).setting.policy, theme, kMark_px)
+                       : QVariant();
+        }};
 }
 
 CellSheet studyCases(const StudyPointer& result, std::optional<std::size_t> setting,
@@ -270,23 +235,54 @@ CellSheet studyCases(const StudyPointer& result, std::optional<std::size_t> sett
 {
     const bool hasCases = result && setting && *setting < result->summary.settings.size();
     const CaseRows of{.result = result, .setting = setting.value_or(0), .locale = locale};
+    const auto byRow = [](int row) { return double(row); };
     return {
-        .titles = {StudyTables::tr("Case"), StudyTables::tr("Noise seed"),
-                   StudyTables::tr("ζ, m² s"), StudyTables::tr("vs reference"),
-                   StudyTables::tr("Best τ"), StudyTables::tr("Best of all"),
-                   StudyTables::tr("Stuck")},
+        .columns = withNumbers(
+            {{.title = StudyTables::tr("Case"),
+              .tip = StudyTables::tr("Name of the scenario, or the seed it was drawn from."),
+              .text = [of](int row) { return of.of(row).scenario; },
+              .key = byRow},
+             {.title = StudyTables::tr("Noise seed"),
+              .tip = StudyTables::tr("Seed of the true drift, the same for every setting."),
+              .text = [of](int row) { return QString::number(of.of(row).seed); },
+              .key = byRow},
+             {.title = StudyTables::tr("ζ, m² s"),
+              .tip = StudyTables::tr("Accumulated uncertainty of this flight: less is better."),
+              .text = [of](int row) { return significantText(of.zeta(row), 4, of.locale); },
+              .key = [of](int row) { return of.zeta(row); }},
+             {.title = StudyTables::tr("vs reference"),
+              .tip = StudyTables::tr("Compared with the flight of this case with the reference."),
+              .text =
+                  [of](int row) {
+                      return of.setting == of.summary().reference
+                                 ? StudyTables::tr("reference")
+                                 : changeText(of.difference(row), of.locale);
+                  },
+              .key = [of](int row) { return of.difference(row); }},
+             {.title = StudyTables::tr("Best τ"),
+              .tip = StudyTables::tr("The τ with the lowest ζ in this case, in hindsight."),
+              .text =
+                  [of](int row) {
+                      return of.bestTau(row) ? fixedText(*of.bestTau(row), 2, of.locale)
+                                             : missingValueText();
+                  },
+              .key = [of](int row) { return of.bestTau(row).value_or(0); }},
+             {.title = StudyTables::tr("Best of all"),
+              .tip = StudyTables::tr("The setting with the lowest ζ in this case."),
+              .text =
+                  [of](int row) {
+                      return settingText(of.summary().settings[of.best(row)].setting, of.locale);
+                  },
+              .key = [of](int row) { return double(of.best(row)); }},
+             {.title = StudyTables::tr("Stuck"),
+              .tip = StudyTables::tr("Visits at most two icebergs in the second half."),
+              .text =
+                  [of](int row) {
+                      return of.outcome(row).stuck ? StudyTables::tr("stuck") : QString();
+                  },
+              .key = [of](int row) { return double(of.outcome(row).stuck); }}}),
         .rows = hasCases ? static_cast<int>(result->summary.cases.size()) : 0,
-        .text = [of](int row, int column) { return of.text(row, column); },
-        .key = [of](int row, int column) { return of.key(row, column); },
-        .titleTips = {StudyTables::tr("Name of the scenario, or the seed it was drawn from."),
-                      StudyTables::tr("Seed of the true drift, the same for every setting."),
-                      StudyTables::tr("Accumulated uncertainty of this flight: less is better."),
-                      StudyTables::tr("Compared with the flight of this case with the reference."),
-                      StudyTables::tr("The τ with the lowest ζ in this case, in hindsight."),
-                      StudyTables::tr("The setting with the lowest ζ in this case."),
-                      StudyTables::tr("Visits at most two icebergs in the second half.")},
-        .toolTip = [of](int row) { return of.toolTip(row); },
-        .hasNumbers = true};
+        .toolTip = [of](int row, int) { return of.toolTip(row); }};
 }
 
 } // namespace berg

@@ -20,37 +20,12 @@ struct StudyCase
 /** Returns scenario and run of a case. */
 [[nodiscard]] StudyCase studyCase(const StudySpec& spec, std::size_t caseIndex);
 
-/** Columns of `studySettings`. */
-enum StudySettingsColumn
-{
-    SettingName,
-    SettingMean,
-    SettingMedian,
-    SettingQuartiles,
-    SettingDifference,
-    SettingInterval,
-    SettingBestIn,
-    SettingStuck
-};
-
 /**
  * Returns the settings of a study and their results, by row; the last row is the best tau of each
  * case in hindsight, if known. Without a result there are no rows.
  */
 [[nodiscard]] CellSheet studySettings(const StudyPointer& result, const Theme& theme,
                                       const QLocale& locale);
-
-/** Columns of `studyCases`. */
-enum StudyCasesColumn
-{
-    CaseName,
-    CaseSeed,
-    CaseZeta,
-    CaseDifference,
-    CaseBestTau,
-    CaseBest,
-    CaseStuck
-};
 
 /**
  * Returns the cases of one setting: zeta of each and its difference from the reference. Without

@@ -33,6 +33,15 @@ using test::kPatience_ms;
 
 namespace {
 
+// Columns of the tables.
+constexpr int kSettingName = 0;
+constexpr int kSettingMean = 1;
+constexpr int kSettingDifference = 4;
+constexpr int kSettingBestIn = 6;
+constexpr int kCaseZeta = 2;
+constexpr int kCaseBestTau = 4;
+constexpr int kCaseBest = 5;
+
 struct StudyPanelFixture
 {
     StudyRunner runner;
@@ -217,7 +226,7 @@ private slots:
         QVERIFY(f.runner.result()->study.spec == figure4(test::quickScenario()));
         QCOMPARE(f.state(), u"42 missions flown."_s);
         QCOMPARE(f.get<StudyChart>(u"studyChart"_s).drawing().items.size(), std::size_t{42});
-        QCOMPARE(f.column(u"studySettings"_s, SettingName).size(), 42);
+        QCOMPARE(f.column(u"studySettings"_s, kSettingName).size(), 42);
         const auto& bar = f.get<QProgressBar>(u"studyProgress"_s);
         QCOMPARE(bar.value(), bar.maximum());
     }
@@ -279,16 +288,16 @@ private slots:
         StudyPanelFixture f;
         f.show(test::fourCases());
         auto& table = f.get<QTableView>(u"studySettings"_s);
-        QCOMPARE(f.column(u"studySettings"_s, SettingName),
+        QCOMPARE(f.column(u"studySettings"_s, kSettingName),
                  (QStringList{u"τ 0.00"_s, u"τ 1.00"_s, u"τ 2.00"_s, u"Best τ of each case"_s,
                               u"Shortest path"_s}));
-        table.sortByColumn(SettingMean, Qt::AscendingOrder);
-        QCOMPARE(f.column(u"studySettings"_s, SettingMean),
+        table.sortByColumn(kSettingMean, Qt::AscendingOrder);
+        QCOMPARE(f.column(u"studySettings"_s, kSettingMean),
                  (QStringList{u"105.0"_s, u"108.8"_s, u"110.8"_s, u"117.5"_s, u"127.5"_s}));
-        table.sortByColumn(SettingBestIn, Qt::DescendingOrder);
-        QCOMPARE(f.column(u"studySettings"_s, SettingName).front(), u"τ 1.00"_s);
-        QCOMPARE(f.column(u"studySettings"_s, SettingBestIn).front(), u"2"_s);
-        QVERIFY(f.column(u"studySettings"_s, SettingDifference).contains(u"reference"_s));
+        table.sortByColumn(kSettingBestIn, Qt::DescendingOrder);
+        QCOMPARE(f.column(u"studySettings"_s, kSettingName).front(), u"τ 1.00"_s);
+        QCOMPARE(f.column(u"studySettings"_s, kSettingBestIn).front(), u"2"_s);
+        QVERIFY(f.column(u"studySettings"_s, kSettingDifference).contains(u"reference"_s));
     }
 
     void settingIsTakenOver()
@@ -335,13 +344,13 @@ private slots:
         QSignalSpy opened(&f.panel.results(), &StudyResults::openRunRequested);
         QTest::mouseClick(&chart, Qt::LeftButton, {}, toQt(chart.drawing().items[2].at).toPoint());
         QCOMPARE(f.get<QTabWidget>(u"studyTables"_s).currentIndex(), 1);
-        QCOMPARE(f.column(u"studyCases"_s, CaseZeta),
+        QCOMPARE(f.column(u"studyCases"_s, kCaseZeta),
                  (QStringList{u"90.00"_s, u"150.0"_s, u"104.0"_s, u"99.00"_s}));
-        QCOMPARE(f.column(u"studyCases"_s, CaseBestTau),
+        QCOMPARE(f.column(u"studyCases"_s, kCaseBestTau),
                  (QStringList{u"1.00"_s, u"2.00"_s, u"1.00"_s, u"0.00"_s}));
-        QCOMPARE(f.column(u"studyCases"_s, CaseBest).back(), u"Shortest path"_s);
+        QCOMPARE(f.column(u"studyCases"_s, kCaseBest).back(), u"Shortest path"_s);
         auto& cases = f.get<QTableView>(u"studyCases"_s);
-        cases.sortByColumn(CaseZeta, Qt::DescendingOrder);
+        cases.sortByColumn(kCaseZeta, Qt::DescendingOrder);
         cases.selectRow(0); // the second case
         QVERIFY(open.isEnabled());
         open.click();
@@ -363,9 +372,9 @@ private slots:
         QTRY_VERIFY(f.runner.result() != nullptr);
         f.get<QTableView>(u"studySettings"_s).selectRow(2);
         auto& cases = f.get<QTableView>(u"studyCases"_s);
-        cases.sortByColumn(CaseZeta, Qt::AscendingOrder);
+        cases.sortByColumn(kCaseZeta, Qt::AscendingOrder);
         const auto chosen = [&] {
-            return cases.model()->index(cases.currentIndex().row(), CaseZeta).data();
+            return cases.model()->index(cases.currentIndex().row(), kCaseZeta).data();
         };
         cases.selectRow(1);
         QCOMPARE(chosen().toString(), u"104.0"_s);
