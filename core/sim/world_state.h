@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/coverage/flight_picture.h"
+#include "core/coverage/prediction_input.h"
 #include "core/plan/policy/policy.h"
 #include "core/tracking/lost_search.h"
 #include "core/vehicle/return_path.h"

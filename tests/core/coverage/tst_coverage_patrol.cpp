@@ -227,7 +227,7 @@ private slots:
     }
 
     /** Icebergs may appear and disappear in flight. */
-    void picturesMayChange()
+    void inputsMayChange()
     {
         const std::unique_ptr<Policy> policy = coverage();
         std::vector<int> rest;
