@@ -294,10 +294,10 @@ std::vector<IdentityChoice> identityChoices(std::string_view bytes, const std::s
         const IdentityOutcome outcome = figuresOf(rows).outcome;
         const bool isGuess =
             fieldOfColumn(column) && fieldOfColumn(column)->field == SightingField::Id;
-        const bool tellsApart = outcome.icebergs > 1 && outcome.icebergs < rows.size();
+        const bool distinguishes = outcome.icebergs > 1 && outcome.icebergs < rows.size();
         const bool areFractions =
             std::ranges::all_of(rows, [](const Keyed& row) { return isFraction(row.key); });
-        if (rows.size() == all.size() && !areFractions && (tellsApart || isGuess))
+        if (rows.size() == all.size() && !areFractions && (distinguishes || isGuess))
             choices.push_back({.column = column, .rows = {}, .outcome = outcome});
     }
     std::ranges::stable_sort(
