@@ -136,8 +136,8 @@ private slots:
         }));
         const auto& chart = test::child<ParetoChart>(w.window(), {});
         const TauCurve& curve = w.workspace.curve().curve();
-        const CurveInterval& present =
-            curve.intervals.at(static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau)));
+        const CurveInterval& present = curve.intervals.at(
+            static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau).value()));
         const QString whole = distanceText(present.distance_m, QLocale());
         QCOMPARE(test::child<QLabel>(w.window(), u"planDistance"_s).text(), whole);
         QCOMPARE(test::child<QLabel>(w.window(), u"planReward"_s).text(),

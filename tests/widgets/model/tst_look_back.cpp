@@ -90,11 +90,11 @@ private slots:
         Flight f;
         CurveRunner& curve = f.workspace.curve();
         const auto holdsThePlan = [&] {
-            const int at = intervalAt(curve.curve(), f.record().shown().planner.tau);
-            if (!curve.curve().complete || at < 0)
+            const std::optional<int> at = intervalAt(curve.curve(), f.record().shown().planner.tau);
+            if (!curve.curve().complete || !at)
                 return false;
             std::vector<int> order;
-            for (const int node : curve.curve().intervals[static_cast<std::size_t>(at)].order())
+            for (const int node : curve.curve().intervals[static_cast<std::size_t>(*at)].order())
                 order.push_back(curve.problem().ids[static_cast<std::size_t>(node) - 1]);
             return order == f.record().shown().plan->order;
         };
