@@ -104,8 +104,8 @@ QString cellText(const ExportContent& content, const WaypointRow& row, int cell,
     case Number:
         return QString::number(row.number);
     case Title:
-        return row.visit->iceberg < 0 ? ExportPreviewView::tr("Home")
-                                      : QString::fromStdString(titleOf(content, *row.visit));
+        return row.visit->iceberg ? QString::fromStdString(titleOf(content, *row.visit))
+                                  : ExportPreviewView::tr("Home");
     case Place:
         return placeText(content.frame.toGeographic(row.visit->position_m), kPlaceDecimals, locale);
     case Time:

@@ -43,9 +43,9 @@ bool isStuck(const Mission& mission)
 {
     std::set<int> targets;
     for (const PlanEvent& plan : mission.plans())
-        // -1 means circling.
-        if (plan.time_s >= mission.scenario().duration_s / 2 && plan.target >= 0)
-            targets.insert(plan.target);
+        // Without a target the UAV circles.
+        if (plan.time_s >= mission.scenario().duration_s / 2 && plan.target)
+            targets.insert(*plan.target);
     return targets.size() <= 2;
 }
 

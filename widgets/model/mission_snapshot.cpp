@@ -52,8 +52,9 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
     for (int i = 0; i < simulation.icebergCount(); ++i) {
         snapshot.truth_m.push_back(simulation.truth_m(i));
         snapshot.active.push_back(simulation.active(i));
-        const int assigned = simulation.world().parameters(i).assignedUav;
-        snapshot.assigned.push_back(areDistinguished(snapshot.world.uavs) ? assigned : -1);
+        const std::optional<int>& assigned = simulation.world().parameters(i).assignedUav;
+        snapshot.assigned.push_back(areDistinguished(snapshot.world.uavs) ? assigned
+                                                                          : std::nullopt);
     }
     return snapshot;
 }

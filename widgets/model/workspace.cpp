@@ -98,8 +98,9 @@ std::string Workspace::assignedUavOf(const std::string& iceberg) const
     const auto it = std::ranges::find(shown.icebergs, iceberg, &Iceberg::id);
     if (it == shown.icebergs.end())
         return {};
-    const int uav = shown.assigned[static_cast<std::size_t>(it - shown.icebergs.begin())];
-    return uav < 0 ? std::string() : m_record.scenario.uavs[static_cast<std::size_t>(uav)].id;
+    const std::optional<int>& uav =
+        shown.assigned[static_cast<std::size_t>(it - shown.icebergs.begin())];
+    return uav ? m_record.scenario.uavs[toIndex(*uav)].id : std::string();
 }
 
 std::optional<ZetaPrediction> Workspace::predicted() const

@@ -59,8 +59,8 @@ MapRoute plannedRoute(const ExportUav& uav, const std::vector<int>& places)
     MapRoute route;
     double from_s = uav.start_s;
     for (const Visit& visit : uav.visits) {
-        const int place = visit.iceberg < 0 ? -1 : places[static_cast<std::size_t>(visit.iceberg)];
-        if (place < 0 && visit.iceberg >= 0)
+        const int place = visit.iceberg ? places[static_cast<std::size_t>(*visit.iceberg)] : -1;
+        if (place < 0 && visit.iceberg)
             continue;
         route.planCorners.push_back(cornersOf(uav, from_s, visit));
         from_s = visit.time_s;

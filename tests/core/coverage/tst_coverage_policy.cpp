@@ -96,9 +96,9 @@ private slots:
                     const MissionEvent& event = mission.events()[reported];
                     if (event.kind != EventKind::Reached)
                         continue;
-                    const Point place_m = isMeasured ? observer.estimate_m(event.iceberg)
-                                                     : mission.simulation().truth_m(event.iceberg);
-                    const Point uav_m = mission.simulation().uav(event.uav).pose.position_m;
+                    const Point place_m = isMeasured ? observer.estimate_m(*event.iceberg)
+                                                     : mission.simulation().truth_m(*event.iceberg);
+                    const Point uav_m = mission.simulation().uav(*event.uav).pose.position_m;
                     const double away_m = (place_m - uav_m).norm();
                     QVERIFY2(away_m <= *scenario.reachRadius_m + 1e-6,
                              qPrintable(QStringLiteral("%1: %2 m").arg(seed).arg(away_m)));

@@ -156,7 +156,7 @@ private slots:
         QCOMPARE(workspace.document().undoStack()->count(), 1);
         QCOMPARE(workspace.assignedUavOf(first), "uav-2");
         QVERIFY(untilPhase(workspace, RunPhase::Ready));
-        QCOMPARE(workspace.record().now.assigned[0], 1);
+        QCOMPARE(workspace.record().now.assigned[0], std::optional(1));
         workspace.document().undoStack()->undo();
         QVERIFY(workspace.document().scenario() == scenario);
         QVERIFY(untilPhase(workspace, RunPhase::Ready));

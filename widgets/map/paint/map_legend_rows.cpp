@@ -204,7 +204,7 @@ void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
     rows.add(!pairsTooClose(picture).empty(), MapLegend::tr("UAVs too close to each other"),
              MapLegend::tr("Too close"),
              [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
-    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.assignedUav >= 0; }),
+    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.assignedUav.has_value(); }),
              MapLegend::tr("Assigned to the UAV of this colour"), MapLegend::tr("Assigned to one"),
              [&](QPainter& p, const QRectF& r) {
                  drawPin(p, r.center() + QPointF(0, 7), theme.ink, theme);

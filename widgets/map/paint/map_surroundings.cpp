@@ -341,11 +341,11 @@ void paintPins(const MapPaint& p)
 {
     for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
         const MapIceberg& iceberg = p.picture.icebergs[i];
-        if (iceberg.assignedUav < 0)
+        if (!iceberg.assignedUav)
             continue;
         const double beside_px = 0.7 * icebergSymbolRadius_px(iceberg.radius_m);
         drawPin(p.painter, p.layout.icebergs[i].centre_px - QPointF(beside_px, beside_px),
-                uavColour(p.theme, iceberg.assignedUav), p.theme);
+                uavColour(p.theme, *iceberg.assignedUav), p.theme);
     }
 }
 

@@ -31,7 +31,7 @@ struct MapIceberg
     std::optional<Point> truth_m{}; ///< true position, if it is shown
     /** Time until it enters the asset's inner ring, zero inside; nullopt if it does not. */
     std::optional<double> ringEntry_s{};
-    int assignedUav = -1; ///< index of the only UAV that may visit it; -1 means any UAV
+    std::optional<int> assignedUav; ///< index of the only UAV that may visit it
 };
 
 /** A UAV as the map shows it. */

@@ -64,7 +64,7 @@ bool EventModel::addsInformation(const MissionEvent& event, const PlanEvent* pla
         return true;
     // While circling or searching with nothing to visit, the UAV replans without result at every
     // step.
-    const bool isInVain = event.iceberg < 0 && plan->reason == PlanReason::OutOfView;
+    const bool isInVain = !event.iceberg && plan->reason == PlanReason::OutOfView;
     return plan->reason != PlanReason::HoldFlown && !isInVain;
 }
 

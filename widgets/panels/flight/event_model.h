@@ -75,9 +75,10 @@ private:
     MissionClock m_clock;
     std::vector<Row> m_rows;
     std::uint64_t m_rewrites = 0;
-    std::size_t m_events = 0;  ///< number of events processed
-    std::size_t m_plans = 0;   ///< number of plans processed
-    std::map<int, int> m_next; ///< by UAV, the first iceberg of its last plan
+    std::size_t m_events = 0; ///< number of events processed
+    std::size_t m_plans = 0;  ///< number of plans processed
+    /** By UAV, the first iceberg of its last plan. */
+    std::map<std::optional<int>, std::optional<int>> m_next;
     std::size_t m_shown = 0;
 };
 

@@ -71,9 +71,9 @@ std::vector<int> visitsOf(const FlightRecord& record)
     const std::size_t count = record.eventsShown();
     for (std::size_t i = 0; i < count; ++i) {
         const MissionEvent& event = record.history.events[i];
-        const auto iceberg = static_cast<std::size_t>(event.iceberg);
-        if (event.kind == EventKind::Reached && event.iceberg >= 0 && iceberg < visits.size())
-            ++visits[iceberg];
+        if (event.kind == EventKind::Reached && event.iceberg &&
+            toIndex(*event.iceberg) < visits.size())
+            ++visits[toIndex(*event.iceberg)];
     }
     return visits;
 }

@@ -40,7 +40,7 @@ PlanRow rowOf(const MissionSnapshot& now, int iceberg)
     return {.id = now.icebergs[index].id,
             .name = shownName(now.icebergs[index]),
             .sigma_m2 = now.world.tracks[index].sigma_m2,
-            .isAssigned = index < now.assigned.size() && now.assigned[index] >= 0};
+            .isAssigned = index < now.assigned.size() && now.assigned[index]};
 }
 
 /** Computes the courses of straight legs of one scenario. */

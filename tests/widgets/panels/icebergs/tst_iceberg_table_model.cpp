@@ -120,9 +120,9 @@ private slots:
             QCOMPARE(arrival_s.has_value(), plan.isSeen);
             QCOMPARE(arrival_s.value_or(0), plan.arrival_s);
         }
-        const int target = shown.world.uavs.front().target;
-        if (target >= 0 && !shown.world.tracks[static_cast<std::size_t>(target)].inView)
-            QCOMPARE(f.cell(target, IcebergColumn::State), u"target"_s);
+        const std::optional<int> target = shown.world.uavs.front().target;
+        if (target && !shown.world.tracks[toIndex(*target)].inView)
+            QCOMPARE(f.cell(*target, IcebergColumn::State), u"target"_s);
         if (time_s == 0)
             QCOMPARE(planned, 2); // of three that are there one is flown to
         double visits = 0;
