@@ -230,7 +230,7 @@ int flyOnRanks(const SweepLead& lead, const StudyOptions& options, const std::st
 {
     const MpiWorld world;
     StudyOptions own = options;
-    if (const int cores = world.coresEach(); own.threads == 0)
+    if (const int cores = world.coresEach(); !own.threads)
         own.threads = cores;
     own.shard = {.index = options.shard.index + options.shard.count * world.rank(),
                  .count = options.shard.count * world.size()};

@@ -127,7 +127,9 @@ public:
     int run(const std::stop_token& stop, const std::string& commandLine)
     {
         const StudyOptions options{
-            .threads = m_arguments.threads, .shard = shardOf(m_arguments.shard), .stop = stop};
+            .threads = m_arguments.threads > 0 ? std::optional(m_arguments.threads) : std::nullopt,
+            .shard = shardOf(m_arguments.shard),
+            .stop = stop};
         const SweepLead lead{
             .prepare = [this] { return prepare(); },
             .progress = [this](const Study& study, std::size_t done,
