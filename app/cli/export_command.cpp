@@ -97,7 +97,7 @@ void checkOutputs(const ExportArguments& arguments, const ExportFormat& format,
     std::vector<ExportUavId> uavs;
     for (std::size_t row = 0; row < scenario.uavs.size(); ++row)
         if (const std::string& id = scenario.uavs[row].id;
-            arguments.options.uav.empty() || arguments.options.uav == id)
+            !arguments.options.uav || arguments.options.uav == id)
             uavs.push_back({.row = row, .id = id});
     CommandFiles files{.inputs = {arguments.file}, .outputs = {}, .force = arguments.force};
     const std::vector<std::string> paths = exportPaths(format, uavs, arguments.outputFile);

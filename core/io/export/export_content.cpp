@@ -295,8 +295,8 @@ void checkExportOptions(const ExportSource& source, const ExportOptions& options
     if (options.airspeed_mps && *options.airspeed_mps <= wind_mps.norm())
         refuse("speed", {IssueId::SlowerThanWind});
     const auto& uavs = source.scenario.uavs;
-    if (!options.uav.empty() && std::ranges::find(uavs, options.uav, &Uav::id) == uavs.end())
-        refuse("uav", {IssueId::NoSuchUav, {options.uav}});
+    if (options.uav && std::ranges::find(uavs, *options.uav, &Uav::id) == uavs.end())
+        refuse("uav", {IssueId::NoSuchUav, {*options.uav}});
 }
 
 ExportContent exportContent(const ExportSource& source, const ExportOptions& options)
@@ -338,7 +338,7 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         for (const Iceberg& iceberg : scenario.icebergs)
             content.icebergs.push_back(enteredIceberg(scenario, iceberg));
     for (std::size_t row = 0; row < scenario.uavs.size(); ++row)
-        if (options.uav.empty() || options.uav == scenario.uavs[row].id)
+        if (!options.uav || options.uav == scenario.uavs[row].id)
             content.uavs.push_back(exportUav(source, content, row));
     checkContent(content);
     return content;

@@ -174,7 +174,7 @@ void offerNames(SightingTable& table)
 {
     const bool allNamed =
         table.sightings.size() > 1 && std::ranges::all_of(table.sightings, [](const Sighting& row) {
-            return !row.name.empty() && row.name.size() <= kLongestId && row.track == 0 &&
+            return !row.name.empty() && row.name.size() <= kLongestId && !row.track &&
                    std::ranges::none_of(row.ids,
                                         [](const IdText& id) { return id.rank == kNameRank; });
         });
@@ -248,7 +248,7 @@ void decideIdentity(SightingTable& table, const ReadOptions& options)
     const std::vector<Candidate> candidates = candidatesOf(table);
     const Candidate* const chosen = chosenOf(candidates);
     const bool areTracks = std::ranges::any_of(table.sightings, [](const Sighting& row) {
-        return row.track != 0 || (row.ids.empty() && !row.id.empty());
+        return row.track || (row.ids.empty() && !row.id.empty());
     });
     const bool anyTimes = timesDiffer(table);
     table.isIdentityUnclear = anyTimes && !areTracks && isUnclear(chosen, candidates);
