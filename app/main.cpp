@@ -252,7 +252,7 @@ int exitCodeOf(const Work& work)
         work();
         return kDone;
     } catch (const berg::cli::UsageError& error) {
-        berg::cli::tell(error.message.said);
+        berg::cli::printMessage(error.message.said);
         return kWrongUsage;
     } catch (const berg::Error& error) {
         print(stderr, berg::errorReport(error));

@@ -169,7 +169,7 @@ private:
             if (flownCount(study) > 0)
                 m_file.save(study);
         } catch (const Error&) {
-            m_notKept = std::current_exception(); // reported after the results
+            m_saveFailure = std::current_exception(); // reported after the results
         }
     }
 
@@ -184,7 +184,7 @@ private:
         reportWhatWasNotStored();
         if (!m_file.isStored())
             throw Interrupted{};
-        tell(said(
+        printMessage(said(
             QT_TRANSLATE_NOOP(
                 "CommandLine",
                 "interrupted: %1 of %2 missions are stored in %3; repeat the command to continue"),
@@ -195,15 +195,15 @@ private:
 
     void reportWhatWasNotStored() const
     {
-        if (m_notKept)
-            std::rethrow_exception(m_notKept);
+        if (m_saveFailure)
+            std::rethrow_exception(m_saveFailure);
     }
 
     const SweepArguments& m_arguments;
     StudyFile m_file;
     Stopwatch m_watch;
     std::optional<ProgressBar> m_bar;
-    std::exception_ptr m_notKept;
+    std::exception_ptr m_saveFailure;
 };
 
 } // namespace
