@@ -283,7 +283,7 @@ int main(int argc, char* argv[])
     QApplication::setApplicationVersion(QString::fromStdString(berg::programVersion()));
     QApplication::setDesktopFileName(u"org.bergwatch.bergwatch"_s);
     QApplication::setWindowIcon(QIcon(u":/icon/bergwatch.svg"_s));
-    berg::installLanguage({});
+    berg::installLanguage(std::nullopt);
 
     const Options options;
     QCommandLineParser parser;
