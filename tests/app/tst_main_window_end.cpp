@@ -23,7 +23,7 @@ namespace {
 
 bool flyToEnd(WindowFixture& w)
 {
-    w.workspace.fly(0);
+    w.workspace.fly(kFastestRate);
     return w.until(RunPhase::Finished);
 }
 

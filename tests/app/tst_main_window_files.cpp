@@ -352,7 +352,7 @@ private slots:
     void flightThatHasEndedIsLeftWithoutAQuestion()
     {
         WindowFixture w(three());
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
         w.trigger(u"newAction"_s);
         QVERIFY(w.scenario().icebergs.empty());

@@ -187,7 +187,7 @@ private slots:
         QVERIFY(w.until([&] { return w.workspace.assignedUavOf(iceberg) == "uav-2"; }));
         QVERIFY(w.until([&] { return rowOf(w, iceberg) > rowOf(w, "uav-2"); }));
         QVERIFY(w.scenario() == twoUavs());
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
 
         const std::shared_ptr<const RunFile> run = flownRun(w);
@@ -251,7 +251,7 @@ private slots:
         Scenario scenario = test::MapFixture::fourIcebergs();
         scenario.duration_s = 100;
         WindowFixture w(scenario);
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
         if (!atEnd) {
             w.workspace.seek(20);

@@ -168,7 +168,7 @@ void MissionRunner::begin(RestartOptions restartOptions, std::shared_ptr<const R
     emit begun();
 }
 
-void MissionRunner::fly(double rate)
+void MissionRunner::fly(FlightRate rate)
 {
     postToFlight([rate](MissionWorker& worker) { worker.fly(rate); });
 }

@@ -131,7 +131,7 @@ void MissionWorker::listenToIncumbents()
     m_mission->setIncumbentListener([this](const PlanEvent& plan) { publishIncumbent(plan); });
 }
 
-void MissionWorker::fly(double rate)
+void MissionWorker::fly(FlightRate rate)
 {
     m_rate = rate;
     if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
@@ -165,10 +165,10 @@ void MissionWorker::stepBy(double seconds)
 
 void MissionWorker::slice()
 {
-    if (m_rate <= 0) {
+    if (!m_rate) {
         sliceAsFastAsPossible();
     } else {
-        m_target_s += m_rate * static_cast<double>(m_clock.restart()) / 1000;
+        m_target_s += *m_rate * static_cast<double>(m_clock.restart()) / 1000;
         const double before_s = m_mission->simulation().time_s();
         // Flies at most for the work time of one slice: a slow machine slows the flight, not the
         // window.

@@ -270,11 +270,11 @@ void Workspace::flyScenario(const Scenario& scenario, const QString& text)
         m_document.edit(text, [&scenario](Scenario& present) { present = scenario; });
     else
         m_document.reset(scenario);
-    fly(0);
+    fly(kFastestRate);
     m_studyGeneration = m_runner.generation();
 }
 
-void Workspace::fly(double rate)
+void Workspace::fly(FlightRate rate)
 {
     m_rate = rate;
     if (m_lookedAt_s && rate > 0) {
@@ -289,7 +289,7 @@ void Workspace::fly(double rate)
     m_runner.fly(rate);
 }
 
-void Workspace::setRate(double rate)
+void Workspace::setRate(FlightRate rate)
 {
     if (isPlaying())
         fly(rate);
