@@ -230,12 +230,12 @@ bool ScenarioFiles::saveTo(const QString& path)
     }
     return attempt([&] {
         const bool keepOld = keepsOld();
-        const bool kept = workspace().file().save(path, keepOld);
+        const bool isBackedUp = workspace().file().save(path, keepOld);
         remember(path);
-        showMessage(
-            (kept ? tr("Saved %1") : tr("Saved %1; a backup copy cannot be written to its folder"))
-                .arg(path),
-            kMessage_ms);
+        showMessage((isBackedUp ? tr("Saved %1")
+                                : tr("Saved %1; a backup copy cannot be written to its folder"))
+                        .arg(path),
+                    kMessage_ms);
     });
 }
 

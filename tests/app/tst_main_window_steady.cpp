@@ -130,7 +130,7 @@ private slots:
         QVERIFY(!w.window().close());
         QCOMPARE(w.interaction.runQuestions, std::vector<bool>{!finished});
         QCOMPARE(w.interaction.unsavedNames.size(), changed ? 1 : 0);
-        QVERIFY(!w.interaction.toldOfFlight);
+        QVERIFY(!w.interaction.mentionedFlight);
 
         w.interaction.unsavedRun = Unsaved::Save; // but in no file, after all
         QVERIFY(!w.window().close());

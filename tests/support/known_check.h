@@ -86,8 +86,8 @@ private:
     /** A reported doubt about the dates excuses its consequences. */
     ImportFinding wrong(const std::string& fault) const
     {
-        const bool isTold = m_file.isAmbiguous && !m_table.guessedDate.empty();
-        return {.verdict = isTold ? ImportVerdict::Listed : ImportVerdict::Wrong, .why = fault};
+        const bool isReported = m_file.isAmbiguous && !m_table.guessedDate.empty();
+        return {.verdict = isReported ? ImportVerdict::Listed : ImportVerdict::Wrong, .why = fault};
     }
 
     [[nodiscard]] bool isTaken(const KnownPlace& place) const
@@ -223,7 +223,7 @@ private:
             return {}; // the scenario names it by its position
         const auto report = std::ranges::find(m_result.icebergs, id, &ImportedIceberg::id);
         if (report == m_result.icebergs.end())
-            return "iceberg " + id + " is not told of";
+            return "iceberg " + id + " is not reported";
         if (report->outcome == ImportOutcome::LeftOut)
             return {};
         const std::vector<Iceberg>& icebergs = m_result.scenario.icebergs;

@@ -40,10 +40,10 @@ inline std::vector<PlanSection> visiting(const std::vector<std::string>& ids)
 /** Returns a and b of uav-1, and c, which is assigned to uav-2. */
 inline std::vector<PlanSection> twoUavSections()
 {
-    std::vector<PlanRow> kept = rowsOf({"c"});
-    kept.front().isAssigned = true;
+    std::vector<PlanRow> assigned = rowsOf({"c"});
+    assigned.front().isAssigned = true;
     return {{.uav = "uav-1", .name = u"West"_s, .place = 0, .rows = rowsOf({"a", "b"})},
-            {.uav = "uav-2", .name = u"uav-2"_s, .place = 1, .rows = std::move(kept)}};
+            {.uav = "uav-2", .name = u"uav-2"_s, .place = 1, .rows = std::move(assigned)}};
 }
 
 inline std::vector<std::string> manyIds()

@@ -37,11 +37,11 @@ auto boundWork(std::int64_t workLimit)
         ReportPace pace(kBetweenReports_ms);
         const auto report = [&](const BoundProgress& progress) {
             if (pace.isDue())
-                deliver({.zeta_m2s = progress.zeta_m2s, .share = progress.share});
+                deliver({.zeta_m2s = usefulBound_m2s(progress.zeta_m2s), .share = progress.share});
         };
         const auto bound = std::make_shared<const ZetaBound>(
             zetaLowerBound(scenario, {.workLimit = workLimit, .stop = stop, .onProgress = report}));
-        deliver({.zeta_m2s = bound->zeta_m2s, .share = 1, .whole = bound});
+        deliver({.zeta_m2s = usefulBound_m2s(bound->zeta_m2s), .share = 1, .whole = bound});
     };
 }
 

@@ -12,8 +12,8 @@ namespace berg {
 
 namespace {
 
-template <class Entry>
-void join(std::vector<Entry>& known, std::size_t first, std::vector<Entry> news)
+template <class Record>
+void join(std::vector<Record>& known, std::size_t first, std::vector<Record> news)
 {
     known.resize(std::min(known.size(), first));
     std::move(news.begin(), news.end(), std::back_inserter(known));

@@ -18,9 +18,9 @@ constexpr int kSlice_ms = 16;
 constexpr int kWork_ms = 8;
 
 /** Joins a waiting update of one type and the next one; indices refer to the whole record. */
-template <class Entry>
-void join(std::size_t waitingFirst, std::vector<Entry>& waiting, std::size_t nextFirst,
-          std::vector<Entry>& next)
+template <class Record>
+void join(std::size_t waitingFirst, std::vector<Record>& waiting, std::size_t nextFirst,
+          std::vector<Record>& next)
 {
     if (nextFirst <= waitingFirst)
         return; // the new update repeats everything that waits

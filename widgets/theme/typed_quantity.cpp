@@ -88,14 +88,14 @@ struct Part
     QString unit;
 };
 
-std::vector<Part> partsOf(QString text)
+std::vector<QuantityPart> partsOf(QString text)
 {
     for (QChar& c : text)
         if (c.isSpace()) // includes no-break spaces between thousands
             c = u' ';
     static const QRegularExpression kPart(
         u"\\G\\s*([+−-]?[.,]?\\d(?:[.,\\d]|\\s(?=\\d{3}(?!\\d)))*)\\s*([^\\d\\s:+−.,-][^\\d:+]*)?"_s);
-    std::vector<Part> parts;
+    std::vector<QuantityPart> parts;
     qsizetype at = 0;
     while (at < text.size()) {
         const QRegularExpressionMatch match = kPart.match(text, at);

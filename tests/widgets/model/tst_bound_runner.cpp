@@ -179,13 +179,13 @@ private slots:
         Scenario scenario = largeField();
         scenario.duration_s = 1800;
         BoundRunner runner(nullptr, 20 * kLittleWork);
-        std::vector<double> told_m2s;
+        std::vector<double> reported_m2s;
         connect(&runner, &BoundRunner::updated, &runner,
                 [&] { told_m2s.push_back(runner.known().zeta_m2s); });
         runner.setScenario(scenario);
         QVERIFY(completes(runner));
-        QVERIFY(told_m2s.size() > 2);
-        QVERIFY(std::ranges::is_sorted(told_m2s));
+        QVERIFY(reported_m2s.size() > 2);
+        QVERIFY(std::ranges::is_sorted(reported_m2s));
     }
 
     void endsWhileSearching()

@@ -335,9 +335,9 @@ private slots:
         workspace->runner().requestExport({.formatId = "csv"});
         QSignalSpy changed(workspace.get(), &Workspace::flightChanged);
         workspace.reset();
-        const auto told = changed.count();
+        const auto reported = changed.count();
         QTest::qWait(50);
-        QCOMPARE(changed.count(), told);
+        QCOMPARE(changed.count(), reported);
     }
 };
 

@@ -38,7 +38,7 @@ public:
                 const auto cell = m_cells.find(keyOf(x, y));
                 if (cell == m_cells.end())
                     continue;
-                for (const Point& entry : cell->second) {
+                for (const GridPoint& entry : cell->second) {
                     const QPointF d = entry.at - at;
                     if (entry.number != self && QPointF::dotProduct(d, d) < m_cell_px * m_cell_px)
                         return entry.number;
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    struct Point
+    struct GridPoint
     {
         QPointF at;
         std::size_t number;
@@ -63,7 +63,7 @@ private:
     }
 
     double m_cell_px;
-    std::unordered_map<std::int64_t, std::vector<Point>> m_cells;
+    std::unordered_map<std::int64_t, std::vector<GridPoint>> m_cells;
 };
 
 /** Returns whether most places have a neighbour within `spacing_px`. */

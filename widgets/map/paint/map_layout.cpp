@@ -37,8 +37,10 @@ SymbolScale symbolScale(const MapPicture& picture, const MapStyle& style,
                         const MapViewTransform& view)
 {
     SymbolScale scale{.ring_pxpm = kRingAtFull_px / std::sqrt(picture.sigmaFull_m2)};
-    if (!style.layers.shows(MapLayer::Drift) || style.layers.horizon_s > 0) {
-        scale.driftTime_s = style.layers.shows(MapLayer::Drift) ? style.layers.horizon_s : 0;
+    if (!style.layers.shows(MapLayer::Drift))
+        return scale;
+    if (style.layers.horizon_s) {
+        scale.driftTime_s = *style.layers.horizon_s;
         return scale;
     }
     double fastest_mps = 0;

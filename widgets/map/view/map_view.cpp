@@ -347,7 +347,7 @@ void MapView::refreshPicture()
     if (m_isLocked && m_draft)
         m_draft(shown);
     for (std::size_t i = 0; i < std::min(shown.uavs.size(), scenario.uavs.size()); ++i)
-        if (shown.uavs[i].key.empty())
+        if (!shown.uavs[i].key)
             shown.uavs[i].key = scenario.uavs[i].id;
     const bool isOtherCount = shown.icebergs.size() != m_scene.picture().icebergs.size();
     const bool isElsewhere = !(shown.origin == m_scene.picture().origin);

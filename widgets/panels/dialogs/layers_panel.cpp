@@ -28,13 +28,13 @@ constexpr std::array<double, 8> kHorizons_s{600, 1800, 3600, 10800, 21600, 43200
 
 LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
 {
-    struct Row
+    struct LayerRow
     {
         MapLayer layer;
         const char* key;
         QString name;
     };
-    const std::array<Row, kMapLayers> rows{
+    const std::array<LayerRow, kMapLayers> rows{
         {{MapLayer::Labels, "labels", tr("Names")},
          {MapLayer::Places, "places", tr("Place names")},
          {MapLayer::Drift, "drift", tr("Drift arrows")},

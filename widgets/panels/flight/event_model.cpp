@@ -31,7 +31,7 @@ void EventModel::setHistory(const MissionHistory& history, const std::vector<Ice
     if (history.rewrites != m_rewrites || history.events.size() < m_events)
         clear();
     m_rewrites = history.rewrites;
-    std::vector<Row> news;
+    std::vector<EventRow> news;
     for (; m_events < history.events.size(); ++m_events) {
         const MissionEvent& event = history.events[m_events];
         const PlanEvent* plan = nullptr;
@@ -68,11 +68,12 @@ bool EventModel::addsInformation(const MissionEvent& event, const PlanEvent* pla
     return plan->reason != PlanReason::HoldFlown && !isInVain;
 }
 
-EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* plan,
-                                  const std::vector<Iceberg>& icebergs,
-                                  const std::vector<Uav>& uavs) const
+EventModel::EventRow EventModel::rowOf(const MissionEvent& event, const PlanEvent* plan,
+                                       const std::vector<Iceberg>& icebergs,
+                                       const std::vector<Uav>& uavs) const
 {
-    Row row{.number = 0, .event = event, .what = eventSentence(event, icebergs, uavs, m_locale)};
+    EventRow row{
+        .number = 0, .event = event, .what = eventSentence(event, icebergs, uavs, m_locale)};
     if (plan != nullptr) {
         const PlanState state = planState({.plan = *plan}, m_locale);
         row.details = planReasonText(plan->reason);
@@ -106,14 +107,14 @@ void EventModel::setShown(std::size_t shown)
     m_shown = shown;
     const int now = lastShown();
     if (before != now)
-        emit dataChanged(index(std::min(before, now) + 1, 0),
-                         index(std::max(before, now), ColumnCount - 1), {AheadRole});
+        emit dataChanged(index(std::min(before, now), 0),
+                         index(std::max(before, now) - 1, ColumnCount - 1), {AheadRole});
 }
 
 int EventModel::lastShown() const
 {
-    const auto ahead = std::ranges::lower_bound(m_rows, m_shown, {}, &Row::number);
-    return static_cast<int>(ahead - m_rows.begin()) - 1;
+    const auto ahead = std::ranges::lower_bound(m_rows, m_shown, {}, &EventRow::number);
+    return static_cast<int>(ahead - m_rows.begin());
 }
 
 double EventModel::time_s(int row) const
@@ -136,7 +137,7 @@ QVariant EventModel::data(const QModelIndex& index, int role) const
     if (!index.isValid())
         return {};
     const auto i = static_cast<std::size_t>(index.row());
-    const Row& row = m_rows.at(i);
+    const EventRow& row = m_rows.at(i);
     if (role == Qt::DisplayRole)
         switch (index.column()) {
         case Time:

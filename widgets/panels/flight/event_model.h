@@ -56,7 +56,7 @@ public:
                                       int role) const override;
 
 private:
-    struct Row
+    struct EventRow
     {
         std::size_t number = 0; ///< number of the event in the log
         MissionEvent event;
@@ -67,13 +67,13 @@ private:
     void clear();
     /** Returns whether the event adds information to the log. */
     [[nodiscard]] bool addsInformation(const MissionEvent& event, const PlanEvent* plan);
-    [[nodiscard]] Row rowOf(const MissionEvent& event, const PlanEvent* plan,
-                            const std::vector<Iceberg>& icebergs,
-                            const std::vector<Uav>& uavs) const;
+    [[nodiscard]] EventRow rowOf(const MissionEvent& event, const PlanEvent* plan,
+                                 const std::vector<Iceberg>& icebergs,
+                                 const std::vector<Uav>& uavs) const;
 
     QLocale m_locale;
     MissionClock m_clock;
-    std::vector<Row> m_rows;
+    std::vector<EventRow> m_rows;
     std::uint64_t m_rewrites = 0;
     std::size_t m_events = 0; ///< number of events processed
     std::size_t m_plans = 0;  ///< number of plans processed

@@ -123,7 +123,7 @@ IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, int p
     });
     if (isFlownTo)
         return IcebergStanding::Target;
-    return place > 0 ? IcebergStanding::Planned : IcebergStanding::Unplanned;
+    return isInOrder ? IcebergStanding::Planned : IcebergStanding::Unplanned;
 }
 
 /** Returns the sort key of a state; smaller is further up. */

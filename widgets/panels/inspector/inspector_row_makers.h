@@ -61,8 +61,8 @@ inline auto always(const Limits& limits)
 }
 
 /** Returns the row under another key and undo text. */
-template <class Row>
-[[nodiscard]] Row named(Row row, const QString& key, const QString& undoText)
+template <class AnyRow>
+[[nodiscard]] AnyRow named(AnyRow row, const QString& key, const QString& undoText)
 {
     row.words.key = key;
     row.words.undoText = undoText;

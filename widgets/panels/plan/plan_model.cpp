@@ -90,12 +90,12 @@ void PlanModel::setLines(std::vector<PlanLine> lines, const TimesAhead& times)
     updateContents(std::min(before, after));
 }
 
-/** Reports the changed ones of the first `kept` lines as one span. */
-void PlanModel::updateContents(int kept)
+/** Reports the changed ones of the first `remaining` lines as one span. */
+void PlanModel::updateContents(int remaining)
 {
     const std::vector<LineContent> before = std::exchange(m_contents, {});
     m_contents.reserve(m_lines.size());
-    int first = kept;
+    int first = remaining;
     int last = -1;
     for (int row = 0; row < rowCount(); ++row) {
         LineContent& content = m_contents.emplace_back();
@@ -104,7 +104,7 @@ void PlanModel::updateContents(int kept)
         for (int column = 0; column < ColumnCount; ++column)
             content.texts[static_cast<std::size_t>(column)] =
                 text(row, static_cast<Column>(column));
-        if (row < kept && content != before[static_cast<std::size_t>(row)]) {
+        if (row < remaining && content != before[static_cast<std::size_t>(row)]) {
             first = std::min(first, row);
             last = row;
         }

@@ -110,7 +110,7 @@ private:
     };
 
     void setLines(std::vector<PlanLine> lines, const TimesAhead& times);
-    void updateContents(int kept);
+    void updateContents(int remaining);
     [[nodiscard]] QString text(int row, Column column) const;
     [[nodiscard]] QString uavText(const PlanLine& line, Column column) const;
     [[nodiscard]] QString toolTip(int row, Column column) const;

@@ -428,7 +428,7 @@ void PlanPanel::selectRows()
     }
     shown.select(rows, QItemSelectionModel::ClearAndSelect);
     if (!shown.isRowSelected(shown.currentIndex().row()))
-        shown.setCurrentIndex(m_model->index(last, 0), QItemSelectionModel::NoUpdate);
+        shown.setCurrentIndex(m_model->index(*last, 0), QItemSelectionModel::NoUpdate);
 }
 
 void PlanPanel::setHighlight(const std::string& id)

@@ -263,7 +263,7 @@ private slots:
     {
         MapPicture picture = test::randomPicture(12);
         picture.routes[0].plan = {0, 1, 2};
-        picture.routes[0].planPaths = twoWays(picture.uavs[0].position_m);
+        picture.routes[0].planPaths = twoPaths(picture.uavs[0].position_m);
         const MapLayout high = layoutOf(picture, {960, 800});
         const MapLayout low = layoutOf(picture, {960, 445});
         QVERIFY(!high.isLegendCompact && low.isLegendCompact);

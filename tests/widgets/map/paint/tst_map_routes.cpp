@@ -92,7 +92,7 @@ private slots:
         QVERIFY(shown.routes[1].plan.empty());
     }
 
-    void keptIcebergsHaveAPin()
+    void assignedIcebergsHaveAPin()
     {
         const Theme theme = Theme::dark();
         MapPicture picture = withScenario({}, twoUavs());

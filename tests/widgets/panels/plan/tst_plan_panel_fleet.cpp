@@ -131,10 +131,10 @@ private slots:
     {
         PlanPanelFixture f;
         f.panel.showPlan(twoUavSections());
-        const QModelIndex kept = f.model.index(4, PlanModel::Name);
-        QVERIFY(kept.data(PlanModel::AssignedRole).toBool());
+        const QModelIndex assigned = f.model.index(4, PlanModel::Name);
+        QVERIFY(assigned.data(PlanModel::AssignedRole).toBool());
         QVERIFY(!f.model.index(1, PlanModel::Name).data(PlanModel::AssignedRole).toBool());
-        QVERIFY(kept.data(Qt::ToolTipRole).toString().endsWith(u"Assigned to uav-2"_s));
+        QVERIFY(assigned.data(Qt::ToolTipRole).toString().endsWith(u"Assigned to uav-2"_s));
         QSignalSpy changed(&f.model, &QAbstractItemModel::dataChanged);
         std::vector<PlanSection> sections = twoUavSections();
         sections[1].rows[0].isAssigned = false; // no text says so
