@@ -92,7 +92,7 @@ QRectF LandLayer::placeIn(const MapViewTransform& view) const
 
 void LandLayer::acceptImage()
 {
-    std::optional<Shown> result = m_results.take();
+    std::optional<ShownLand> result = m_results.take();
     if (!result)
         return;
     m_shown = std::move(result);

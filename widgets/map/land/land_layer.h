@@ -69,7 +69,7 @@ private:
     void paintBackdrop(QPainter& painter, const LandRequest& request, const QRectF& rect);
 
     LandRequest m_request;
-    std::optional<Shown> m_shown;
+    std::optional<ShownLand> m_shown;
     QTimer m_rest; ///< fires when the view has come to rest
     Mailbox<LandRequest> m_requests;
     Mailbox<ShownLand> m_results;

@@ -253,7 +253,7 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
 QSizeF labelSize_px(const QString& text, const MapStop& stop, const QFontMetricsF& metrics)
 {
     double width_px = std::ceil(metrics.horizontalAdvance(text)) + 2;
-    if (stop.order > 0)
+    if (stop.order)
         width_px += 2 * kOrderDisk_px + kOrderGap_px;
     width_px += static_cast<double>(std::min(stop.later.size(), kMostLater)) *
                 (2 * kLaterDisk_px + kLaterGap_px);

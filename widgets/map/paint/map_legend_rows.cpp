@@ -188,7 +188,7 @@ void addIcebergRows(RowList& rows, const MapPicture& picture, const MapStyle& st
         [](const MapIceberg& iceberg) { return iceberg.status == TrackStatus::GivenUp; },
         MapLegend::tr("Search given up"), MapLegend::tr("Given up"),
         {.radius_px = 8, .sigma = {}, .status = TrackStatus::GivenUp});
-    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.circle_m > 0; }),
+    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.circle_m > 0.0; }),
              MapLegend::tr("95 % position circle"), MapLegend::tr("95 % circle"),
              [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, circlePen(theme)); });
     rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.truth_m.has_value(); }),

@@ -345,7 +345,7 @@ private slots:
                              1e-6);
         }
         for (int k = 0; k < 5; ++k)
-            QCOMPARE(layout.stops[static_cast<std::size_t>(k)].order, k + 1);
+            QCOMPARE(layout.stops[static_cast<std::size_t>(k)].order.value(), k + 1);
     }
 
     void driftArrowsAreTrueToTheMap()

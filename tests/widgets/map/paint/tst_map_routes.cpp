@@ -72,11 +72,11 @@ private slots:
         const Theme theme = Theme::light();
         const MapLayout layout =
             arrangeMap(picture, {.theme = theme, .locale = QLocale::c()}, {0, 0, 1000, 700});
-        QCOMPARE(layout.stops[0].order, 1);
-        QCOMPARE(layout.stops[1].order, 1); // first for the second UAV, third for the first
+        QCOMPARE(layout.stops[0].order.value(), 1);
+        QCOMPARE(layout.stops[1].order.value(), 1); // first for the second UAV, third for the first
         QCOMPARE(layout.stops[1].uav, std::size_t{1});
         QCOMPARE(layout.stops[3].uav, std::size_t{0});
-        QCOMPARE(layout.stops[2].order, 2);
+        QCOMPARE(layout.stops[2].order.value(), 2);
     }
 
     void routesStayWithTheirUavs()
