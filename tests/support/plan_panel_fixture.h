@@ -22,7 +22,8 @@ inline std::vector<PlanRow> rowsOf(const std::vector<std::string>& ids)
                         .name = QString::fromStdString(id),
                         .leg_m = 1000,
                         .arrival_s = 60 * static_cast<double>(rows.size() + 1),
-                        .sigma_m2 = 4});
+                        .sigma_m2 = 4,
+                        .number = static_cast<int>(rows.size()) + 1});
     return rows;
 }
 
@@ -77,7 +78,7 @@ inline MissionSnapshot twoIcebergs(const Scenario& scenario)
     }
     now.plan = PlanEvent{.order = {0, 1}};
     now.plans = {*now.plan};
-    now.assigned = {-1, -1};
+    now.assigned = {std::nullopt, std::nullopt};
     return now;
 }
 

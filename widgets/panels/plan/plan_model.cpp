@@ -31,27 +31,32 @@ QString firstUncertainty(double sigma_m2, const QLocale& locale)
     return isSigmaFirst() ? significantText(sigma_m2, 3, locale) : radius95Text(sigma_m2, locale);
 }
 
+QVariant optionalData(std::optional<int> value)
+{
+    return value ? QVariant(*value) : QVariant();
+}
+
 std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
 {
     std::vector<PlanLine> lines;
     for (const PlanSection& section : sections) {
-        const int uav = section.name.isEmpty() ? -1 : section.place;
-        if (!section.name.isEmpty())
-            lines.push_back({.row = {.id = section.uav,
-                                     .name = section.name,
-                                     .leg_m = section.length_m(),
-                                     .arrival_s = section.lastArrival_s(),
-                                     .isSeen = section.isPlanned},
-                             .uav = uav,
-                             .visits = static_cast<int>(std::ranges::count_if(
-                                 section.rows, [](const PlanRow& row) { return row.number >= 0; })),
-                             .mode = section.isPlanned ? FlightMode::Idle : section.mode,
-                             .isIdle = section.rows.empty()});
-        for (std::size_t k = 0; k < section.rows.size(); ++k)
-            lines.push_back({.row = section.rows[k],
-                             .uav = uav,
-                             .number = section.rows[k].number != 0 ? section.rows[k].number
-                                                                   : static_cast<int>(k) + 1});
+        const std::optional<int> uav =
+            section.name.isEmpty() ? std::nullopt : std::optional(section.place);
+        if (uav)
+            lines.push_back(
+                {.row = {.id = section.uav,
+                         .name = section.name,
+                         .leg_m = section.length_m(),
+                         .arrival_s = section.lastArrival_s(),
+                         .isSeen = section.isPlanned},
+                 .uav = uav,
+                 .isUav = true,
+                 .visits = static_cast<int>(std::ranges::count_if(
+                     section.rows, [](const PlanRow& row) { return row.number.has_value(); })),
+                 .mode = section.isPlanned ? FlightMode::Idle : section.mode,
+                 .isIdle = section.rows.empty()});
+        for (const PlanRow& row : section.rows)
+            lines.push_back({.row = row, .uav = uav});
     }
     return lines;
 }
@@ -117,14 +122,14 @@ void PlanModel::setHighlight(const std::string& id)
 {
     if (id == m_highlight)
         return;
-    const int before = rowOf(m_highlight);
+    const std::optional<int> before = rowOf(m_highlight);
     m_highlight = id;
-    for (const int row : {before, rowOf(id)})
-        if (row >= 0)
-            emit dataChanged(index(row, 0), index(row, ColumnCount - 1), {HighlightRole});
+    for (const std::optional<int> row : {before, rowOf(id)})
+        if (row)
+            emit dataChanged(index(*row, 0), index(*row, ColumnCount - 1), {HighlightRole});
 }
 
-void PlanModel::setDropUav(int uav)
+void PlanModel::setDropUav(std::optional<int> uav)
 {
     if (uav == m_dropUav)
         return;
@@ -165,11 +170,13 @@ const std::string& PlanModel::idOf(int row) const
     return line(row).row.id;
 }
 
-int PlanModel::rowOf(const std::string& id) const
+std::optional<int> PlanModel::rowOf(const std::string& id) const
 {
     const auto it = std::find_if(m_lines.begin(), m_lines.end(),
                                  [&](const PlanLine& line) { return line.row.id == id; });
-    return it == m_lines.end() ? -1 : static_cast<int>(it - m_lines.begin());
+    if (it == m_lines.end())
+        return std::nullopt;
+    return static_cast<int>(it - m_lines.begin());
 }
 
 /**
@@ -177,7 +184,7 @@ int PlanModel::rowOf(const std::string& id) const
  */
 const PlanLine& PlanModel::uavOf(int row) const
 {
-    while (!line(row).isUav())
+    while (!line(row).isUav)
         --row;
     return line(row);
 }
@@ -194,7 +201,7 @@ int PlanModel::columnCount(const QModelIndex& parent) const
 
 QString PlanModel::text(int row, Column column) const
 {
-    if (line(row).isUav())
+    if (line(row).isUav)
         return uavText(line(row), column);
     const PlanRow& planned = line(row).row;
     if (!planned.isSeen && column == Arrival)
@@ -205,7 +212,7 @@ QString PlanModel::text(int row, Column column) const
         return missingValueText();
     switch (column) {
     case Number:
-        return line(row).number > 0 ? fixedText(line(row).number, 0, m_locale) : QString();
+        return planned.number ? fixedText(*planned.number, 0, m_locale) : QString();
     case Name:
         return planned.searches.empty() ? planned.name : tr("%1 (search)").arg(planned.name);
     case Leg:
@@ -293,7 +300,7 @@ QString PlanModel::uavToolTip(const PlanLine& line) const
 
 QString PlanModel::toolTip(int row, Column column) const
 {
-    if (line(row).isUav())
+    if (line(row).isUav)
         return uavToolTip(line(row));
     const PlanRow& planned = line(row).row;
     if (column == Name) {
@@ -357,15 +364,17 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const
     case HighlightRole:
         return line.row.id == m_highlight;
     case UavRole:
-        return line.uav;
+        return optionalData(line.uav);
+    case IsUavRole:
+        return line.isUav;
     case NumberRole:
-        return line.number;
+        return optionalData(line.row.number);
     case AssignedRole:
         return line.row.isAssigned;
     case LaterRole:
-        return !line.isUav() && (!line.row.isSeen || line.row.isLater);
+        return !line.isUav && (!line.row.isSeen || line.row.isLater);
     case DropRole:
-        return line.uav >= 0 && line.uav == m_dropUav;
+        return line.uav && line.uav == m_dropUav;
     default:
         return {};
     }
@@ -416,11 +425,11 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
 Qt::ItemFlags PlanModel::flags(const QModelIndex& index) const
 {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    if (m_lines.empty() || m_lines.front().uav < 0)
+    if (m_lines.empty() || !m_lines.front().uav)
         return flags; // there is no other UAV to assign an iceberg to
     // Also on the root, else a view without an indicator refuses drops.
     flags |= Qt::ItemIsDropEnabled;
-    flags.setFlag(Qt::ItemIsDragEnabled, index.isValid() && !line(index.row()).isUav());
+    flags.setFlag(Qt::ItemIsDragEnabled, index.isValid() && !line(index.row()).isUav);
     return flags;
 }
 
@@ -441,7 +450,7 @@ QMimeData* PlanModel::mimeData(const QModelIndexList& indexes) const
 bool PlanModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int /*row*/,
                              int /*column*/, const QModelIndex& parent)
 {
-    if (action != Qt::MoveAction || !parent.isValid() || line(parent.row()).uav < 0 ||
+    if (action != Qt::MoveAction || !parent.isValid() || !line(parent.row()).uav ||
         data == nullptr || !data->hasFormat(kIcebergType))
         return false;
     emit assignRequested(data->data(kIcebergType).toStdString(), uavOf(parent.row()).row.id);

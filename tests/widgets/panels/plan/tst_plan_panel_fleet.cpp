@@ -33,7 +33,7 @@ private slots:
         now.world.tracks[1] = {.anchor_m = Point(300, 1000), .sigma_m2 = 7, .q_m2ps = 0.1};
         now.plan->order = {0};
         now.plans = {*now.plan, {.uav = 1, .sameSolve = true, .order = {1}}};
-        now.assigned = {-1, 1};
+        now.assigned = {std::nullopt, 1};
         const std::vector<PlanSection> sections = planSections(now, scenario);
         QCOMPARE(sections.size(), std::size_t{2});
         QCOMPARE(sections[0].rows.size(), std::size_t{1});
