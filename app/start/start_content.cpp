@@ -86,7 +86,7 @@ std::optional<Scenario> scenarioIn(const QFileInfo& file)
     return std::nullopt;
 }
 
-/** Its picture has no plan: that of a large scenario takes its time. */
+/** Its image has no plan: that of a large scenario takes its time. */
 RecentFile readRecentFile(const QString& path, const Theme& theme, double pixelRatio)
 {
     const QFileInfo file(path);

@@ -34,9 +34,9 @@ QString scenarioFilter()
 /** "Bergwatch, process 4711 on fram": whoever has a file open. */
 QString holderText(const LockHolder& holder)
 {
-    return holder.pid == 0
-               ? ScenarioFiles::tr("Another Bergwatch")
-               : ScenarioFiles::tr("Bergwatch, process %1 on %2").arg(holder.pid).arg(holder.host);
+    return holder.pid
+               ? ScenarioFiles::tr("Bergwatch, process %1 on %2").arg(*holder.pid).arg(holder.host)
+               : ScenarioFiles::tr("Another Bergwatch");
 }
 
 } // namespace

@@ -87,7 +87,7 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
             workspace.runner().stepBy(at_s);
             return;
         }
-        // Charts are drawn a moment after the picture; wait for them.
+        // Charts are drawn a moment after the map; wait for them.
         QTimer::singleShot(300, &window, whenPredicted);
     };
     QObject::connect(&workspace, &Workspace::flightChanged, &window, onFlight);

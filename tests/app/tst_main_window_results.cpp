@@ -272,7 +272,7 @@ private slots:
     {
         ResultWindow w;
         QVERIFY(w.leaveStudy());
-        const QString name = w.kept().value(0);
+        const QString name = w.savedFiles().value(0);
         QFile left(QDir(w.studies()).filePath(name));
         QVERIFY(left.open(QIODevice::WriteOnly));
         left.write("{");

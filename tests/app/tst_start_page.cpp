@@ -215,7 +215,7 @@ private slots:
     void examplePicturesFollowTheAppearance()
     {
         StartContent content;
-        std::map<bool, std::vector<QImage>> pictures;
+        std::map<bool, std::vector<QImage>> images;
         connect(&content, &StartContent::examplePainted, this,
                 [&](int, const Example& example, const QColor& sea) {
                     images[sea == Theme::dark().sea].push_back(example.image);
@@ -223,7 +223,7 @@ private slots:
         const NoBlockingScope guard;
         const auto count = static_cast<std::size_t>(examplePaths().size());
         content.paintExamples(Theme::light(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(pictures[false].size() == count, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(images[false].size() == count, 60000);
         content.paintExamples(Theme::light(), 1); // not wanted any more
         content.paintExamples(Theme::dark(), 2);
         QTRY_VERIFY_WITH_TIMEOUT(images[true].size() == count, 60000);
@@ -232,7 +232,7 @@ private slots:
         QCOMPARE(images[true][0].size(), kExampleImage_px * 2);
         QCOMPARE(images[false][0].pixelColor(3, 3), Theme::light().sea);
         for (std::size_t i = 1; i < count; ++i)
-            QVERIFY(pictures[false][i] != pictures[false][i - 1]);
+            QVERIFY(images[false][i] != images[false][i - 1]);
     }
 
     /** Neither the list of recent files nor the end of the page waits for a plan. */

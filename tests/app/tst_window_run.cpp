@@ -123,7 +123,7 @@ private slots:
     {
         const QString config = path(u"size.ini"_s);
         const QSize left_px(1111, 766);
-        const auto open = [&](const std::optional<QSize>& asked_px, const auto& look) {
+        const auto open = [&](const std::optional<QSize>& asked_px, const auto& check) {
             QSize seen_px;
             runUntil({.config = config, .size_px = asked_px}, [&] {
                 MainWindow* window = mainWindow();

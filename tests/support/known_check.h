@@ -247,7 +247,7 @@ private:
         const bool isKnown =
             std::ranges::find(report.notes, ImportNote::VelocityUnknown) == report.notes.end();
         if (!isKnown || (fixes < 2 && !berg.givesVelocity))
-            return iceberg.velocity_mps.norm() > 0 ? "a velocity that nothing tells" : "";
+            return iceberg.velocity_mps.norm() > 0 ? "a velocity without a source" : "";
         const double off_mps = (iceberg.velocity_mps - Point(berg.east_mps, berg.north_mps)).norm();
         // An estimate leans towards the current if velocities may change, also if a stated drift is
         // included.

@@ -26,8 +26,6 @@ struct ManualPages
     Q_DECLARE_TR_FUNCTIONS(ManualPages)
 };
 
-using Kind = MarkdownBlock::Kind;
-
 const QString kIndex = u"index.html"_s;
 const QString kPdf = u"manual.pdf"_s;
 

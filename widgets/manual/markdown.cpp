@@ -7,8 +7,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-using Kind = MarkdownBlock::Kind;
-
 const QRegularExpression& linkPattern()
 {
     static const QRegularExpression pattern(u"\\[([^\\]]+)\\]\\(([^)]+)\\)"_s);

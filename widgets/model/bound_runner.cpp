@@ -3,6 +3,7 @@
 #include "core/scenario/validate.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -27,6 +28,12 @@ Scenario boundedPart(const ScenarioPhysics& motion)
              {&iceberg.name, &iceberg.uav, &iceberg.trackExtraJson, &iceberg.extraJson})
             text->clear();
     return part;
+}
+
+/** Returns the bound if it is of use: zeta is never below zero. */
+std::optional<double> usefulBound_m2s(double zeta_m2s)
+{
+    return zeta_m2s > 0 ? std::optional(zeta_m2s) : std::nullopt;
 }
 
 /** Returns the work of the task, which reports the bound of a scenario as it grows. */

@@ -45,10 +45,12 @@ std::vector<int> CellModel::orderOf(const CellSheet& sheet) const
     return order;
 }
 
-int CellModel::shownRow(int sourceRow) const
+std::optional<int> CellModel::shownRow(int sourceRow) const
 {
     const auto found = std::ranges::find(m_order, sourceRow);
-    return found == m_order.end() ? -1 : static_cast<int>(found - m_order.begin());
+    if (found == m_order.end())
+        return std::nullopt;
+    return static_cast<int>(found - m_order.begin());
 }
 
 void CellModel::sort(int column, Qt::SortOrder order)
@@ -60,7 +62,7 @@ void CellModel::sort(int column, Qt::SortOrder order)
     const std::vector<int> rows = std::exchange(m_order, orderOf(m_sheet));
     QModelIndexList after;
     for (const QModelIndex& at : before)
-        after << index(shownRow(rows[static_cast<std::size_t>(at.row())]), at.column());
+        after << index(shownRow(rows[static_cast<std::size_t>(at.row())]).value(), at.column());
     changePersistentIndexList(before, after);
     emit layoutChanged({}, VerticalSortHint);
 }

@@ -4,14 +4,15 @@
 #include <QStringList>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace berg {
 
-/** Sort key of a cell: a number, then a text among equal numbers. */
+/** Sort key of a cell: a number, before all numbers none, then a text among equal numbers. */
 struct CellKey
 {
-    double number = 0;
+    std::optional<double> number{};
     QString text{};
 };
 
@@ -41,8 +42,8 @@ public:
     void setSheet(CellSheet sheet);
     /** Returns the row of the sheet that is shown in `row`. */
     [[nodiscard]] int sourceRow(int row) const { return m_order[static_cast<std::size_t>(row)]; }
-    /** Returns the row in which a row of the sheet is shown, or −1 if the sheet has no such row. */
-    [[nodiscard]] int shownRow(int sourceRow) const;
+    /** Returns the row in which a row of the sheet is shown; nullopt if there is no such row. */
+    [[nodiscard]] std::optional<int> shownRow(int sourceRow) const;
 
     /** Sorts by a column; −1 restores the order of the sheet. The sort is stable. */
     void sort(int column, Qt::SortOrder order) override;

@@ -151,7 +151,7 @@ RunFigures figuresAt(const ComparedRun& run, double until_s)
         figures.unseen.begin(), figures.unseen.end(),
         [](const UnseenTime& a, const UnseenTime& b) { return a.longest_s < b.longest_s; });
     if (longest != figures.unseen.end() && longest->longest_s > 0)
-        figures.longestUnseen = static_cast<int>(longest - figures.unseen.begin());
+        figures.longestUnseen = static_cast<std::size_t>(longest - figures.unseen.begin());
     return figures;
 }
 

@@ -139,7 +139,7 @@ void MissionWorker::fly(FlightRate rate)
     m_phase = RunPhase::Flying;
     m_target_s = m_mission->simulation().time_s();
     m_clock.start();
-    m_timer.start(rate > 0 ? kSlice_ms : 0);
+    m_timer.start(rate ? kSlice_ms : 0);
     publish();
 }
 

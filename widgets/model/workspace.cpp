@@ -277,7 +277,7 @@ void Workspace::flyScenario(const Scenario& scenario, const QString& text)
 void Workspace::fly(FlightRate rate)
 {
     m_rate = rate;
-    if (m_lookedAt_s && rate > 0) {
+    if (m_lookedAt_s && rate) {
         m_playClock.start();
         m_playBack.start();
         emit flightChanged();

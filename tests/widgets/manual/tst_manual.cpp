@@ -18,7 +18,6 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Kind = MarkdownBlock::Kind;
 
 namespace {
 

@@ -103,15 +103,15 @@ void EventModel::setShown(std::size_t shown)
 {
     if (shown == m_shown)
         return;
-    const int before = lastShown();
+    const int before = shownRows();
     m_shown = shown;
-    const int now = lastShown();
+    const int now = shownRows();
     if (before != now)
         emit dataChanged(index(std::min(before, now), 0),
                          index(std::max(before, now) - 1, ColumnCount - 1), {AheadRole});
 }
 
-int EventModel::lastShown() const
+int EventModel::shownRows() const
 {
     const auto ahead = std::ranges::lower_bound(m_rows, m_shown, {}, &EventRow::number);
     return static_cast<int>(ahead - m_rows.begin());

@@ -44,8 +44,8 @@ public:
     /** Sets the number of events up to the instant shown. */
     void setShown(std::size_t shown);
 
-    /** Returns the last row up to the instant shown, or −1 if there is none. */
-    [[nodiscard]] int lastShown() const;
+    /** Returns the number of rows up to the instant shown. */
+    [[nodiscard]] int shownRows() const;
     /** Returns the time of a row, s. */
     [[nodiscard]] double time_s(int row) const;
 

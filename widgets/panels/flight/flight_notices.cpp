@@ -174,17 +174,17 @@ const RingEntry& newestOf(const std::vector<RingEntry>& entries,
 std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocale& locale)
 {
     const MissionSnapshot& shown = record.shown();
-    const std::vector<Entry> entries = entriesOf(shown);
+    const std::vector<RingEntry> entries = entriesOf(shown);
     if (entries.empty())
         return std::nullopt;
-    const auto sentence = [&](const Entry& entry) {
+    const auto sentence = [&](const RingEntry& entry) {
         return ringEntryText(shownName(shown.icebergs[entry.iceberg]), entry.entry_s, locale,
                              timesOf(record));
     };
     FlightNotice notice{.kind = NoticeKind::RingEntry,
                         .about = {kAssetKey},
                         .text = sentence(newestOf(entries, eventsOf(record)))};
-    for (const Entry& entry : entries)
+    for (const RingEntry& entry : entries)
         notice.about.push_back(shown.icebergs[entry.iceberg].id);
     if (entries.size() == 1)
         return notice;
@@ -192,7 +192,7 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
         FlightNotices::tr("%1, and %n more", nullptr, static_cast<int>(entries.size()) - 1)
             .arg(notice.text);
     QStringList all;
-    for (const Entry& entry : entries)
+    for (const RingEntry& entry : entries)
         all << sentence(entry);
     notice.toolTip = all.join(QChar(u'\n'));
     return notice;

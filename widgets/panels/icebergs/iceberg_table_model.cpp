@@ -151,7 +151,7 @@ void IcebergTableModel::rearrange()
     // Views take the same number of rows for the same icebergs in another order; a renamed iceberg
     // that the filter now hides loses its row.
     emit layoutAboutToBeChanged({}, VerticalSortHint);
-    std::vector<int> rowOfIceberg(m_rows.size(), -1);
+    std::vector<std::optional<int>> rowOfIceberg(m_rows.size());
     for (std::size_t row = 0; row < shown.size(); ++row)
         rowOfIceberg[static_cast<std::size_t>(shown[row])] = static_cast<int>(row);
     const QModelIndexList before = persistentIndexList();
@@ -159,7 +159,8 @@ void IcebergTableModel::rearrange()
     after.reserve(before.size());
     for (const QModelIndex& at : before) {
         const int iceberg = m_shown[static_cast<std::size_t>(at.row())];
-        after << index(rowOfIceberg[static_cast<std::size_t>(iceberg)], at.column());
+        const std::optional<int> row = rowOfIceberg[static_cast<std::size_t>(iceberg)];
+        after << (row ? index(*row, at.column()) : QModelIndex());
     }
     m_shown = std::move(shown);
     changePersistentIndexList(before, after);
@@ -198,11 +199,11 @@ void IcebergTableModel::sort(int column, Qt::SortOrder order)
 
 void IcebergTableModel::setHighlight(const std::string& id)
 {
-    const int before = rowOf(m_highlight);
+    const std::optional<int> before = rowOf(m_highlight);
     m_highlight = id;
-    for (const int row : {before, rowOf(id)})
-        if (row >= 0)
-            emit dataChanged(index(row, 0), index(row, columnCount() - 1), {HighlightRole});
+    for (const std::optional<int> row : {before, rowOf(id)})
+        if (row)
+            emit dataChanged(index(*row, 0), index(*row, columnCount() - 1), {HighlightRole});
 }
 
 const IcebergTableRow& IcebergTableModel::rowAt(int row) const
@@ -210,12 +211,14 @@ const IcebergTableRow& IcebergTableModel::rowAt(int row) const
     return m_rows.at(static_cast<std::size_t>(m_shown.at(static_cast<std::size_t>(row))));
 }
 
-int IcebergTableModel::rowOf(const std::string& id) const
+std::optional<int> IcebergTableModel::rowOf(const std::string& id) const
 {
     const auto it = std::find_if(m_shown.begin(), m_shown.end(), [&](int iceberg) {
         return m_rows[static_cast<std::size_t>(iceberg)].id == id;
     });
-    return it == m_shown.end() ? -1 : static_cast<int>(it - m_shown.begin());
+    if (it == m_shown.end())
+        return std::nullopt;
+    return static_cast<int>(it - m_shown.begin());
 }
 
 const IcebergColumnSpec& IcebergTableModel::spec(int column) const

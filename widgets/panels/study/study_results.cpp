@@ -311,9 +311,9 @@ void StudyResults::choose(std::optional<std::size_t> setting)
     m_chart->setChosen(setting);
     m_differences->setChosen(setting);
     if (setting)
-        if (const int row = m_settingsModel->shownRow(static_cast<int>(*setting));
-            row >= 0 && row != m_settingsTable->currentIndex().row())
-            m_settingsTable->setCurrentIndex(m_settingsModel->index(row, 0));
+        if (const std::optional<int> row = m_settingsModel->shownRow(static_cast<int>(*setting));
+            row && *row != m_settingsTable->currentIndex().row())
+            m_settingsTable->setCurrentIndex(m_settingsModel->index(*row, 0));
     if (isNew)
         showCases();
 }

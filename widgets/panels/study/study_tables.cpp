@@ -106,9 +106,10 @@ struct SettingRows
         case SettingInterval:
             return {.number = difference(row).low};
         case SettingBestIn:
-            return {.number = isSetting(row) ? bestIn(row) : -1};
+            return {.number = isSetting(row) ? std::optional<double>(bestIn(row)) : std::nullopt};
         default:
-            return {.number = isSetting(row) ? setting(row).stuckShare : -1};
+            return {.number =
+                        isSetting(row) ? std::optional(setting(row).stuckShare) : std::nullopt};
         }
     }
     [[nodiscard]] QString toolTip(int row) const
@@ -192,7 +193,7 @@ struct CaseRows
         case CaseDifference:
             return {.number = difference(row)};
         case CaseBestTau:
-            return {.number = bestTau(row).value_or(0)};
+            return {.number = bestTau(row)};
         case CaseBest:
             return {.number = static_cast<double>(best(row))};
         case CaseStuck:

@@ -87,9 +87,9 @@ private slots:
         QCOMPARE(model.rowCount(), rows + 1);
         QCOMPARE(model.time_s(rows), 400.3);
         model.setShown(history.events.size() - 1);
-        QCOMPARE(model.lastShown(), rows - 1);
+        QCOMPARE(model.shownRows(), rows);
         model.setShown(history.events.size());
-        QCOMPARE(model.lastShown(), rows);
+        QCOMPARE(model.shownRows(), rows + 1);
     }
 
     /** A UAV with nothing to visit is planned at every step: that is listed once. */
