@@ -186,15 +186,15 @@ private:
     }
 
     /** Nothing done longer ago than what may be lost is missing. */
-    void checkLoss(const std::vector<JournalEntry>& entries, qint64 saved, qint64 killed_ms)
+    void checkLoss(const std::vector<JournalEntry>& entries, qint64 recovered, qint64 killed_ms)
     {
         for (const JournalEntry& entry : entries)
-            if (entry.what == "edit" && entry.value > saved) {
+            if (entry.what == "edit" && entry.value > recovered) {
                 m_worst_ms = std::max(m_worst_ms, killed_ms - entry.at_ms);
                 break;
             }
         const qint64 due = lastOf(entries, "edit", killed_ms - kMostLost_ms);
-        QVERIFY2(saved >= due, qPrintable(u"%1 of %2"_s.arg(saved).arg(due)));
+        QVERIFY2(recovered >= due, qPrintable(u"%1 of %2"_s.arg(recovered).arg(due)));
     }
 
     static void addSeeds()
@@ -241,13 +241,14 @@ private slots:
             RecoveryStore(path(u"settings.ini.data/recovery"_s)).abandoned();
         QVERIFY(found.damaged.isEmpty());
         QVERIFY(found.usable.size() <= 1);
-        qint64 saved = inFile;
+        qint64 recovered = inFile;
         for (const FoundRecovery& recovery : found.usable) {
-            saved = std::max<qint64>(saved, std::llround(recovery.scenario.planner.tau * kSteps));
+            recovered =
+                std::max<qint64>(recovered, std::llround(recovery.scenario.planner.tau * kSteps));
             QCOMPARE(recovery.info.originalPath, file);
             removeRecovery(recovery.held.files);
         }
-        checkLoss(entries, saved, killed_ms);
+        checkLoss(entries, recovered, killed_ms);
         ScenarioDocument document;
         DocumentFile opened(document);
         opened.setLockFolder(path(u"settings.ini.data/locks"_s));
