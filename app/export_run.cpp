@@ -30,7 +30,7 @@ int runExport(int argc, char** argv)
     // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread yet
     std::setlocale(LC_NUMERIC, "C"); // which the constructor set to the user's; options are in C
     QApplication::setApplicationName(u"bergwatch"_s);
-    installLanguage({});
+    installLanguage(std::nullopt);
     const auto addCommands = [](CLI::App& commands, cli::Action& action) {
         cli::addExportCommand(commands, action, exportPaint().file);
     };

@@ -252,7 +252,7 @@ int exitCodeOf(const Work& work)
         work();
         return kDone;
     } catch (const berg::cli::UsageError& error) {
-        berg::cli::tell(error.message.said);
+        berg::cli::printMessage(error.message.said);
         return kWrongUsage;
     } catch (const berg::Error& error) {
         print(stderr, berg::errorReport(error));
@@ -283,7 +283,7 @@ int main(int argc, char* argv[])
     QApplication::setApplicationVersion(QString::fromStdString(berg::programVersion()));
     QApplication::setDesktopFileName(u"org.bergwatch.bergwatch"_s);
     QApplication::setWindowIcon(QIcon(u":/icon/bergwatch.svg"_s));
-    berg::installLanguage({});
+    berg::installLanguage(std::nullopt);
 
     const Options options;
     QCommandLineParser parser;

@@ -83,7 +83,7 @@ Mission flownMission(const std::string& path)
 QStringList pictureNames(PictureTheme theme)
 {
     QStringList names;
-    for (const auto& [look, ending] : themesOf(theme))
+    for (const auto& [shown, ending] : themesOf(theme))
         for (const QString& what : {kMap, kZeta, kSigma})
             names << pictureName(what, ending);
     return names;
@@ -105,8 +105,8 @@ QStringList writePictures(const Mission& mission, const PictureOptions& options,
 
     QStringList paths;
     std::vector<NewFile> files;
-    for (const auto& [look, ending] : themesOf(options.theme)) {
-        const Theme& theme = look;
+    for (const auto& [shown, ending] : themesOf(options.theme)) {
+        const Theme& theme = shown;
         const auto add = [&, &end = ending](const QString& what, const QImage& image) {
             paths << QDir(options.folder).filePath(pictureName(what, end));
             files.push_back(pngFile(image, paths.back()));

@@ -112,7 +112,8 @@ int benchmark(const BenchmarkArguments& arguments, const std::stop_token& stop)
     deliver(files, arguments.json ? benchmarkJson(rows) : benchmarkTable(rows));
     if (!stop.stop_requested())
         return kDone;
-    tell(said(QT_TRANSLATE_NOOP("CommandLine", "interrupted: the table is incomplete"), {}));
+    printMessage(
+        said(QT_TRANSLATE_NOOP("CommandLine", "interrupted: the table is incomplete"), {}));
     return kInterrupted;
 }
 

@@ -141,7 +141,7 @@ std::string word(std::string_view text)
     return safe;
 }
 
-void tell(const std::string& text)
+void printMessage(const std::string& text)
 {
     std::fprintf(stderr, "%s\n", shown(text).c_str());
 }
@@ -159,10 +159,10 @@ void beQuiet()
     isQuiet = true;
 }
 
-void tellNote(const std::string& text)
+void printNote(const std::string& text)
 {
     if (!isQuiet)
-        tell(text);
+        printMessage(text);
 }
 
 void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
@@ -173,7 +173,7 @@ void printWarnings(const std::string& subject, const std::vector<Issue>& issues)
         const char* const kind = issue.severity == Severity::Warning
                                      ? QT_TRANSLATE_NOOP("CommandLine", "warning")
                                      : QT_TRANSLATE_NOOP("CommandLine", "hint");
-        tell(word(subject) + ": " + said(kind, {}) + ": " + said(issue));
+        printMessage(word(subject) + ": " + said(kind, {}) + ": " + said(issue));
     }
 }
 
@@ -186,16 +186,16 @@ ProgressBar::ProgressBar(std::string label, bool wanted)
 
 ProgressBar::~ProgressBar()
 {
-    if (m_active && m_lastDrawn_s >= 0)
+    if (m_active && m_lastDrawn_s)
         std::fputs("\r\033[K", stderr);
 }
 
 void ProgressBar::update(double fraction)
 {
     const double time_s = now_s();
-    if (m_first < 0)
+    if (!m_first)
         m_first = fraction;
-    if (!m_active || time_s - m_lastDrawn_s < 0.1)
+    if (!m_active || (m_lastDrawn_s && time_s - *m_lastDrawn_s < 0.1))
         return;
     m_lastDrawn_s = time_s;
     constexpr int kWidth = 30;
@@ -203,7 +203,7 @@ void ProgressBar::update(double fraction)
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                             std::string(static_cast<std::size_t>(kWidth - filled), '.');
     const double elapsed_s = time_s - m_start_s;
-    const double now = fraction - m_first;
+    const double now = fraction - *m_first;
     const std::string left = now > 0.01 ? clock(elapsed_s * (1 - fraction) / now) : "--:--";
     std::fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  %s", m_label.c_str(), bar.c_str(),
                  100 * fraction, said(QT_TRANSLATE_NOOP("CommandLine", "%1 left"), {left}).c_str());

@@ -2,6 +2,7 @@
 
 #include "app/cli/language.h"
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -96,10 +97,10 @@ auto naming(const std::string& file, const Make& make)
 void print(const std::string& text);
 
 /** Prints `shown(text)` as a line on stderr. */
-void tell(const std::string& text);
+void printMessage(const std::string& text);
 
 /** Prints a note as a line on stderr, unless the program is quiet. */
-void tellNote(const std::string& text);
+void printNote(const std::string& text);
 
 /** Turns off warnings, hints, notes and progress bars. */
 void beQuiet();
@@ -126,9 +127,8 @@ private:
     std::string m_label;
     bool m_active;
     double m_start_s;
-    double m_first =
-        -1; ///< fraction at the start, from earlier work; negative before the first update
-    double m_lastDrawn_s = -1;
+    std::optional<double> m_first; ///< fraction of the first update, from earlier work
+    std::optional<double> m_lastDrawn_s;
 };
 
 /** Returns 84213.4 as "84 213": rounded, with thousands separated. */

@@ -36,8 +36,8 @@ struct ExportArguments
 void printNotes(const ExportFormat& format, const ExportContent& content)
 {
     for (const ExportNote& note : exportNotes(format, content))
-        tellNote(said(QT_TRANSLATE_NOOP("CommandLine", "note: %1"),
-                      {word(said(notePattern(note.kind), noteArguments(note)))}));
+        printNote(said(QT_TRANSLATE_NOOP("CommandLine", "note: %1"),
+                       {word(said(notePattern(note.kind), noteArguments(note)))}));
 }
 
 /** Adds the files made from `source` to the set and prints notes for the user. Options that
@@ -97,7 +97,7 @@ void checkOutputs(const ExportArguments& arguments, const ExportFormat& format,
     std::vector<ExportUavId> uavs;
     for (std::size_t row = 0; row < scenario.uavs.size(); ++row)
         if (const std::string& id = scenario.uavs[row].id;
-            arguments.options.uav.empty() || arguments.options.uav == id)
+            !arguments.options.uav || arguments.options.uav == id)
             uavs.push_back({.row = row, .id = id});
     CommandFiles files{.inputs = {arguments.file}, .outputs = {}, .force = arguments.force};
     const std::vector<std::string> paths = exportPaths(format, uavs, arguments.outputFile);
@@ -185,10 +185,10 @@ int handOver(const ExportArguments& arguments)
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.force});
     becomeBergwatch(arguments.argv);
-    tell(said(QT_TRANSLATE_NOOP("CommandLine",
-                                "--format %1: the program bergwatch paints this format, "
-                                "but it is neither in this folder nor on the PATH"),
-              {std::string(chosenFormat(arguments).id)}));
+    printMessage(said(QT_TRANSLATE_NOOP("CommandLine",
+                                        "--format %1: the program bergwatch paints this format, "
+                                        "but it is neither in this folder nor on the PATH"),
+                      {std::string(chosenFormat(arguments).id)}));
     return kFailure;
 }
 

@@ -58,7 +58,7 @@ int validateFiles(const std::vector<std::string>& files, bool json, const std::s
         printWarnings(one.file, one.issues);
         for (const Issue& issue : one.issues)
             if (issue.severity == Severity::Error)
-                tell(word(one.file) + ": " + said(issue));
+                printMessage(word(one.file) + ": " + said(issue));
         if (!hasErrors(one.issues))
             print(word(one.file) + ": valid\n");
     }

@@ -239,12 +239,12 @@ void printRows(const std::string& file, const Rejections& rows)
     std::size_t printed = 0;
     for (const RejectedRow& row : rows.first)
         if (printed++ < kMostRows)
-            tell(word(file) + ": " +
-                 said(Issue{Severity::Error, saidPlace(rows, row.line), reasonOf(row)}));
+            printMessage(word(file) + ": " +
+                         said(Issue{Severity::Error, saidPlace(rows, row.line), reasonOf(row)}));
     if (rows.count > kMostRows)
-        tell(word(file) + ": " +
-             said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
-                  {countOf(rows.count - kMostRows)}));
+        printMessage(word(file) + ": " +
+                     said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
+                          {countOf(rows.count - kMostRows)}));
 }
 
 /** Writes the rows that were rejected, changed or outside, with their reasons, to stderr; of a long
@@ -263,11 +263,12 @@ void printDetails(const std::string& file, const ImportResult& result)
                  note == ImportNote::OnLand || note == ImportNote::Repeated ||
                  note == ImportNote::TimeUnknown) &&
                 notes++ < kMostRows)
-                tell(word(file) + ": " + word(iceberg.id) + ": " + said(importNoteText(note), {}));
+                printMessage(word(file) + ": " + word(iceberg.id) + ": " +
+                             said(importNoteText(note), {}));
     if (notes > kMostRows)
-        tell(word(file) + ": " +
-             said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more notes about icebergs"),
-                  {countOf(notes - kMostRows)}));
+        printMessage(word(file) + ": " +
+                     said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more notes about icebergs"),
+                          {countOf(notes - kMostRows)}));
 }
 
 /** How to get at sightings that are off the plane. */
@@ -278,15 +279,16 @@ void printFar(const std::string& file, const ImportResult& result, bool isInto)
     const LatLon& origin = result.scenario.origin;
     const std::string place =
         numberText(origin.latitude_deg) + ' ' + numberText(origin.longitude_deg);
-    tell(word(file) + ": " +
-         said(isInto ? QT_TRANSLATE_NOOP(
-                           "CommandLine",
-                           "%1 sightings are too far from the origin of the scenario, %2; import "
-                           "them without --into, or choose others with --area")
-                     : QT_TRANSLATE_NOOP("CommandLine",
-                                         "%1 sightings are too far from the origin, %2, which lies "
-                                         "in their densest group; choose others with --area"),
-              {countOf(result.tooFar), place}));
+    printMessage(
+        word(file) + ": " +
+        said(isInto ? QT_TRANSLATE_NOOP(
+                          "CommandLine",
+                          "%1 sightings are too far from the origin of the scenario, %2; import "
+                          "them without --into, or choose others with --area")
+                    : QT_TRANSLATE_NOOP("CommandLine",
+                                        "%1 sightings are too far from the origin, %2, which lies "
+                                        "in their densest group; choose others with --area"),
+             {countOf(result.tooFar), place}));
 }
 
 SightingTable sightingsOf(const std::string& file, const ReadOptions& formats)

@@ -70,9 +70,9 @@ std::string_view said(std::string_view english)
 
 std::string said(std::string_view pattern, const std::vector<IssueArgument>& arguments)
 {
-    std::vector<IssueArgument> told;
-    std::ranges::transform(arguments, std::back_inserter(told), saidArgument);
-    return filledIn(said(pattern), told);
+    std::vector<IssueArgument> texts;
+    std::ranges::transform(arguments, std::back_inserter(texts), saidArgument);
+    return filledIn(said(pattern), texts);
 }
 
 std::string said(const IssueReason& reason)

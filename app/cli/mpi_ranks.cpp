@@ -14,7 +14,7 @@ namespace berg::cli {
 
 namespace {
 
-/** Between two looks at messages and at what has been flown; the flying has threads of its own. */
+/** Time between two checks of messages and flown missions, which have threads of their own. */
 void pause()
 {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -67,14 +67,14 @@ std::exception_ptr failureOf(const MpiWorld::Message& message)
 void follow(const MpiWorld& world, Study study, const StudyOptions& options)
 {
     ShardFlight flight(std::move(study), options);
-    bool told = false;
+    bool reported = false;
     for (;; pause()) {
         while (const auto message = world.receive()) {
             if (message->tag == Tag::End)
                 return;
             flight.stop();
         }
-        if (told)
+        if (reported)
             continue;
         const bool last = flight.hasEnded();
         if (const std::vector<SentOutcome> news = flight.take(); !news.empty())
@@ -83,7 +83,7 @@ void follow(const MpiWorld& world, Study study, const StudyOptions& options)
             world.send(0, Tag::Failure, bytesOf(flight.failure()));
         if (last)
             world.send(0, Tag::Final);
-        told = last;
+        reported = last;
     }
 }
 
@@ -179,7 +179,7 @@ private:
         if (std::exchange(m_stopped, true))
             return;
         flight.stop();
-        m_world.tellOthers(Tag::Stop);
+        m_world.sendToOthers(Tag::Stop);
     }
 
     const MpiWorld& m_world;
@@ -215,11 +215,11 @@ int leadAll(const MpiWorld& world, const SweepLead& lead, Study study, const Stu
     try {
         complete = Leader(world, lead, study, shard).run(options);
     } catch (...) {
-        world.tellOthers(Tag::End);
+        world.sendToOthers(Tag::End);
         lead.keep(study);
         throw;
     }
-    world.tellOthers(Tag::End);
+    world.sendToOthers(Tag::End);
     lead.keep(study);
     return lead.finish(study, complete);
 }
@@ -230,7 +230,7 @@ int flyOnRanks(const SweepLead& lead, const StudyOptions& options, const std::st
 {
     const MpiWorld world;
     StudyOptions own = options;
-    if (const int cores = world.coresEach(); own.threads == 0)
+    if (const int cores = world.coresEach(); !own.threads)
         own.threads = cores;
     own.shard = {.index = options.shard.index + options.shard.count * world.rank(),
                  .count = options.shard.count * world.size()};

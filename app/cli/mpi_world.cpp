@@ -34,7 +34,7 @@ void MpiWorld::send(int to, Tag tag, const std::vector<char>& bytes) const
              MPI_COMM_WORLD);
 }
 
-void MpiWorld::tellOthers(Tag tag) const
+void MpiWorld::sendToOthers(Tag tag) const
 {
     for (int rank = 1; rank < m_size; ++rank)
         send(rank, tag);

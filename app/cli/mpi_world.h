@@ -35,7 +35,7 @@ public:
 
     void send(int to, Tag tag, const std::vector<char>& bytes = {}) const;
     /** Sends `tag` from the first rank to all others. */
-    void tellOthers(Tag tag) const;
+    void sendToOthers(Tag tag) const;
 
     struct Message
     {

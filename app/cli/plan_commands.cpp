@@ -294,7 +294,7 @@ int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOpt
         return kLimitWithoutPlan;
     if (!report.secondOpinion || report.secondOpinion->verdict != Verdict::Disagrees)
         return kDone;
-    tell(said(
+    printMessage(said(
         QT_TRANSLATE_NOOP(
             "CommandLine",
             "%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order."),

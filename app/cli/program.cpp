@@ -27,7 +27,7 @@ namespace berg::cli {
 namespace {
 
 constexpr const char* kNoMemory = QT_TRANSLATE_NOOP("CommandLine", "there is not enough memory");
-constexpr const char* kInternal = "internal error: %1"; // for who looks into it
+constexpr const char* kInternal = "internal error: %1"; // for developers
 
 int exitCodeOf(const Error& error)
 {
@@ -85,14 +85,14 @@ std::string hintOf(const Error& error, const std::string& command)
 }
 
 /** The command line, and the output for messages. */
-struct Line
+struct CommandWords
 {
     const Program& program;
     const std::vector<std::string>& words;
 };
 
 /** Reports a failure as a sentence on stderr and, with --json, as an object on stdout. */
-int failed(const Line& line, int exitCode, const std::string& text, const std::string& json)
+int failed(const CommandWords& line, int exitCode, const std::string& text, const std::string& json)
 {
     if (line.program.isSilent) {
         // Open MPI 5 ends all processes with the first that fails: the one that reports comes
@@ -100,13 +100,13 @@ int failed(const Line& line, int exitCode, const std::string& text, const std::s
         std::this_thread::sleep_for(std::chrono::seconds(1));
         return exitCode;
     }
-    tell(text);
+    printMessage(text);
     if (std::ranges::find(line.words, "--json") != line.words.end())
         std::fputs(json.c_str(), stdout); // that nobody reads it changes nothing
     return exitCode;
 }
 
-int failed(const Line& line, int exitCode, const char* kind, const Sentence& text)
+int failed(const CommandWords& line, int exitCode, const char* kind, const Sentence& text)
 {
     const FileFindings finding{
         .file = {}, .issues = {{Severity::Error, {}, {IssueId::Verbatim, {text.english}}}}};
@@ -138,7 +138,7 @@ void addCompletion(CLI::App& app, Action& action)
 }
 
 /** How the line is wrong, in one sentence, and where to read how it should be. */
-int wrongUsage(const CLI::App& app, const Line& line, const Sentence& fault)
+int wrongUsage(const CLI::App& app, const CommandWords& line, const Sentence& fault)
 {
     const std::string command = commandOf(app, line.words);
     const FileFindings finding{
@@ -166,12 +166,13 @@ void reportEffort()
     const auto seconds = [](const timeval& time) {
         return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };
-    tell(said(QT_TRANSLATE_NOOP("CommandLine", "took %1 s of processor time and %2 MB of memory"),
-              {fixed(seconds(used.ru_utime) + seconds(used.ru_stime), 2),
-               grouped(static_cast<double>(used.ru_maxrss) / 1e3)}));
+    printMessage(
+        said(QT_TRANSLATE_NOOP("CommandLine", "took %1 s of processor time and %2 MB of memory"),
+             {fixed(seconds(used.ru_utime) + seconds(used.ru_stime), 2),
+              grouped(static_cast<double>(used.ru_maxrss) / 1e3)}));
 }
 
-int run(const Line& line, const std::stop_token& stop)
+int run(const CommandWords& line, const std::stop_token& stop)
 {
     const auto& [program, words] = line;
     CLI::App app{program.about, program.name};
@@ -224,7 +225,7 @@ int run(const Line& line, const std::stop_token& stop)
 int runProgram(const Program& program, int argc, char** argv, const std::stop_token& stop)
 {
     const std::vector<std::string> words = wordsOf(argc, argv);
-    const Line line{.program = program, .words = words};
+    const CommandWords line{.program = program, .words = words};
     try {
         return run(line, stop);
     } catch (const Interrupted&) {

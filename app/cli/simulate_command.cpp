@@ -215,7 +215,7 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
     });
     if (!arguments.bound || bound_m2s)
         return kDone;
-    tell(said(
+    printMessage(said(
         QT_TRANSLATE_NOOP("CommandLine",
                           "interrupted: the flight is complete, but its lower bound is missing"),
         {}));

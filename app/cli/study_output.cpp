@@ -123,9 +123,10 @@ void sayWhenIncomplete(const Study& study)
 {
     const std::size_t flown = flownCount(study);
     if (const std::size_t count = missionCount(study.spec); flown < count)
-        tell(said(QT_TRANSLATE_NOOP("CommandLine", "incomplete: %1 of %2 missions are flown; the "
-                                                   "results use only cases with all settings"),
-                  {grouped(static_cast<double>(flown)), grouped(static_cast<double>(count))}));
+        printMessage(
+            said(QT_TRANSLATE_NOOP("CommandLine", "incomplete: %1 of %2 missions are flown; the "
+                                                  "results use only cases with all settings"),
+                 {grouped(static_cast<double>(flown)), grouped(static_cast<double>(count))}));
 }
 
 } // namespace

@@ -127,7 +127,9 @@ public:
     int run(const std::stop_token& stop, const std::string& commandLine)
     {
         const StudyOptions options{
-            .threads = m_arguments.threads, .shard = shardOf(m_arguments.shard), .stop = stop};
+            .threads = m_arguments.threads > 0 ? std::optional(m_arguments.threads) : std::nullopt,
+            .shard = shardOf(m_arguments.shard),
+            .stop = stop};
         const SweepLead lead{
             .prepare = [this] { return prepare(); },
             .progress = [this](const Study& study, std::size_t done,
@@ -167,7 +169,7 @@ private:
             if (flownCount(study) > 0)
                 m_file.save(study);
         } catch (const Error&) {
-            m_notKept = std::current_exception(); // reported after the results
+            m_saveFailure = std::current_exception(); // reported after the results
         }
     }
 
@@ -182,7 +184,7 @@ private:
         reportWhatWasNotStored();
         if (!m_file.isStored())
             throw Interrupted{};
-        tell(said(
+        printMessage(said(
             QT_TRANSLATE_NOOP(
                 "CommandLine",
                 "interrupted: %1 of %2 missions are stored in %3; repeat the command to continue"),
@@ -193,15 +195,15 @@ private:
 
     void reportWhatWasNotStored() const
     {
-        if (m_notKept)
-            std::rethrow_exception(m_notKept);
+        if (m_saveFailure)
+            std::rethrow_exception(m_saveFailure);
     }
 
     const SweepArguments& m_arguments;
     StudyFile m_file;
     Stopwatch m_watch;
     std::optional<ProgressBar> m_bar;
-    std::exception_ptr m_notKept;
+    std::exception_ptr m_saveFailure;
 };
 
 } // namespace

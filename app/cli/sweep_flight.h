@@ -29,9 +29,9 @@ struct SweepLead
 /**
  * Flies in all processes of this MPI program, each a part of the shard, with the same result as
  * `flyAlone`. Only the first process calls `lead`. A failure in any process ends all and is thrown
- * in the first. `commandLine` must be equal in all. If `options.threads` is 0, each process uses
- * the cores of its computer divided by the number of its processes. Throws `Error{Unsupported}` in
- * builds without MPI.
+ * in the first. `commandLine` must be equal in all. If `options.threads` is nullopt, each process
+ * uses the cores of its computer divided by the number of its processes. Throws
+ * `Error{Unsupported}` in builds without MPI.
  */
 [[nodiscard]] int flyOnRanks(const SweepLead& lead, const StudyOptions& options,
                              const std::string& commandLine);

@@ -137,7 +137,7 @@ void ExportOptionsView::fill(const ExportOptions& options)
     m_isWhatChosen = options.what && !(m_isFlown && *options.what == ExportScope::Order);
     if (m_isWhatChosen)
         choose(*m_what, static_cast<int>(*options.what));
-    choose(*m_uav, QString::fromStdString(options.uav));
+    choose(*m_uav, QString::fromStdString(options.uav.value_or("")));
     m_altitude->showValue(heightUnit().fromSi(options.altitude_m.value_or(0)));
     m_airspeed->showValue(speedUnit().fromSi(options.airspeed_mps.value_or(0)));
     m_acceptance->showValue(options.acceptance_m.value_or(0));
@@ -164,11 +164,12 @@ void ExportOptionsView::showFormat(const ExportFormat& format)
 
 ExportOptions ExportOptionsView::options() const
 {
-    ExportOptions options{.uav = m_uav->currentData().toString().toStdString(),
-                          .altitude_m = valueOf(*m_altitude),
+    ExportOptions options{.altitude_m = valueOf(*m_altitude),
                           .airspeed_mps = valueOf(*m_airspeed),
                           .acceptance_m = valueOf(*m_acceptance),
                           .loiterTurns = m_loiter->value()};
+    if (const QString uav = m_uav->currentData().toString(); !uav.isEmpty())
+        options.uav = uav.toStdString();
     if (m_what->currentIndex() > 0) // the first is what it is without a choice
         options.what = static_cast<ExportScope>(m_what->currentData().toInt());
     if (const QVariant home = m_return->currentData(); home.isValid())

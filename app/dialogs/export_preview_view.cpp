@@ -170,7 +170,7 @@ void ExportPreviewView::showPreview(const ExportPreviewPointer& preview)
 {
     const ExportFormat* format = findExportFormat(preview->request.formatId);
     const bool hasPath = format != nullptr && !format->holds.flownOnly;
-    const bool isPage = !preview->picture.isNull();
+    const bool isPage = !preview->image.isNull();
     const bool wasPage = isTabVisible(indexOf(m_scroll));
     setTabVisible(indexOf(m_scroll), isPage);
     setTabVisible(indexOf(m_map), hasPath && !isPage);
@@ -180,7 +180,7 @@ void ExportPreviewView::showPreview(const ExportPreviewPointer& preview)
         setCurrentWidget(isPage    ? static_cast<QWidget*>(m_scroll)
                          : hasPath ? static_cast<QWidget*>(m_map)
                                    : m_text);
-    m_page->setPage(preview->picture);
+    m_page->setPage(preview->image);
     m_cells.setSheet(waypointSheet(preview, locale()));
     m_waypoints->resizeColumnsToContents();
     m_waypoints->horizontalHeader()->setStretchLastSection(true);

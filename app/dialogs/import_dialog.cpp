@@ -33,7 +33,7 @@ namespace berg {
 namespace {
 
 constexpr QSize kSize_px(1230, 740);
-constexpr int kSettings_px = 300;
+constexpr int kInputs_px = 300;
 constexpr int kTabs_px = 250;
 constexpr int kProgress_px = 120;
 constexpr int kErrorMargin_px = 24;
@@ -53,7 +53,7 @@ MapPicture pictureOf(const ImportPreview& preview)
     MapPicture picture = withScenario({}, preview.result.scenario);
     picture.air = {}; // no sighting says anything about it
     for (MapIceberg& iceberg : picture.icebergs) {
-        const auto found = outcomes.find(iceberg.key);
+        const auto found = outcomes.find(keyOf(iceberg));
         if (found == outcomes.end())
             continue;
         if (found->second == ImportOutcome::Added)
@@ -94,7 +94,7 @@ ImportDialog::ImportDialog(ImportRunner& runner, const ImportOffer& offer, QWidg
     setSizeGripEnabled(true);
     auto* sides = new QHBoxLayout;
     sides->setSpacing(12);
-    sides->addWidget(makeSettings());
+    sides->addWidget(makeInputs());
     sides->addWidget(makeResults(), 1);
     auto* column = new QVBoxLayout(this);
     column->addLayout(sides, 1);
@@ -115,7 +115,7 @@ ImportDialog::~ImportDialog()
     delete m_tabs;
 }
 
-QWidget* ImportDialog::makeSettings()
+QWidget* ImportDialog::makeInputs()
 {
     auto* side = new QWidget;
     auto* column = new QVBoxLayout(side);
@@ -139,7 +139,7 @@ QWidget* ImportDialog::makeSettings()
             [this] { m_options->setArea(boxRound(m_map->outline())); });
     column->addWidget(m_options);
     column->addStretch(1);
-    side->setFixedWidth(std::max(kSettings_px, side->sizeHint().width()));
+    side->setFixedWidth(std::max(kInputs_px, side->sizeHint().width()));
     return side;
 }
 

@@ -49,7 +49,7 @@ public:
     [[nodiscard]] std::optional<ImportChoice> choice() const;
 
 private:
-    [[nodiscard]] QWidget* makeSettings();
+    [[nodiscard]] QWidget* makeInputs();
     [[nodiscard]] QWidget* makeResults();
     [[nodiscard]] QLayout* makeFoot();
     void fillFormats();

@@ -65,14 +65,14 @@ QImage painted(const MapPicture& picture, const Theme& theme, const QSize& size_
 }
 
 /** The map of a planned scenario without its words; unplanned when stopped. */
-QImage pictureOf(const Scenario& scenario, const Theme& theme, double pixelRatio,
-                 const std::stop_token& stop)
+QImage imageOf(const Scenario& scenario, const Theme& theme, double pixelRatio,
+               const std::stop_token& stop)
 {
     MapPicture picture = withScenario({}, scenario);
     const PlanAnswer answer = planFromStart(scenario, {.stop = stop});
     for (std::size_t uav = 0; uav < answer.uavs.size(); ++uav)
         picture.routes[uav].plan = answer.uavs[uav].order;
-    return painted(picture, theme, kExamplePicture_px, pixelRatio);
+    return painted(picture, theme, kExampleImage_px, pixelRatio);
 }
 
 /** Returns the scenario that the file holds or its run was flown in; nullopt for studies. */
@@ -86,7 +86,7 @@ std::optional<Scenario> scenarioIn(const QFileInfo& file)
     return std::nullopt;
 }
 
-/** Its picture has no plan: that of a large scenario takes its time. */
+/** Its image has no plan: that of a large scenario takes its time. */
 RecentFile readRecentFile(const QString& path, const Theme& theme, double pixelRatio)
 {
     const QFileInfo file(path);
@@ -98,8 +98,8 @@ RecentFile readRecentFile(const QString& path, const Theme& theme, double pixelR
         if (!scenario)
             return;
         recent.icebergs = static_cast<int>(scenario->icebergs.size());
-        recent.picture =
-            painted(withScenario({}, *scenario), theme, kRecentPicture_px, pixelRatio, true);
+        recent.image =
+            painted(withScenario({}, *scenario), theme, kRecentImage_px, pixelRatio, true);
     }));
     return recent;
 }
@@ -112,7 +112,7 @@ Example paintedExample(const QString& path, const Theme& theme, double pixelRati
             .title = QString::fromStdString(scenario.name),
             .notes = QString::fromStdString(scenario.notes),
             .icebergs = static_cast<int>(scenario.icebergs.size()),
-            .picture = pictureOf(scenario, theme, pixelRatio, stop)};
+            .image = imageOf(scenario, theme, pixelRatio, stop)};
 }
 
 } // namespace

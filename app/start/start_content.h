@@ -21,7 +21,7 @@ struct RecentFile
     bool exists = false;
     QDateTime changed;
     std::optional<int> icebergs; ///< nullopt if the file cannot be read
-    QImage picture; ///< of size `kRecentPicture_px`; null if the file is no scenario or run
+    QImage image; ///< of size `kRecentImage_px`; null if the file is no scenario or run
 };
 
 /** A scenario that comes with the program. */
@@ -31,11 +31,11 @@ struct Example
     QString title;
     QString notes; ///< may be empty
     int icebergs = 0;
-    QImage picture; ///< of size `kExamplePicture_px` at the requested pixel ratio
+    QImage image; ///< of size `kExampleImage_px` at the requested pixel ratio
 };
 
-inline constexpr QSize kExamplePicture_px(252, 148);
-inline constexpr QSize kRecentPicture_px(76, 54);
+inline constexpr QSize kExampleImage_px(252, 148);
+inline constexpr QSize kRecentImage_px(76, 54);
 
 /** Returns the paths of the examples, those with few icebergs first. */
 [[nodiscard]] QStringList examplePaths();

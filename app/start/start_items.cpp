@@ -81,24 +81,24 @@ void ExampleCard::setExample(const Example& example)
 
 QSize ExampleCard::sizeHint() const
 {
-    return kExamplePicture_px + QSize(2, kTitle_px + kCaption_px + 2 * kEdge_px);
+    return kExampleImage_px + QSize(2, kTitle_px + kCaption_px + 2 * kEdge_px);
 }
 
 void ExampleCard::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
     paintGround(painter, *this, m_theme);
-    const QRect picture(QPoint(1, 1), kExamplePicture_px);
+    const QRect imageRect(QPoint(1, 1), kExampleImage_px);
     painter.save();
     QPainterPath outline;
     outline.addRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), kRadius_px - 1, kRadius_px - 1);
     painter.setClipPath(outline);
-    if (m_example.picture.isNull())
-        painter.fillRect(picture, m_theme.sea);
+    if (m_example.image.isNull())
+        painter.fillRect(imageRect, m_theme.sea);
     else
-        painter.drawImage(picture, m_example.picture);
+        painter.drawImage(imageRect, m_example.image);
     painter.restore();
-    const QRect title(kEdge_px + 2, picture.bottom() + kEdge_px - 1, width() - 2 * kEdge_px - 4,
+    const QRect title(kEdge_px + 2, imageRect.bottom() + kEdge_px - 1, width() - 2 * kEdge_px - 4,
                       kTitle_px);
     paintLine(painter, title, m_theme.strong(), m_theme.text, text());
     if (m_example.icebergs > 0)
@@ -107,7 +107,7 @@ void ExampleCard::paintEvent(QPaintEvent* /*event*/)
 }
 
 RecentRow::RecentRow(const RecentFile& file, const Theme& theme, QWidget* parent)
-    : QAbstractButton(parent), m_theme(theme), m_picture(file.picture)
+    : QAbstractButton(parent), m_theme(theme), m_image(file.image)
 {
     const QFileInfo info(file.path);
     setText(info.fileName());
@@ -135,7 +135,7 @@ RecentRow::RecentRow(const RecentFile& file, const Theme& theme, QWidget* parent
 
 QSize RecentRow::sizeHint() const
 {
-    return {200, kRecentPicture_px.height() + kEdge_px};
+    return {200, kRecentImage_px.height() + kEdge_px};
 }
 
 void RecentRow::resizeEvent(QResizeEvent* event)
@@ -154,12 +154,12 @@ void RecentRow::paintEvent(QPaintEvent* /*event*/)
     const bool gone = m_remove != nullptr;
     if (!gone)
         paintGround(painter, *this, m_theme);
-    const QRect picture(QPoint(kEdge_px / 2, kEdge_px / 2), kRecentPicture_px);
-    if (!m_picture.isNull())
-        painter.drawImage(picture, m_picture);
+    const QRect imageRect(QPoint(kEdge_px / 2, kEdge_px / 2), kRecentImage_px);
+    if (!m_image.isNull())
+        painter.drawImage(imageRect, m_image);
     else if (!gone)
-        painter.fillRect(picture, m_theme.sea);
-    const int left = picture.right() + kEdge_px;
+        painter.fillRect(imageRect, m_theme.sea);
+    const int left = imageRect.right() + kEdge_px;
     const int right = gone ? m_remove->width() + kEdge_px : kEdge_px;
     QRect line(left, (height() - kTitle_px - 2 * kCaption_px) / 2, width() - left - right,
                kTitle_px);

@@ -29,7 +29,7 @@ private:
     Example m_example;
 };
 
-/** A file opened before: picture, name, folder, when it was changed, how many icebergs; grey when
+/** A file opened before: image, name, folder, when it was changed, how many icebergs; grey when
  * gone. */
 class RecentRow : public QAbstractButton
 {
@@ -50,7 +50,7 @@ protected:
 
 private:
     Theme m_theme;
-    QImage m_picture; ///< null if there is no picture
+    QImage m_image; ///< null if there is none
     QString m_folder;
     QString m_caption;
     QToolButton* m_remove = nullptr; ///< only when the file is gone

@@ -19,10 +19,11 @@ namespace {
 
 constexpr const char* kFileKey = "view/backdrop";
 
-void readBackdrop(const QString& path, const std::stop_token& stop, const auto& tell)
+void readBackdrop(const QString& path, const std::stop_token& stop, const auto& deliver)
 {
     const std::string name = QFile::encodeName(path).toStdString();
-    tell(std::make_shared<const BackdropShapes>(readMapShapes(readFile(name, stop), name, stop)));
+    deliver(
+        std::make_shared<const BackdropShapes>(readMapShapes(readFile(name, stop), name, stop)));
 }
 
 } // namespace
@@ -31,12 +32,12 @@ BackdropFile::BackdropFile(WindowContext& context, MapController& map)
     : WindowPart(context)
     , m_map(map)
     , m_task(u"backdrop"_s, {.work = [](const QString& path, const std::stop_token& stop,
-                                        const auto& tell) { readBackdrop(path, stop, tell); },
+                                        const auto& deliver) { readBackdrop(path, stop, deliver); },
                              .deliver = [this](const BackdropPointer& backdrop) { show(backdrop); },
                              .end =
                                  [this](const std::optional<WorkFailure>& failure) {
                                      if (failure)
-                                         tell(*failure);
+                                         report(*failure);
                                  }})
 {
     connect(panels().layers, &LayersPanel::backdropRequested, this, &BackdropFile::choose);
@@ -80,7 +81,7 @@ void BackdropFile::show(const BackdropPointer& backdrop)
 }
 
 /** Keeps the previous map on failure. */
-void BackdropFile::tell(const WorkFailure& failure)
+void BackdropFile::report(const WorkFailure& failure)
 {
     const QString name = QFileInfo(m_path).fileName();
     if (!m_isAsked) {

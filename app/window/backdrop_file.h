@@ -22,7 +22,7 @@ private:
     void open(const QString& path, bool isAsked);
     void remove();
     void show(const BackdropPointer& backdrop);
-    void tell(const WorkFailure& failure);
+    void report(const WorkFailure& failure);
 
     MapController& m_map;
     QString m_path;                              ///< that is being read, or shown

@@ -60,27 +60,27 @@ void ChecksView::showCulprit(const Issue& issue)
     };
     // The list may be older than the scenario.
     const auto placeIn = [&issue](const auto& list, const char* name) {
-        const int place = issueIndex(issue, name);
-        return place < static_cast<int>(list.size()) ? place : -1;
+        const std::optional<std::size_t> place = issueIndex(issue, name);
+        return place && *place < list.size() ? place : std::nullopt;
     };
-    const int iceberg = placeIn(scenario.icebergs, "icebergs");
-    const int uav = placeIn(scenario.uavs, "uavs");
-    const int area = placeIn(scenario.noFly, "no_fly");
-    if (iceberg >= 0) {
-        const std::string id = scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
+    const std::optional<std::size_t> iceberg = placeIn(scenario.icebergs, "icebergs");
+    const std::optional<std::size_t> uav = placeIn(scenario.uavs, "uavs");
+    const std::optional<std::size_t> area = placeIn(scenario.noFly, "no_fly");
+    if (iceberg) {
+        const std::string id = scenario.icebergs[*iceberg].id;
         workspace().selection().set({id});
         panels().map->showIceberg(id);
-    } else if (uav >= 0) {
-        const Uav& found = scenario.uavs[static_cast<std::size_t>(uav)];
+    } else if (uav) {
+        const Uav& found = scenario.uavs[*uav];
         workspace().selection().set({found.id});
         centreOn(found.position_m);
     } else if (issue.field.starts_with("asset") && scenario.asset) {
         workspace().selection().set({kAssetKey});
         centreOn(scenario.asset->position_m);
-    } else if (area >= 0) {
-        const std::string key = noFlyKey(static_cast<std::size_t>(area));
+    } else if (area) {
+        const std::string key = noFlyKey(*area);
         workspace().selection().set({key});
-        centreOn(scenario.noFly[static_cast<std::size_t>(area)].corners_m.front());
+        centreOn(scenario.noFly[*area].corners_m.front());
     } else if (issue.field.starts_with("area_m")) {
         workspace().selection().set({kAreaKey});
         panels().map->fit();

@@ -6,6 +6,7 @@
 #include <QMainWindow>
 
 #include <memory>
+#include <optional>
 
 namespace berg {
 
@@ -47,8 +48,8 @@ public:
     void finishLand() const;
 
 signals:
-    /** Another language was chosen: the owner makes a new window. Empty: the system's. */
-    void languageChosen(const QString& language);
+    /** Emitted when another language was chosen; the owner makes a new window. */
+    void languageChosen(const std::optional<QString>& language);
     /** Other units were chosen, and are in the settings: as another language. */
     void unitsChosen();
 

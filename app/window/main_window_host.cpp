@@ -28,7 +28,9 @@ void MainWindowHost::make()
     m_window = std::make_unique<MainWindow>(m_workspace, m_interaction, m_settings);
     connect(
         m_window.get(), &MainWindow::languageChosen, this,
-        [this](const QString& language) { remake([language] { installLanguage(language); }); },
+        [this](const std::optional<QString>& language) {
+            remake([language] { installLanguage(language); });
+        },
         Qt::QueuedConnection);
     connect(
         m_window.get(), &MainWindow::unitsChosen, this, [this] { remake([] {}); },

@@ -74,7 +74,10 @@ MapPanelStates MapController::savedPanels() const
     return states;
 }
 
-/** Horizon, then opacities; what is missing or no number is as at first. */
+/**
+ * Returns the horizon, 0 for an automatic one, then the opacities; a value that is missing or not a
+ * number has its default.
+ */
 MapLayers MapController::savedLayers() const
 {
     const QStringList saved = settings().value(kLayersKey).toStringList();
@@ -85,7 +88,7 @@ MapLayers MapController::savedLayers() const
         if (!isNumber || !std::isfinite(value))
             continue;
         if (i == 0)
-            layers.horizon_s = std::max(0.0, value);
+            layers.horizon_s = value > 0 ? std::optional(value) : std::nullopt;
         else if (i <= static_cast<qsizetype>(kMapLayers))
             layers.set(static_cast<MapLayer>(i - 1), value);
     }
@@ -96,7 +99,7 @@ MapLayers MapController::savedLayers() const
 void MapController::showLayers(const MapLayers& layers)
 {
     panels().map->setLayers(layers);
-    QStringList saved{QString::number(layers.horizon_s)};
+    QStringList saved{QString::number(layers.horizon_s.value_or(0))};
     for (const double opacity : layers.opacities)
         saved << QString::number(opacity);
     settings().setValue(kLayersKey, saved);

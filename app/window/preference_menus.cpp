@@ -204,7 +204,8 @@ void PreferenceMenus::buildLanguage(QMenu& menu)
     addChoice(menu, u"Norsk bokmål"_s, u"view/language"_s, u"nb"_s);
     connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
         settings().setValue("view/language", action->data());
-        emit languageChosen(action->data().toString());
+        const QString language = action->data().toString();
+        emit languageChosen(language.isEmpty() ? std::nullopt : std::optional(language));
     });
 }
 

@@ -2,6 +2,8 @@
 
 #include "app/window/window_part.h"
 
+#include <optional>
+
 class QAction;
 class QMenu;
 
@@ -24,7 +26,8 @@ public:
     void buildSources(QMenu& menu);
 
 signals:
-    void languageChosen(const QString& language);
+    /** Emitted when a language was chosen; nullopt is the system's. */
+    void languageChosen(const std::optional<QString>& language);
     void unitsChosen();
     void sigmaEndChosen();
 

@@ -16,12 +16,12 @@ RunSummaryController::RunSummaryController(WindowContext& context, const Docks& 
     : WindowPart(context), m_card(new FlightCard(panels().map))
 {
     connect(&workspace(), &Workspace::flightChanged, this, &RunSummaryController::showEnd);
-    const auto tellAgain = [this] {
+    const auto updateSummary = [this] {
         if (!m_card->isHidden())
-            tell();
+            showSummary();
     };
-    connect(&workspace().forecasts(), &PolicyForecasts::updated, this, tellAgain);
-    connect(&workspace().bound(), &BoundRunner::updated, this, tellAgain);
+    connect(&workspace().forecasts(), &PolicyForecasts::updated, this, updateSummary);
+    connect(&workspace().bound(), &BoundRunner::updated, this, updateSummary);
     connect(m_card, &FlightCard::closed, this, [this] { m_isClosed = true; });
     connect(m_card, &FlightCard::compareRequested, this,
             [&docks] { docks.raise(Dock::Comparison); });
@@ -52,11 +52,11 @@ void RunSummaryController::showEnd()
     if (!isFinished || m_isClosed || workspace().lookedAt_s())
         m_card->hide();
     else if (m_card->isHidden() || isOther)
-        tell();
+        showSummary();
 }
 
 /** Again when more is known of what the run is set against. */
-void RunSummaryController::tell()
+void RunSummaryController::showSummary()
 {
     m_card->showSummary(flightSummary(workspace().record(), workspace().predicted()));
 }

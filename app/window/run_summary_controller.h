@@ -24,7 +24,7 @@ public:
 
 private:
     void showEnd();
-    void tell();
+    void showSummary();
 
     FlightCard* m_card;
     bool m_isClosed = false;        ///< by the user, for this run

@@ -34,9 +34,9 @@ QString scenarioFilter()
 /** "Bergwatch, process 4711 on fram": whoever has a file open. */
 QString holderText(const LockHolder& holder)
 {
-    return holder.pid == 0
-               ? ScenarioFiles::tr("Another Bergwatch")
-               : ScenarioFiles::tr("Bergwatch, process %1 on %2").arg(holder.pid).arg(holder.host);
+    return holder.pid
+               ? ScenarioFiles::tr("Bergwatch, process %1 on %2").arg(*holder.pid).arg(holder.host)
+               : ScenarioFiles::tr("Another Bergwatch");
 }
 
 } // namespace
@@ -230,12 +230,12 @@ bool ScenarioFiles::saveTo(const QString& path)
     }
     return attempt([&] {
         const bool keepOld = keepsOld();
-        const bool kept = workspace().file().save(path, keepOld);
+        const bool isBackedUp = workspace().file().save(path, keepOld);
         remember(path);
-        showMessage(
-            (kept ? tr("Saved %1") : tr("Saved %1; a backup copy cannot be written to its folder"))
-                .arg(path),
-            kMessage_ms);
+        showMessage((isBackedUp ? tr("Saved %1")
+                                : tr("Saved %1; a backup copy cannot be written to its folder"))
+                        .arg(path),
+                    kMessage_ms);
     });
 }
 

@@ -85,7 +85,7 @@ SightingsImport::SightingsImport(WindowContext& context, ScenarioFiles& files,
     , m_start(start)
     , m_airspace(u"airspace"_s,
                  {.work = [](const AirspaceRequest& request, const std::stop_token& stop,
-                             const auto& tell) { tell(read(request, stop)); },
+                             const auto& deliver) { deliver(read(request, stop)); },
                   .deliver = [this](const AirspacePointer& airspace) { takeAirspace(*airspace); },
                   .end =
                       [this](const std::optional<WorkFailure>& failure) {
@@ -162,11 +162,11 @@ void SightingsImport::takeAirspace(const Airspace& airspace)
             .arg(name, QString::number(result.known), QString::number(result.far),
                  QString::number(result.tooMany + result.rejected.count));
     showMessage(summary, kMessage_ms);
-    tellLeftOut(result, summary);
+    reportLeftOut(result, summary);
 }
 
 /** An error only where nothing is left. */
-void SightingsImport::tellLeftOut(const AirspaceResult& result, const QString& summary)
+void SightingsImport::reportLeftOut(const AirspaceResult& result, const QString& summary)
 {
     QStringList text{summary, {}};
     if (result.tooMany > 0)

@@ -52,7 +52,7 @@ private:
     [[nodiscard]] bool mayImport();
     void readAirspace(const QString& path);
     void takeAirspace(const Airspace& airspace);
-    void tellLeftOut(const AirspaceResult& result, const QString& summary);
+    void reportLeftOut(const AirspaceResult& result, const QString& summary);
     void importSightings(const QString& path);
     void importInFlight(const QString& path);
     void askReports(const QString& path);

@@ -149,7 +149,7 @@ void UnsavedWorkGuard::followEnd(const QEvent& event)
 
 bool UnsavedWorkGuard::offerRecoveries()
 {
-    workspace().studyAutosaver().lookForAbandoned();
+    workspace().studyAutosaver().findAbandoned();
     FoundRecoveries found;
     std::optional<WorkFailure> failure; // such as memory for a huge run
     runWithProgress(interaction(), &window(), tr("Reading unsaved work"), [&] {

@@ -34,12 +34,12 @@ void say(const QString& text)
     QTextStream(stderr) << text << Qt::endl;
 }
 
-void saveImage(const QPixmap& picture, const QString& path)
+void saveImage(const QPixmap& pixmap, const QString& path)
 {
     QByteArray png;
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
-    picture.save(&buffer, "PNG");
+    pixmap.save(&buffer, "PNG");
     writeFileAtomically(QFile::encodeName(path).toStdString(),
                         {png.constData(), static_cast<std::size_t>(png.size())});
 }
@@ -70,12 +70,12 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
             return;
         }
         QTimer::singleShot(wait_ms, &window, done);
-        const auto look = [&window, isPredicted, done] {
+        const auto check = [&window, isPredicted, done] {
             if (isPredicted())
                 QTimer::singleShot(kUntilDrawn_ms, &window, done);
         };
-        QObject::connect(&workspace.forecasts(), &PolicyForecasts::updated, &window, look);
-        QObject::connect(&workspace.bound(), &BoundRunner::updated, &window, look);
+        QObject::connect(&workspace.forecasts(), &PolicyForecasts::updated, &window, check);
+        QObject::connect(&workspace.bound(), &BoundRunner::updated, &window, check);
     };
     const auto onFlight = [&workspace, &window, whenPredicted, at_s = options.at_s,
                            asked = false]() mutable {
@@ -87,7 +87,7 @@ void arrangeScreenshot(Workspace& workspace, MainWindow& window, const WindowOpt
             workspace.runner().stepBy(at_s);
             return;
         }
-        // Charts are drawn a moment after the picture; wait for them.
+        // Charts are drawn a moment after the map; wait for them.
         QTimer::singleShot(300, &window, whenPredicted);
     };
     QObject::connect(&workspace, &Workspace::flightChanged, &window, onFlight);
@@ -108,13 +108,13 @@ struct NamedFile
     QString fault = {}; ///< reason that it was not opened; empty on success
 };
 
-NamedFile openNamed(Workspace& workspace, const QString& name, bool picture)
+NamedFile openNamed(Workspace& workspace, const QString& name, bool isScreenshot)
 {
     // The next start, after a crash, may be in another folder.
     const QString path = name.isEmpty() ? name : QFileInfo(name).absoluteFilePath();
     const bool later =
-        !picture && (ScenarioFiles::isStudyFile(path) || ScenarioFiles::isRunFile(path) ||
-                     workspace.file().otherHolder(path));
+        !isScreenshot && (ScenarioFiles::isStudyFile(path) || ScenarioFiles::isRunFile(path) ||
+                          workspace.file().otherHolder(path));
     NamedFile named{.path = path, .later = later};
     if (path.isEmpty() || named.later)
         return named;
@@ -151,8 +151,8 @@ void giveSize(MainWindow& window, const std::optional<QSize>& size_px, bool wasL
 
 int runWindow(const WindowOptions& options)
 {
-    const bool picture = !options.screenshot.isEmpty();
-    RunSettings own(options.config, picture);
+    const bool isScreenshot = !options.screenshot.isEmpty();
+    RunSettings own(options.config, isScreenshot);
     QSettings& settings = own.settings();
     if (const QString language = settings.value("view/language").toString(); !language.isEmpty())
         installLanguage(language);
@@ -161,27 +161,27 @@ int runWindow(const WindowOptions& options)
     Workspace workspace;
     DialogInteraction interaction(&settings);
     workspace.document().reset(defaultScenario());
-    if (!picture)
+    if (!isScreenshot)
         keepSafe(workspace, QDir(own.dataFolder()));
-    const NamedFile named = openNamed(workspace, options.scenario, picture);
+    const NamedFile named = openNamed(workspace, options.scenario, isScreenshot);
     if (!named.fault.isEmpty())
         say(named.fault);
-    if (picture && !named.fault.isEmpty())
+    if (isScreenshot && !named.fault.isEmpty())
         return cli::kBadInput;
     MainWindowHost holder(workspace, interaction, settings);
     MainWindow& window = holder.window();
-    if (!picture && !settings.contains(u"window/state"_s))
+    if (!isScreenshot && !settings.contains(u"window/state"_s))
         window.showFirstLayout();
     // The layout may ask for more room than the window was given.
-    giveSize(window, options.size_px, !picture && settings.contains(u"window/geometry"_s));
-    if (!options.size_px && !picture)
+    giveSize(window, options.size_px, !isScreenshot && settings.contains(u"window/geometry"_s));
+    if (!options.size_px && !isScreenshot)
         keepOnScreen(window);
     if (options.dark)
         window.applyTheme(*options.dark ? Theme::dark() : Theme::light());
-    if (picture)
+    if (isScreenshot)
         arrangeScreenshot(workspace, window, options);
     window.show();
-    if (!picture)
+    if (!isScreenshot)
         QTimer::singleShot(0, &window, [&] { greet(window, interaction, settings, named); });
     return QApplication::exec();
 }

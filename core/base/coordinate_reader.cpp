@@ -195,12 +195,12 @@ std::variant<CoordinateAngle, CoordinateFault> angleOf(const Tokens& tokens)
             angle.numbers.push_back(token.text);
             break;
         case TokenKind::Sign:
-            if (angle.sign != 0 || !angle.numbers.empty())
+            if (angle.sign || !angle.numbers.empty())
                 return CoordinateFault::Unreadable;
             angle.sign = token.text.front();
             break;
         case TokenKind::Letter:
-            if (angle.letter != 0 || (!angle.numbers.empty() && i + 1 != tokens.size()))
+            if (angle.letter || (!angle.numbers.empty() && i + 1 != tokens.size()))
                 return CoordinateFault::Unreadable;
             angle.letter = token.text.front();
             break;

@@ -2,6 +2,7 @@
 
 #include "core/base/coordinates.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,8 +16,8 @@ namespace berg {
 /** One angle as written. */
 struct CoordinateAngle
 {
-    char sign = 0;   ///< '+', '-' or 0 if absent
-    char letter = 0; ///< N, S, E, W or 0 if absent
+    std::optional<char> sign;   ///< '+' or '-'
+    std::optional<char> letter; ///< N, S, E or W
     /** One to three numbers with decimal points: degrees, minutes, seconds. */
     std::vector<std::string> numbers;
 };

@@ -106,7 +106,7 @@ std::variant<double, CoordinateFault> decode(const CoordinateAngle& angle)
             return CoordinateFault::Sixty;
         text += angle.numbers[i] + kMarks[i];
     }
-    if (angle.sign != 0 && angle.letter != 0)
+    if (angle.sign && angle.letter)
         return CoordinateFault::SignAndLetter;
     try {
         DMS::flag axis = DMS::NONE;
@@ -118,19 +118,17 @@ std::variant<double, CoordinateFault> decode(const CoordinateAngle& angle)
     }
 }
 
-bool isLatitude(char letter)
+bool isLatitude(const CoordinateAngle& angle)
 {
-    return letter == 'N' || letter == 'S';
+    return angle.letter == 'N' || angle.letter == 'S';
 }
 
 PlaceOrFault placeOf(CoordinateAngle first, CoordinateAngle second)
 {
-    const bool isSwapped = (first.letter != 0 && !isLatitude(first.letter)) ||
-                           (second.letter != 0 && isLatitude(second.letter));
+    const bool isSwapped = (first.letter && !isLatitude(first)) || isLatitude(second);
     if (isSwapped)
         std::swap(first, second);
-    if ((first.letter != 0 && !isLatitude(first.letter)) ||
-        (second.letter != 0 && isLatitude(second.letter)))
+    if ((first.letter && !isLatitude(first)) || isLatitude(second))
         return CoordinateFault::SameAxis;
     const auto latitude = decode(first);
     const auto longitude = decode(second);
@@ -139,15 +137,15 @@ PlaceOrFault placeOf(CoordinateAngle first, CoordinateAngle second)
             return *fault;
     const LatLon place{std::get<double>(latitude), std::get<double>(longitude)};
     const auto lacksHemisphere = [](const CoordinateAngle& angle, double value_deg) {
-        return angle.letter == 0 && angle.sign == 0 && std::remainder(value_deg, 180.0) != 0;
+        return !angle.letter && !angle.sign && std::remainder(value_deg, 180.0) != 0;
     };
-    const bool hasLetter = first.letter != 0 || second.letter != 0;
+    const bool hasLetter = first.letter || second.letter;
     if (hasLetter && (lacksHemisphere(first, place.latitude_deg) ||
                       lacksHemisphere(second, place.longitude_deg)))
         return CoordinateFault::HemisphereMissing;
     if (std::abs(place.latitude_deg) > 90)
         return CoordinateFault::Latitude;
-    const bool countsRound = second.letter == 0 && second.sign == 0; // such as 312 for 48 W
+    const bool countsRound = !second.letter && !second.sign; // such as 312 for 48 W
     if (std::abs(place.longitude_deg) > 180 && !(countsRound && place.longitude_deg < 360))
         return CoordinateFault::Longitude;
     return LatLon{place.latitude_deg, withinTurn(place.longitude_deg)};
@@ -201,14 +199,14 @@ PlaceOrFault parsePlace(std::string_view text)
     return placeOf(first, second);
 }
 
-std::string angleText(double angle_deg, CoordinateForm form, int decimals)
+std::string angleText(double angle_deg, CoordinateForm form, std::optional<int> decimals)
 {
-    const int precision = std::max(0, decimals);
+    const int precision = decimals.value_or(0);
     const auto fields = [&](DMS::component last, int places) {
         // Colons separate the parts so that the marks are added here.
         return DMS::Encode(angle_deg, last, static_cast<unsigned>(places), DMS::NONE, ':');
     };
-    if (decimals < 0)
+    if (!decimals)
         return fields(DMS::DEGREE, 0) + "°";
     if (form == CoordinateForm::DecimalDegrees)
         return fields(DMS::DEGREE, precision + 2) + "°";
@@ -222,7 +220,7 @@ std::string angleText(double angle_deg, CoordinateForm form, int decimals)
     return text + "″";
 }
 
-std::string placeText(const LatLon& place, CoordinateForm form, int decimals)
+std::string placeText(const LatLon& place, CoordinateForm form, std::optional<int> decimals)
 {
     return angleText(std::abs(place.latitude_deg), form, decimals) +
            (place.latitude_deg < 0 ? " S  " : " N  ") +

@@ -3,6 +3,7 @@
 #include "core/base/geodesy.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -49,12 +50,14 @@ enum class CoordinateFault
 /**
  * Returns the text of an angle >= 0 without hemisphere, UTF-8 with a decimal point: "47.0533°",
  * "47° 03.2′" or "47° 03′ 12″". `decimals` is the precision in decimals of a minute, 0 to 6, about
- * equal in all notations: 2 gives 0.01′, 0.0001° and 1″. With -1 the text has whole degrees. The
- * value is rounded once, so minutes and seconds never read 60.
+ * equal in all notations: 2 gives 0.01′, 0.0001° and 1″. With nullopt the text has whole degrees.
+ * The value is rounded once, so minutes and seconds never read 60.
  */
-[[nodiscard]] std::string angleText(double angle_deg, CoordinateForm form, int decimals);
+[[nodiscard]] std::string angleText(double angle_deg, CoordinateForm form,
+                                    std::optional<int> decimals);
 
 /** Returns latitude and longitude in the notation of `angleText`, with letters N, S, E, W. */
-[[nodiscard]] std::string placeText(const LatLon& place, CoordinateForm form, int decimals);
+[[nodiscard]] std::string placeText(const LatLon& place, CoordinateForm form,
+                                    std::optional<int> decimals);
 
 } // namespace berg

@@ -28,10 +28,10 @@ inline constexpr double kCivilTwilight_deg = -6;
 /** Time for which the sun is above an elevation, within one solar day. */
 struct SunSpan
 {
-    /** Times at which it rises and sets through the elevation; empty if it does not on this day. */
+    /** Times of rising and setting through the elevation; nullopt if it does not on this day. */
     std::optional<SunTime> begin;
     std::optional<SunTime> end;
-    /** True if above at solar noon; if both times are empty, above all day. */
+    /** True if above at solar noon; if both times are nullopt, above all day. */
     bool isAboveAtNoon = false;
     bool operator==(const SunSpan&) const = default;
 };

@@ -43,7 +43,7 @@ std::int64_t legWork(int icebergs, int perRegion)
 /**
  * With several UAVs a window is cut into this number of parts, each with one call of `sharedOut`.
  */
-constexpr int kLooksAtShares = 20;
+constexpr int kPartsOfWindow = 20;
 
 /** Returns the work of sharing out all sets of icebergs between UAVs once. */
 std::int64_t shareWork(std::size_t icebergs, std::size_t uavs)
@@ -170,12 +170,12 @@ std::int64_t GroupLowerBound::workOf(const BoundWindow& window, int perRegion) c
         window.from == 0
             ? static_cast<std::int64_t>(uavs.size() * (1 + startMultipliers(perRegion).size()))
             : 0;
-    const std::int64_t looks =
+    const std::int64_t parts =
         // One more call finds the mean age.
-        (window.end - window.begin - 1) / blocksPerLook(window) + 2;
+        (window.end - window.begin - 1) / blocksPerPart(window) + 2;
     return kindsOf(uavs) * legWork(icebergs, perRegion) + (window.end - window.begin) * sets +
            (kindsOf(uavs) + fromStarts) * chainWork(icebergs, perRegion) +
-           looks * shareWork(static_cast<std::size_t>(icebergs), uavs.size());
+           parts * shareWork(static_cast<std::size_t>(icebergs), uavs.size());
 }
 
 void GroupLowerBound::raise(const BoundWindow& window, int perRegion, WorkMeter& meter)
@@ -326,12 +326,12 @@ std::vector<GroupLowerBound::Unseen> GroupLowerBound::unseenSets(const std::vect
     return unseen;
 }
 
-int GroupLowerBound::blocksPerLook(const BoundWindow& window) const
+int GroupLowerBound::blocksPerPart(const BoundWindow& window) const
 {
     const int blocks = window.end - window.begin;
     if (window.from > 0)
         return blocks; // The start does not matter, so the time does not either.
-    return m_scenario.uavs.size() == 1 ? 1 : (blocks - 1) / kLooksAtShares + 1;
+    return m_scenario.uavs.size() == 1 ? 1 : (blocks - 1) / kPartsOfWindow + 1;
 }
 
 void GroupLowerBound::addOthers(std::vector<double>& cost_m2, const std::vector<int>& icebergs,
@@ -369,14 +369,14 @@ void GroupLowerBound::raiseBlocks(const BoundWindow& window, const std::vector<i
 {
     const std::vector<Unseen> unseen = unseenSets(icebergs, window.from == 0);
     const double from_s = m_motion.edge_s(window.from);
-    const int perLook = blocksPerLook(window);
+    const int perPart = blocksPerPart(window);
     std::vector<double> seen_m2;
     for (int block = window.begin; block < window.end; ++block) {
         if (!meter.spend(static_cast<std::int64_t>(unseen.size())))
             return;
-        if ((block - window.begin) % perLook == 0) {
+        if ((block - window.begin) % perPart == 0) {
             // Chains get no costlier with time, so those of the last block hold for all before it.
-            const int last = std::min(block + perLook, window.end);
+            const int last = std::min(block + perPart, window.end);
             seen_m2 = sharedOut(chains, m_motion.edge_s(last) - from_s, meter);
             if (!meter.continues())
                 return;

@@ -123,7 +123,7 @@ private:
     [[nodiscard]] static std::vector<double>
     sharedOut(const std::vector<Chains>& chains, std::optional<double> time_s, WorkMeter& meter);
     /** Returns the number of blocks that share one call of `sharedOut`. */
-    [[nodiscard]] int blocksPerLook(const BoundWindow& window) const;
+    [[nodiscard]] int blocksPerPart(const BoundWindow& window) const;
     /** Returns, for each set of icebergs that has been seen, the sigma of all others. */
     [[nodiscard]] std::vector<Unseen> unseenSets(const std::vector<int>& icebergs,
                                                  bool sinceStart) const;

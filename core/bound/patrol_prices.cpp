@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace berg {
 
@@ -83,20 +84,20 @@ double PatrolPrices::lossAfter_m2s(std::size_t s, const std::stop_token& stop) c
     const std::vector<double> legs_s = groupLegs_s(legs, before.zones, after.zones);
     const double mu_m2 = std::min(before.mu_m2, after.mu_m2);
     const auto columns = static_cast<std::size_t>(after.zones.groups());
-    // Each pair of groups has R of the icebergs that they share, or -1 if they share none.
-    std::vector<double> shared_m2s(legs_s.size(), -1);
+    // Each pair of groups has R of the icebergs that they share, or nullopt if they share none.
+    std::vector<std::optional<double>> shared_m2s(legs_s.size());
     for (std::size_t i = 0; i < m_icebergs.size(); ++i) {
-        double& shared = shared_m2s[static_cast<std::size_t>(before.zones.groupOf[i]) * columns +
-                                    static_cast<std::size_t>(after.zones.groupOf[i])];
-        shared = std::max(shared, 0.0) + after.visit_m2s[i];
+        std::optional<double>& shared =
+            shared_m2s[static_cast<std::size_t>(before.zones.groupOf[i]) * columns +
+                       static_cast<std::size_t>(after.zones.groupOf[i])];
+        shared = shared.value_or(0) + after.visit_m2s[i];
     }
     double loss_m2s = 0;
     for (std::size_t k = 0; k < legs_s.size(); ++k) {
         const double from_m2s = before.groupVisit_m2s[k / columns];
         const double to_m2s = after.groupVisit_m2s[k % columns];
-        loss_m2s =
-            std::max(loss_m2s, shared_m2s[k] < 0 ? (from_m2s + to_m2s) / 2 - mu_m2 * legs_s[k]
-                                                 : (from_m2s + to_m2s) / 2 - shared_m2s[k]);
+        loss_m2s = std::max(loss_m2s, shared_m2s[k] ? (from_m2s + to_m2s) / 2 - *shared_m2s[k]
+                                                    : (from_m2s + to_m2s) / 2 - mu_m2 * legs_s[k]);
     }
     return loss_m2s;
 }

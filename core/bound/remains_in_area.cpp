@@ -21,11 +21,12 @@ struct IcebergRun
     std::int64_t seconds = 0; ///< Duration of the run, rounded up.
 };
 
-bool trackKeepsWithin(const IcebergRun& drift, double room_m)
+bool trackKeepsWithin(const IcebergRun& drift, double clearance_m)
 {
     const RecordedTrack& track = drift.iceberg.track;
     const auto isWithin = [&](double s) {
-        return (track.at(s) - drift.iceberg.position_m - drift.velocity_mps * s).norm() < room_m;
+        return (track.at(s) - drift.iceberg.position_m - drift.velocity_mps * s).norm() <
+               clearance_m;
     };
     // Between these instants the iceberg moves along a line.
     return isWithin(0) && isWithin(static_cast<double>(drift.seconds)) &&
@@ -34,7 +35,7 @@ bool trackKeepsWithin(const IcebergRun& drift, double room_m)
            });
 }
 
-bool noiseKeepsWithin(const IcebergRun& drift, double room_m, const std::stop_token& stop)
+bool noiseKeepsWithin(const IcebergRun& drift, double clearance_m, const std::stop_token& stop)
 {
     DriftModel noise({.q_m2ps = drift.iceberg.q_m2ps},
                      static_cast<std::uint64_t>(drift.scenario.seed), drift.iceberg.id,
@@ -43,7 +44,7 @@ bool noiseKeepsWithin(const IcebergRun& drift, double room_m, const std::stop_to
     for (std::int64_t second = 0; second <= drift.seconds; ++second) {
         if (second % kSecondsPerCheck == 0 && stop.stop_requested())
             return false;
-        const double left_m = room_m - noise.position_m(static_cast<double>(second)).norm();
+        const double left_m = clearance_m - noise.position_m(static_cast<double>(second)).norm();
         if (left_m <= 0)
             return false;
         if (left_m > fastest_mps * static_cast<double>(drift.seconds - second))
@@ -70,9 +71,9 @@ bool remainsInArea(const Scenario& scenario, const Iceberg& iceberg, const std::
                            .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
                            .seconds = static_cast<std::int64_t>(std::ceil(scenario.duration_s))};
     const Point end_m = iceberg.position_m + drift.velocity_mps * scenario.duration_s;
-    const double room_m = distanceToEdges(scenario.area_m, iceberg.position_m, end_m);
-    return iceberg.track.empty() ? noiseKeepsWithin(drift, room_m, stop)
-                                 : trackKeepsWithin(drift, room_m);
+    const double clearance_m = distanceToEdges(scenario.area_m, iceberg.position_m, end_m);
+    return iceberg.track.empty() ? noiseKeepsWithin(drift, clearance_m, stop)
+                                 : trackKeepsWithin(drift, clearance_m);
 }
 
 } // namespace berg

@@ -37,7 +37,7 @@ public:
         if (m_growth.mayBeInView)
             m_stay[m_start] = 0;
         for (std::size_t cell = m_start; cell < m_cells; ++cell) {
-            look(cell);
+            pass(cell);
             costs_m2s[cell + 1] = std::max(0.0, costUntil_m2s(cell + 1));
         }
         return costs_m2s;
@@ -80,7 +80,8 @@ private:
         return least_m2s;
     }
 
-    void look(std::size_t cell)
+    /** Updates the least costs at the end of the cell. */
+    void pass(std::size_t cell)
     {
         const double width_s = this->width_s(cell);
         const double visit_m2s = m_prices.visit_m2s[cell];

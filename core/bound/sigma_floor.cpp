@@ -20,27 +20,27 @@ SigmaFloor::SigmaFloor(const Scenario& scenario, const Iceberg& iceberg, const T
     Track track = initialTrack(iceberg, ObserverModel::Kalman);
     m_process = track.process();
     m_given = track.variances();
-    const std::int64_t perLook =
+    const std::int64_t perSample =
         std::max<std::int64_t>(1, std::llround(scenario.observer.interval_s / scenario.dt_s));
     const double variance_m2 = scenario.observer.positionSd_m * scenario.observer.positionSd_m;
     const std::int64_t appears = std::llround(iceberg.appears_s / scenario.dt_s);
     std::int64_t step = 0;
-    std::int64_t look = (appears + perLook - 1) / perLook * perLook;
+    std::int64_t sample = (appears + perSample - 1) / perSample * perSample;
     DriftVariances last = m_given;
-    std::size_t told = 0; // Edges before this one have their least variances.
+    std::size_t complete = 0; // Edges before this one have their least variances.
     for (int edge = 0; edge <= motion.blocks(); ++edge) {
         m_least.push_back(last);
         bool isFirst = true;
-        for (; look <= motion.edgeStep(edge); look += perLook) {
-            track.grow(static_cast<double>(look - step) * scenario.dt_s);
-            step = look;
+        for (; sample <= motion.edgeStep(edge); sample += perSample) {
+            track.grow(static_cast<double>(sample - step) * scenario.dt_s);
+            step = sample;
             track.measured(track.anchor_m, variance_m2, track.anchor_s);
             last = track.variances();
             m_least.back() = isFirst ? last : smaller(m_least.back(), last);
             if (isFirst) // A known velocity may fade to the mean between two samples.
-                for (; told + 1 < m_least.size(); ++told)
-                    m_least[told] = smaller(m_least[told], last);
-            told = m_least.size();
+                for (; complete + 1 < m_least.size(); ++complete)
+                    m_least[complete] = smaller(m_least[complete], last);
+            complete = m_least.size();
             isFirst = false;
         }
     }

@@ -37,7 +37,7 @@ constexpr int kCellsOfSlices = 16;
 /** Motion below this share of the view's reach is not worth a window of its own. */
 constexpr double kStandingSpread = 0.02;
 /** How far back flights are considered, and the length of the shortest slice, over the mean age. */
-constexpr double kLookBack = 2.5;
+constexpr double kMostBack = 2.5;
 constexpr double kShortestSlice = 0.5;
 /**
  * Number of slices if the mean age is 0, because no iceberg is there at the start or all are in
@@ -85,20 +85,20 @@ public:
         const bool moving = moves() || !m_sigmas.empty();
         // A first bound on standing icebergs gives the mean age. It uses some groups, because all
         // of them would take as long as a pass.
-        if (moving && !look({{.from = 0, .begin = 0, .end = 1}}, kCoarsestCells, kFewGroups))
+        if (moving && !raiseAll({{.from = 0, .begin = 0, .end = 1}}, kCoarsestCells, kFewGroups))
             return;
         for (int cells = kCoarsestCells; cells <= kCellsOfSlices; cells *= 2)
-            if (!look(windows(1), cells))
+            if (!raiseAll(windows(1), cells))
                 return;
         int slices = 1;
         while (moving && slices < finestSlices()) {
             slices = std::min(4 * slices, finestSlices());
-            if (!look(windows(slices), kCellsOfSlices))
+            if (!raiseAll(windows(slices), kCellsOfSlices))
                 return;
         }
         const int finestCells = moving ? kFinestCells / 2 : kFinestCells;
         for (int cells = 2 * kCellsOfSlices; cells <= finestCells; cells *= 2)
-            if (!look(windows(slices), cells))
+            if (!raiseAll(windows(slices), cells))
                 return;
     }
 
@@ -213,7 +213,7 @@ private:
         for (std::size_t i = 1; i < edges.size(); ++i) {
             const int begin = edges[i - 1];
             while (slices > 1 &&
-                   m_motion.edge_s(begin) - m_motion.edge_s(from) > kLookBack * meanAge_s())
+                   m_motion.edge_s(begin) - m_motion.edge_s(from) > kMostBack * meanAge_s())
                 ++from;
             result.push_back({.from = from, .begin = begin, .end = edges[i]});
         }
@@ -224,8 +224,8 @@ private:
      * Raises the bounds of the first `groups` groups in all windows. Returns false if the work
      * limit or a stop ends it.
      */
-    bool look(const std::vector<BoundWindow>& windows, int cells,
-              std::size_t groups = std::numeric_limits<std::size_t>::max())
+    bool raiseAll(const std::vector<BoundWindow>& windows, int cells,
+                  std::size_t groups = std::numeric_limits<std::size_t>::max())
     {
         for (BoundWindow window : windows) {
             window.age_s = m_sigmas.empty() ? 0 : meanAge_s();

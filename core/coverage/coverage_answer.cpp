@@ -1,7 +1,7 @@
 #include "core/coverage/coverage_answer.h"
 
 #include "core/coverage/coverage_settings.h"
-#include "core/coverage/own_pictures.h"
+#include "core/coverage/own_inputs.h"
 #include "core/coverage/patrol_plans.h"
 #include "core/coverage/plan_conversion.h"
 
@@ -14,17 +14,16 @@ namespace berg {
 namespace {
 
 /** Returns the predicted zeta without weights; sigma at the horizon counts for `rest_s`. */
-double zeta_m2s(std::vector<PredictionInput> pictures, const FoundPlans& plans, double rest_s)
+double zeta_m2s(std::vector<PredictionInput> inputs, const FoundPlans& plans, double rest_s)
 {
-    for (PredictionInput& picture : pictures)
-        picture.weights.clear();
+    for (PredictionInput& input : inputs)
+        input.weights.clear();
     CoverageHorizon horizon = plans.horizon;
     horizon.rest_s = rest_s;
     std::optional<PatrolTails> tails = plans.tails;
     if (tails)
-        tails->setIcebergs(patrolIcebergs(pictures));
-    return fleetTotal_m2s(modelsOf(pictures, horizon), plans.found.plans,
-                          tails ? &*tails : nullptr);
+        tails->setIcebergs(patrolIcebergs(inputs));
+    return fleetTotal_m2s(modelsOf(inputs, horizon), plans.found.plans, tails ? &*tails : nullptr);
 }
 
 double flown_m(const PlanRequest& request, std::span<const UavAnswer> answers)
@@ -44,14 +43,14 @@ double flown_m(const PlanRequest& request, std::span<const UavAnswer> answers)
 
 } // namespace
 
-PlanAnswer answerOf(const PlanRequest& request, const std::vector<PredictionInput>& pictures,
+PlanAnswer answerOf(const PlanRequest& request, const std::vector<PredictionInput>& inputs,
                     const FoundPlans& plans)
 {
     PlanAnswer answer{.uavs = describeFleet(plans.models, request, plans.found.plans)};
-    answer.predictedZeta_m2s = isWeighted(pictures.front())
-                                   ? zeta_m2s(pictures, plans, plans.horizon.rest_s)
+    answer.predictedZeta_m2s = isWeighted(inputs.front())
+                                   ? zeta_m2s(inputs, plans, plans.horizon.rest_s)
                                    : plans.found.total_m2s;
-    const double outlook_m2s = zeta_m2s(pictures, plans, 0);
+    const double outlook_m2s = zeta_m2s(inputs, plans, 0);
     for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
         answer.uavs[u].outlook->zeta_m2s = outlook_m2s;
         if (plans.tails)

@@ -24,11 +24,11 @@ struct FoundPlans
 
 /**
  * Returns the answer to a request, without the outcome of the search, for the plans that were
- * found. `pictures` must have one entry for each UAV. Plans that are flown without aims have
+ * found. `inputs` must have one entry for each UAV. Plans that are flown without aims have
  * neither legs nor a prediction.
  */
 [[nodiscard]] PlanAnswer answerOf(const PlanRequest& request,
-                                  const std::vector<PredictionInput>& pictures,
+                                  const std::vector<PredictionInput>& inputs,
                                   const FoundPlans& plans);
 
 /**

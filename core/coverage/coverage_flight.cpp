@@ -32,7 +32,7 @@ public:
         double left_s = std::abs(turn_rad) / m_model.m_limit_radps;
         if (left_s <= kShortest_s)
             return false;
-        lookAround(m_state.uav.position_m + side * m_model.m_radius_m * m_state.uav.left(),
+        selectNear(m_state.uav.position_m + side * m_model.m_radius_m * m_state.uav.left(),
                    m_model.m_radius_m, left_s);
         locate();
         const double sine = side * m_model.m_sineOfArc;
@@ -61,11 +61,11 @@ public:
     /**
      * Selects the icebergs that may come into view on straight lines of at most this total length.
      */
-    void lookAhead(double length_m)
+    void selectAhead(double length_m)
     {
         constexpr double kRounding_m = 1;
         const Pose& uav = m_state.uav;
-        lookAround(uav.position_m + uav.ahead * (length_m / 2), length_m / 2 + kRounding_m,
+        selectNear(uav.position_m + uav.ahead * (length_m / 2), length_m / 2 + kRounding_m,
                    length_m / m_model.m_speed_mps);
     }
 
@@ -85,7 +85,7 @@ public:
     /** Flies straight on for `length_m`, whatever comes into view, or to the horizon. */
     void stay(double length_m)
     {
-        m_target = -1;
+        m_target = CoverageLeg::kNoPlace;
         straight(length_m);
     }
 
@@ -105,7 +105,7 @@ private:
      * Selects the icebergs that may come into view within `lasting_s` because they are within
      * `away_m` of `centre_m`; all others can be ignored.
      */
-    void lookAround(const Point& centre_m, double away_m, double lasting_s)
+    void selectNear(const Point& centre_m, double away_m, double lasting_s)
     {
         const double reach_m = away_m + m_model.m_reach_m + m_model.m_fastest_mps * lasting_s;
         const double reach_m2 = reach_m * reach_m;
@@ -186,7 +186,7 @@ private:
     {
         const ViewWindow& window = m_model.m_window;
         const std::optional<ViewSpan> span = window.crossing(near.from_m, to_m);
-        if (!span || !m_model.m_paysForLooks)
+        if (!span || !m_model.m_paysForSamples)
             return span;
         const Berg& berg = m_model.berg(near.iceberg);
         const double sigma_m2 =
@@ -213,7 +213,7 @@ private:
             return;
         }
         const bool isNew = m_model.berg(iceberg).chance < 1
-                               ? enter_s > account.lookedFor_s + kNewChance_s
+                               ? enter_s > account.searched_s + kNewChance_s
                                : enter_s - account.paid_s > kShortest_s;
         if (isNew && m_sightings)
             m_sightings->push_back({iceberg, enter_s});
@@ -223,7 +223,7 @@ private:
 
     const CoverageModel& m_model;
     CoverageState& m_state;
-    int m_target;
+    int m_target; ///< Place that ends the leg, or `CoverageLeg::kNoPlace`.
     std::vector<CoverageSighting>* m_sightings;
     std::vector<CoverageView>* m_views;
     double m_from_s = 0;
@@ -246,7 +246,7 @@ bool CoverageModel::fly(CoverageState& state, const CoverageLeg& leg,
     const bool isLine =
         !flight.turn(turn.turn_rad, turn.end) && (!leg.isHold() || turn.length_m > 0);
     if (isLine || stay_m > 0)
-        flight.lookAhead((isLine ? turn.length_m : 0) + stay_m);
+        flight.selectAhead((isLine ? turn.length_m : 0) + stay_m);
     if (isLine)
         flight.straight(turn.length_m);
     if (stay_m > 0 && !atEnd(state))

@@ -20,22 +20,21 @@ constexpr double kLongestArc_rad = 0.21;
  */
 constexpr double kPlace = 0.25;
 
-double largestQ_m2ps(const PredictionInput& picture)
+double largestQ_m2ps(const PredictionInput& input)
 {
     double q_m2ps = 0;
-    for (const Track& track : picture.tracks)
+    for (const Track& track : input.tracks)
         q_m2ps = std::max(q_m2ps, track.q_m2ps);
     return q_m2ps;
 }
 
 /** Returns the acceptance radius with the margin of a view, or nullopt if there is none. */
-std::optional<ViewWindow> reachWindow(const PredictionInput& picture)
+std::optional<ViewWindow> reachWindow(const PredictionInput& input)
 {
-    if (!picture.reachRadius_m)
+    if (!input.reachRadius_m)
         return std::nullopt;
-    return ViewWindow(
-        {.fov_m = Point::Constant(2 * *picture.reachRadius_m), .shape = FovShape::Disk},
-        viewMargin_m(largestQ_m2ps(picture)));
+    return ViewWindow({.fov_m = Point::Constant(2 * *input.reachRadius_m), .shape = FovShape::Disk},
+                      viewMargin_m(largestQ_m2ps(input)));
 }
 
 /**
@@ -74,40 +73,40 @@ Point likelyPlace_m(const ViewWindow& window, const Pose& uav, const Point& esti
 
 } // namespace
 
-int firstIceberg(const CoveragePlan& plan)
+std::optional<int> firstIceberg(const CoveragePlan& plan)
 {
     const auto leg = std::ranges::find_if_not(plan, &CoverageLeg::isHold);
-    return leg == plan.end() ? -1 : leg->iceberg;
+    return leg == plan.end() ? std::nullopt : std::optional(leg->iceberg);
 }
 
-CoverageModel::CoverageModel(const PredictionInput& picture, const CoverageHorizon& horizon)
-    : m_window(picture.sensor, viewMargin_m(largestQ_m2ps(picture)))
+CoverageModel::CoverageModel(const PredictionInput& input, const CoverageHorizon& horizon)
+    : m_window(input.sensor, viewMargin_m(largestQ_m2ps(input)))
     , m_placeWindow(m_window.scaled(kPlace))
-    , m_reachWindow(reachWindow(picture))
+    , m_reachWindow(reachWindow(input))
     , m_reach_m(std::max(m_window.reach_m(), m_reachWindow ? m_reachWindow->reach_m() : 0))
-    , m_paysForLooks(picture.observer.model != ObserverModel::Simple)
+    , m_paysForSamples(input.observer.model != ObserverModel::Simple)
     , m_horizon(horizon)
     , m_flightEnd_s(std::min(horizon.length_s, horizon.flown_s))
-    , m_uav(poseOf(picture.uav))
-    , m_wind_mps(picture.motion.wind_mps)
-    , m_speed_mps(picture.motion.airspeed_mps)
-    , m_limit_radps(picture.motion.limit_radps)
-    , m_radius_m(picture.motion.airspeed_mps / picture.motion.limit_radps)
+    , m_uav(poseOf(input.uav))
+    , m_wind_mps(input.motion.wind_mps)
+    , m_speed_mps(input.motion.airspeed_mps)
+    , m_limit_radps(input.motion.limit_radps)
+    , m_radius_m(input.motion.airspeed_mps / input.motion.limit_radps)
     , m_arc_s(std::min(kLongestArc_s, kLongestArc_rad / m_limit_radps))
     , m_cosineOfArc(std::cos(m_limit_radps * m_arc_s))
     , m_sineOfArc(std::sin(m_limit_radps * m_arc_s))
 {
-    for (std::size_t i = 0; i < picture.tracks.size(); ++i) {
-        const Track& track = picture.tracks[i];
-        const double weight = picture.weights.empty() ? 1 : picture.weights[i];
-        m_bergs.push_back({.place_m = track.estimate_m(picture.time_s),
+    for (std::size_t i = 0; i < input.tracks.size(); ++i) {
+        const Track& track = input.tracks[i];
+        const double weight = input.weights.empty() ? 1 : input.weights[i];
+        m_bergs.push_back({.place_m = track.estimate_m(input.time_s),
                            .velocity_mps = track.velocity_mps - m_wind_mps,
-                           .account = VisitCovariance(track, picture.observer, weight)});
+                           .account = VisitCovariance(track, input.observer, weight)});
         Berg& berg = m_bergs.back();
-        if (m_paysForLooks && track.status != TrackStatus::Tracked)
-            berg.chance = picture.chances.empty() ? kChanceOfLost : picture.chances[i];
+        if (m_paysForSamples && track.status != TrackStatus::Tracked)
+            berg.chance = input.chances.empty() ? kChanceOfLost : input.chances[i];
         berg.owner = static_cast<int>(i);
-        if (berg.chance < 1 && i < picture.places.size() && !picture.places[i].empty())
+        if (berg.chance < 1 && i < input.places.size() && !input.places[i].empty())
             continue;
         const ViewWindow window =
             track.inView ? windowOf(static_cast<int>(i), berg.account.start().position_m2)
@@ -117,12 +116,12 @@ CoverageModel::CoverageModel(const PredictionInput& picture, const CoverageHoriz
     }
     m_icebergs = m_bergs.size();
     m_offsets_m.resize(m_icebergs, Point::Zero());
-    for (std::size_t i = 0; i < std::min(m_icebergs, picture.places.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(m_icebergs, input.places.size()); ++i) {
         if (!(m_bergs[i].chance < 1))
             continue;
         const Berg about = m_bergs[i];
-        for (std::size_t k = 0; k < picture.places[i].size(); ++k) {
-            const SearchPlace& place = picture.places[i][k];
+        for (std::size_t k = 0; k < input.places[i].size(); ++k) {
+            const SearchPlace& place = input.places[i][k];
             Berg& berg = k == 0 ? m_bergs[i] : m_bergs.emplace_back(about);
             m_offsets_m.resize(m_bergs.size());
             m_offsets_m[k == 0 ? i : m_bergs.size() - 1] = place.offset_m;
@@ -157,7 +156,7 @@ void CoverageModel::setOthers(std::vector<CoverageView> views)
         m_others.push_back({});
         // Sigma is 0 after a view with the simple observer, so the rest does not depend on earlier
         // views.
-        for (std::size_t k = m_others.size() - 1; !m_paysForLooks && k-- > m_firstOfOther.back();)
+        for (std::size_t k = m_others.size() - 1; !m_paysForSamples && k-- > m_firstOfOther.back();)
             m_others[k].rest_m2s = restOf_m2s(i, {.paid_s = m_others[k].leave_s, .next = k + 1});
     }
 }
@@ -172,7 +171,7 @@ double CoverageModel::viewPlace_m2s(int place, CoverageState::Account& account, 
         cost_m2s = berg.account.grow(account.known, time_s - account.paid_s);
         account.paid_s = time_s;
     }
-    berg.account.lookForLost(account.known, std::min(1.0, berg.chance / account.left));
+    berg.account.searchLost(account.known, std::min(1.0, berg.chance / account.left));
     account.left = std::max(1e-3, account.left - berg.chance);
     account.viewed |= berg.bit;
     return cost_m2s;
@@ -202,7 +201,7 @@ double CoverageModel::restOf_m2s(int iceberg, const CoverageState::Account& acco
         account.known, (isLast ? m_horizon.length_s : next.enter_s) - account.paid_s);
     if (isLast)
         return end.cost_m2s + m_horizon.rest_s * end.sigma_m2;
-    if (!m_paysForLooks)
+    if (!m_paysForSamples)
         return end.cost_m2s + next.rest_m2s;
     CoverageState::Account after = account;
     double cost_m2s = 0;
@@ -216,8 +215,8 @@ double CoverageModel::view_m2s(int iceberg, CoverageState::Account& account, dou
 {
     const Berg& berg = this->berg(iceberg);
     const bool isLost = berg.chance < 1;
-    if (isLost && enter_s <= account.lookedFor_s + kNewChance_s) {
-        account.lookedFor_s = std::max(account.lookedFor_s, leave_s);
+    if (isLost && enter_s <= account.searched_s + kNewChance_s) {
+        account.searched_s = std::max(account.searched_s, leave_s);
         return 0;
     }
     double cost_m2s = 0;
@@ -226,10 +225,10 @@ double CoverageModel::view_m2s(int iceberg, CoverageState::Account& account, dou
         account.paid_s = enter_s;
     }
     if (isLost) {
-        berg.account.lookForLost(account.known, berg.chance);
-        account.lookedFor_s = leave_s;
+        berg.account.searchLost(account.known, berg.chance);
+        account.searched_s = leave_s;
     } else if (leave_s >= account.paid_s) {
-        cost_m2s += berg.account.look(account.known, leave_s - account.paid_s);
+        cost_m2s += berg.account.sample(account.known, leave_s - account.paid_s);
         account.paid_s = leave_s;
     }
     return cost_m2s;
@@ -307,7 +306,7 @@ bool CoverageModel::inView(const CoverageState& state, int iceberg) const
     const Point place_m =
         axesOf(m_window, state.uav).coordinates(this->place_m(iceberg, state.time_s));
     return m_window.contains(place_m) &&
-           (!m_paysForLooks || windowOf(iceberg, sigma_m2(state, iceberg)).contains(place_m));
+           (!m_paysForSamples || windowOf(iceberg, sigma_m2(state, iceberg)).contains(place_m));
 }
 
 double CoverageModel::distance_m(const CoverageState& state, int iceberg) const

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/coverage/covariance_account.h"
-#include "core/coverage/flight_picture.h"
 #include "core/coverage/patrol_tails.h"
+#include "core/coverage/prediction_input.h"
+#include "core/coverage/visit_covariance.h"
 #include "core/tracking/view_window.h"
 #include "core/vehicle/tangent_turn.h"
 
@@ -20,25 +20,28 @@ namespace berg {
  */
 struct CoverageLeg
 {
-    int iceberg = 0;     ///< Place of the model, see `placeCount`; -1 for a hold.
+    /** Place number of a hold, which has none; the search copies too many legs for an optional. */
+    static constexpr int kNoPlace = -1;
+
+    int iceberg = 0;     ///< Place of the model, see `placeCount`; `kNoPlace` for a hold.
     double offset_m = 0; ///< Distance of the iceberg to the left of the line.
     double stay_s = 0;
     int side = 0; ///< Direction of a hold: 1 left, -1 right, 0 straight on.
     /** Returns whether the leg is a hold, which has no iceberg. */
-    [[nodiscard]] bool isHold() const { return iceberg < 0; }
+    [[nodiscard]] bool isHold() const { return iceberg == kNoPlace; }
     bool operator==(const CoverageLeg&) const = default;
 };
 
 /** Returns a hold of this duration; `side` is 1 (left), -1 (right) or 0 (straight on). */
 [[nodiscard]] inline CoverageLeg holdOf(double stay_s, int side = 0)
 {
-    return {.iceberg = -1, .stay_s = stay_s, .side = side};
+    return {.iceberg = CoverageLeg::kNoPlace, .stay_s = stay_s, .side = side};
 }
 
 using CoveragePlan = std::vector<CoverageLeg>;
 
-/** Returns the iceberg of the first leg other than a hold, or -1. */
-[[nodiscard]] int firstIceberg(const CoveragePlan& plan);
+/** Returns the place of the first leg other than a hold, or nullopt if all legs are holds. */
+[[nodiscard]] std::optional<int> firstIceberg(const CoveragePlan& plan);
 
 /** Probability that a lost iceberg is found each time the UAV flies to its estimate. */
 inline constexpr double kChanceOfLost = 0.4;
@@ -61,12 +64,12 @@ struct CoverageState
         DriftVariances known;
         std::size_t next = 0; ///< First view of other UAVs that is not accounted for yet.
         /** End of the last search for a lost iceberg. */
-        double lookedFor_s = -std::numeric_limits<double>::infinity();
+        double searched_s = -std::numeric_limits<double>::infinity();
         unsigned viewed = 0; ///< Set of the places that have been in view, as bits.
         double left = 1;     ///< Probability that the iceberg is elsewhere.
     };
 
-    double time_s = 0; ///< Time since the picture.
+    double time_s = 0; ///< Time since the start of the prediction.
     Pose uav;
     double cost_m2s = 0; ///< Integral of the sigma of each iceberg up to its `paid_s`.
     std::vector<Account> accounts;
@@ -76,10 +79,11 @@ struct CoverageState
 struct CoverageSighting
 {
     int iceberg = 0;
-    double time_s = 0; ///< Time since the picture.
+    double time_s = 0; ///< Time since the start of the prediction.
 };
 
-/** Interval in which an iceberg is in view of a UAV, in seconds since the picture. */
+/** Interval in which an iceberg is in view of a UAV, in seconds since the start of the
+ * prediction. */
 struct CoverageView
 {
     int iceberg = 0;
@@ -105,10 +109,10 @@ class CoverageModel
 {
 public:
     /**
-     * Copies what it needs of the picture. Costs are those of the sigmas multiplied by the
-     * picture's weights.
+     * Copies what it needs of the input. Costs are those of the sigmas multiplied by the
+     * input's weights.
      */
-    CoverageModel(const PredictionInput& picture, const CoverageHorizon& horizon);
+    CoverageModel(const PredictionInput& input, const CoverageHorizon& horizon);
 
     /** Returns the number of places that legs can go to: icebergs, then further places of those
      * that are lost. `CoverageLeg::iceberg` is an index into these. */
@@ -128,7 +132,7 @@ public:
      * before; 1 if it is not lost, or has no places. */
     [[nodiscard]] double chanceAt(const CoverageState& state, int place) const;
     /** Returns whether sigma stays above 0 in view, so that keeping icebergs in view may pay. */
-    [[nodiscard]] bool paysForLooks() const { return m_paysForLooks; }
+    [[nodiscard]] bool paysForSamples() const { return m_paysForSamples; }
     /** Returns the largest lateral distance at which a line still reaches its iceberg. */
     [[nodiscard]] double largestOffset_m() const
     {
@@ -157,7 +161,7 @@ public:
     /** Returns nullopt if plans end with their legs. */
     [[nodiscard]] const std::optional<PatrolTail>& tail() const { return m_tail; }
 
-    /** Returns the state at the time of the picture. */
+    /** Returns the state at the start of the prediction. */
     [[nodiscard]] CoverageState start() const;
 
     /**
@@ -185,7 +189,7 @@ public:
      * lost iceberg that has been in view before.
      */
     [[nodiscard]] bool inView(const CoverageState& state, int iceberg) const;
-    /** Returns the distance between two places at the time of the picture. */
+    /** Returns the distance between two places at the start of the prediction. */
     [[nodiscard]] double between_m(int a, int b) const
     {
         return (place_m(a, 0) - place_m(b, 0)).norm();
@@ -215,7 +219,7 @@ private:
 
     struct Berg
     {
-        Point place_m; ///< Position at the time of the picture.
+        Point place_m; ///< Position at the start of the prediction.
         Point velocity_mps;
         VisitCovariance account;
         double chance = 1; ///< Probability of finding a lost iceberg.
@@ -278,8 +282,8 @@ private:
     {
         if (berg(iceberg).bit != 0)
             return m_placeWindow;
-        return m_paysForLooks ? m_window.narrowed(berg(iceberg).account.deviation_m(sigma_m2))
-                              : m_window;
+        return m_paysForSamples ? m_window.narrowed(berg(iceberg).account.deviation_m(sigma_m2))
+                                : m_window;
     }
     /** Returns the window in which a leg to the iceberg ends; null if its view ends the leg. */
     [[nodiscard]] const ViewWindow* reachOf(int iceberg) const
@@ -300,7 +304,7 @@ private:
     /** Window of the acceptance radius; nullopt if icebergs in view are reached. */
     std::optional<ViewWindow> m_reachWindow;
     double m_reach_m; ///< An iceberg farther away than this is neither in view nor reached.
-    bool m_paysForLooks;
+    bool m_paysForSamples;
     CoverageHorizon m_horizon;
     double m_flightEnd_s;
     Pose m_uav;

@@ -63,7 +63,7 @@ int icebergBefore(const CoveragePlan& plan, std::size_t place)
 
 CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random,
                              const std::vector<bool>& allowed)
-    : m_edge_m(model.largestOffset_m()), m_paysForLooks(model.paysForLooks()), m_random(random)
+    : m_edge_m(model.largestOffset_m()), m_paysForSamples(model.paysForSamples()), m_random(random)
 {
     for (int i = 0; i < model.placeCount(); ++i) {
         std::vector<int> others;
@@ -79,7 +79,7 @@ CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random,
 
 std::size_t CoverageMoves::change(CoveragePlan& plan)
 {
-    const std::uint64_t dice = m_random.below(m_paysForLooks ? kAll + kHolds : kAll);
+    const std::uint64_t dice = m_random.below(m_paysForSamples ? kAll + kHolds : kAll);
     if (dice >= kAll)
         return changeHold(plan);
     return dice < kReplace ? changeOne(plan, dice) : changeTwo(plan, dice);
@@ -146,7 +146,7 @@ void CoverageMoves::changeLine(CoverageLeg& leg)
 {
     if (leg.isHold())
         vary(leg);
-    else if (!m_paysForLooks || m_random.below(2) == 0)
+    else if (!m_paysForSamples || m_random.below(2) == 0)
         leg.offset_m = nearOffset_m(leg.offset_m);
     else if (m_random.below(6) == 0)
         leg.stay_s = 0;
@@ -194,7 +194,7 @@ CoverageLeg CoverageMoves::anyLeg(const CoveragePlan& plan, std::size_t place)
     const std::vector<int>& others = m_neighbours[static_cast<std::size_t>(before)];
     const int iceberg = others.empty() ? before : others[drawn(others.size(), kNearPower)];
     CoverageLeg leg{.iceberg = iceberg, .offset_m = anyOffset_m()};
-    if (m_paysForLooks && m_random.below(3) != 0) {
+    if (m_paysForSamples && m_random.below(3) != 0) {
         const double share = m_random.uniform() * m_random.uniform();
         leg.stay_s = share * kLongestStay_s / 3;
     }

@@ -45,7 +45,7 @@ private:
     std::vector<std::vector<int>>
         m_neighbours; ///< All other allowed icebergs for each iceberg, nearest first.
     double m_edge_m;
-    bool m_paysForLooks;
+    bool m_paysForSamples;
     Random m_random;
 };
 

@@ -4,7 +4,7 @@
 #include "core/coverage/coverage_settings.h"
 #include "core/coverage/coverage_starts.h"
 #include "core/coverage/fleet_coverage_search.h"
-#include "core/coverage/own_pictures.h"
+#include "core/coverage/own_inputs.h"
 #include "core/coverage/patrol_plans.h"
 #include "core/coverage/plan_conversion.h"
 
@@ -20,11 +20,11 @@ namespace berg {
 namespace {
 
 /** Reports better plans to the maker of the request, at most a few tens a second. */
-class ProgressTeller
+class ProgressReporter
 {
 public:
-    ProgressTeller(std::span<const CoverageModel> models, const PlanRequest& request,
-                   const SolveOptions& options)
+    ProgressReporter(std::span<const CoverageModel> models, const PlanRequest& request,
+                     const SolveOptions& options)
         : m_models(models), m_request(request), m_options(options)
     {
     }
@@ -69,9 +69,9 @@ std::vector<double> chancesOf(std::span<const int> ids, const std::map<int, int>
     return chances;
 }
 
-bool isMeasured(std::span<const PredictionInput> pictures)
+bool isMeasured(std::span<const PredictionInput> inputs)
 {
-    return pictures.front().observer.model != ObserverModel::Simple;
+    return inputs.front().observer.model != ObserverModel::Simple;
 }
 
 /** Minimises predicted zeta over sequences of icebergs and aim points, with a patrol after them in
@@ -90,10 +90,10 @@ private:
                                                 std::span<const CoverageModel> models,
                                                 const PatrolTails* tails) const;
     [[nodiscard]] FoundPlans planLegs(const PlanRequest& request,
-                                      std::span<const PredictionInput> pictures,
+                                      std::span<const PredictionInput> inputs,
                                       const SolveOptions& options, const SolveWatch& watch) const;
     [[nodiscard]] FoundPlans planPatrol(const PlanRequest& request,
-                                        std::span<const PredictionInput> pictures,
+                                        std::span<const PredictionInput> inputs,
                                         const SolveOptions& options, const SolveWatch& watch) const;
     [[nodiscard]] PatrolRoutes restOfPatrol(const PlanRequest& request,
                                             std::span<const CoverageModel> models) const;
@@ -179,9 +179,9 @@ FleetCoverageSearch CoveragePolicy::searchFor(const PlanRequest& request,
         flyers.push_back({.model = models[u],
                           .limits = tails ? limitsOfPatrol(request, u, models[u])
                                           : limitsOf(request, u, models[u])});
-    const PredictionInput& picture = *request.uavs.front().prediction;
-    return {std::move(flyers), picture.seed,
-            stableHash("coverage") + static_cast<std::uint64_t>(picture.step), tails};
+    const PredictionInput& input = *request.uavs.front().prediction;
+    return {std::move(flyers), input.seed,
+            stableHash("coverage") + static_cast<std::uint64_t>(input.step), tails};
 }
 
 /**
@@ -211,16 +211,17 @@ std::optional<CoveragePlans> CoveragePolicy::warmStart(const PlanRequest& reques
 std::map<int, int> CoveragePolicy::inVain(const PlanRequest& request) const
 {
     std::map<int, int> inVain = m_inVain;
-    const PredictionInput& picture = *request.uavs.front().prediction;
+    const PredictionInput& input = *request.uavs.front().prediction;
     const auto isLost = [&](int id) {
         const auto k = std::ranges::find(request.ids, id) - request.ids.begin();
         return k < std::ssize(request.ids) &&
-               picture.tracks[static_cast<std::size_t>(k)].status != TrackStatus::Tracked;
+               input.tracks[static_cast<std::size_t>(k)].status != TrackStatus::Tracked;
     };
     std::erase_if(inVain, [&](const auto& entry) { return !isLost(entry.first); });
     for (const auto& [uav, last] : m_last)
-        if (last.sighting_s && *last.sighting_s <= picture.time_s && isLost(last.plan.front().id))
-            ++inVain[last.plan.front().id];
+        if (last.sighting_s && *last.sighting_s <= input.time_s)
+            if (const std::optional<int>& id = last.plan.front().id; id && isLost(*id))
+                ++inVain[*id];
     return inVain;
 }
 
@@ -230,7 +231,7 @@ void CoveragePolicy::keep(const PlanRequest& request, const FoundPlans& plans,
     m_lastKind = plans.tails ? LastPlan::Patrol : LastPlan::Legs;
     if (!plans.tails) // A UAV on the ground continues its patrol.
         m_last.clear();
-    if (plans.models.front().paysForLooks())
+    if (plans.models.front().paysForSamples())
         m_total_m2s =
             plans.isStraight ? std::numeric_limits<double>::infinity() : plans.found.total_m2s;
     for (std::size_t u = 0; u < plans.found.plans.size(); ++u) {
@@ -253,10 +254,10 @@ void CoveragePolicy::keep(const PlanRequest& request, const FoundPlans& plans,
 FleetCoverage CoveragePolicy::first(FleetCoverageSearch& search, const PlanRequest& request,
                                     const SolveOptions& options, const SolveWatch& watch) const
 {
-    const bool paysForLooks =
+    const bool paysForSamples =
         request.uavs.front().prediction->observer.model != ObserverModel::Simple;
     const std::int64_t work =
-        options.workLimit.value_or(this->work(kFirstWork) * (paysForLooks ? kWorkOfLooks : 1));
+        options.workLimit.value_or(this->work(kFirstWork) * (paysForSamples ? kWorkOfSamples : 1));
     const auto share = static_cast<std::int64_t>(kShareOfStart * static_cast<double>(work));
     const SolveOptions limits{.timeLimit_s = options.timeLimit_s,
                               .workLimit = std::min(kOrderWork, work),
@@ -329,14 +330,14 @@ PatrolRoutes CoveragePolicy::restOfPatrol(const PlanRequest& request,
 
 /** Plans aimed legs to the horizon. */
 FoundPlans CoveragePolicy::planLegs(const PlanRequest& request,
-                                    std::span<const PredictionInput> pictures,
+                                    std::span<const PredictionInput> inputs,
                                     const SolveOptions& options, const SolveWatch& watch) const
 {
-    FoundPlans plans{.horizon = horizonOf(pictures)};
-    plans.models = modelsOf(pictures, plans.horizon);
+    FoundPlans plans{.horizon = horizonOf(inputs)};
+    plans.models = modelsOf(inputs, plans.horizon);
     FleetCoverageSearch search = searchFor(request, plans.models, nullptr);
     if (options.onProgress && m_last.empty()) // later plans take a few milliseconds
-        search.setListener(ProgressTeller(plans.models, request, options));
+        search.setListener(ProgressReporter(plans.models, request, options));
     const std::optional<CoveragePlans> warm = warmStart(request, plans.models);
     plans.found = m_last.empty() ? first(search, request, options, watch)
                                  : next(search, warm, options, watch);
@@ -351,28 +352,27 @@ FoundPlans CoveragePolicy::planLegs(const PlanRequest& request,
  * by pattern, which finds it farther away than plans do.
  */
 FoundPlans CoveragePolicy::planPatrol(const PlanRequest& request,
-                                      std::span<const PredictionInput> pictures,
+                                      std::span<const PredictionInput> inputs,
                                       const SolveOptions& options, const SolveWatch& watch) const
 {
-    FoundPlans plans{.horizon = {.length_s = patrolLength_s(pictures)}};
-    plans.models = modelsOf(pictures, plans.horizon);
+    FoundPlans plans{.horizon = {.length_s = patrolLength_s(inputs)}};
+    plans.models = modelsOf(inputs, plans.horizon);
     std::vector<CoverageLimits> limits;
     for (std::size_t u = 0; u < plans.models.size(); ++u)
         limits.push_back(limitsOfPatrol(request, u, plans.models[u]));
     PatrolRoutes rest = restOfPatrol(request, plans.models);
     plans.wasWarm = !rest.empty();
     const bool isFirst = m_lastKind != LastPlan::Patrol || rest.empty();
-    const PredictionInput& picture = pictures.front();
-    const Random random(picture.seed,
-                        stableHash("patrol") + static_cast<std::uint64_t>(picture.step));
-    PatrolSearch patrol(patrolProblem(pictures, limits), random);
+    const PredictionInput& input = inputs.front();
+    const Random random(input.seed, stableHash("patrol") + static_cast<std::uint64_t>(input.step));
+    PatrolSearch patrol(patrolProblem(inputs, limits), random);
     const PatrolEffort effort = patrolEffort(patrol.problem(), isFirst, options.workLimit);
     if (isFirst)
         findPatrol(patrol, rest, random, effort, watch);
     else
         improvePatrol(patrol, std::move(rest), effort, watch);
 
-    plans.isStraight = plans.models.front().paysForLooks();
+    plans.isStraight = plans.models.front().paysForSamples();
     std::vector<std::size_t> heads = headsOf(patrol);
     if (plans.isStraight)
         for (std::size_t& head : heads)
@@ -396,7 +396,7 @@ FoundPlans CoveragePolicy::planPatrol(const PlanRequest& request,
     }
     FleetCoverageSearch search = searchFor(request, plans.models, &*plans.tails);
     if (options.onProgress && isFirst)
-        search.setListener(ProgressTeller(plans.models, request, options));
+        search.setListener(ProgressReporter(plans.models, request, options));
     /** Patrols of this many visits have the heat of aimed plans, longer ones less for each leg. */
     constexpr double kVisitsOfHeat = 22;
     const double heat =
@@ -427,22 +427,22 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& 
     m_isAlone = m_isAlone && request.uavs.size() == 1;
     const Stopwatch clock;
     const SolveWatch watch(options);
-    std::vector<PredictionInput> pictures = ownPictures(request);
+    std::vector<PredictionInput> inputs = ownInputs(request);
     std::map<int, int> inVain = this->inVain(request);
-    for (PredictionInput& picture : pictures)
-        picture.chances = chancesOf(request.ids, inVain);
+    for (PredictionInput& input : inputs)
+        input.chances = chancesOf(request.ids, inVain);
     PlanAnswer answer{.uavs = std::vector<UavAnswer>(request.uavs.size())};
     if (const std::vector<bool> any = availableToAny(request);
         std::find(any.begin(), any.end(), true) != any.end()) {
-        const bool needsPatrol = berg::needsPatrol(pictures, m_lastKind);
-        if (needsPatrol && isMeasured(pictures) && !knowsVelocities(pictures))
+        const bool needsPatrol = berg::needsPatrol(inputs, m_lastKind);
+        if (needsPatrol && isMeasured(inputs) && !knowsVelocities(inputs))
             return explore(request, options);
-        const FoundPlans plans = needsPatrol ? planPatrol(request, pictures, options, watch)
-                                             : planLegs(request, pictures, options, watch);
+        const FoundPlans plans = needsPatrol ? planPatrol(request, inputs, options, watch)
+                                             : planLegs(request, inputs, options, watch);
         const std::optional<StopReason> cut = watch.stopReason();
         if (cut == StopReason::Cancelled)
             return {.outcome = {.reason = StopReason::Cancelled, .source = AnswerSource::Coverage}};
-        answer = answerOf(request, pictures, plans);
+        answer = answerOf(request, inputs, plans);
         if (m_isAlone)
             judgeAlone(answer, request);
         answer.outcome.reason = cut.value_or(StopReason::WorkLimit);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace berg {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostLegs = 2000;
 /** Steps between checks of the watch, which take some 0.2 ms. */
-constexpr int kStepsPerLook = 32;
+constexpr int kStepsPerCheck = 32;
 /** Temperature at the end, as a share of that at the beginning. */
 constexpr double kCool = 0.02;
 /** A candidate is discarded when it is behind by this share of the cost that is still to come. */
@@ -48,7 +49,7 @@ CoverageResult CoverageSearch::improved(const CoverageResult& start, std::int64_
 {
     load(start.plan);
     CoverageResult best = start;
-    tell(best);
+    report(best);
     anneal({.begin = m_work, .end = untilWork, .hottest_m2s = heat * m_now.total_m2s}, untilWork,
            watch, best);
     return best;
@@ -69,7 +70,7 @@ void CoverageSearch::anneal(const CoverageCooling& cooling, std::int64_t untilWo
                             const SolveWatch& watch, CoverageResult& best)
 {
     for (int step = 0; m_work < untilWork && !m_now.legs.empty(); ++step) {
-        if (step % kStepsPerLook == 0 && watch.stopReason())
+        if (step % kStepsPerCheck == 0 && watch.stopReason())
             break;
         const double left = static_cast<double>(cooling.end - m_work) /
                             static_cast<double>(cooling.end - cooling.begin);
@@ -88,16 +89,16 @@ void CoverageSearch::anneal(const CoverageCooling& cooling, std::int64_t untilWo
         accept(from);
         if (m_now.total_m2s < best.total_m2s) {
             best = {.plan = m_now.legs, .total_m2s = m_now.total_m2s};
-            tell(best);
+            report(best);
         }
     }
 }
 
-void CoverageSearch::tell(const CoverageResult& better)
+void CoverageSearch::report(const CoverageResult& better)
 {
-    if (!m_listener || better.total_m2s >= m_told_m2s)
+    if (!m_listener || better.total_m2s >= m_reported_m2s)
         return;
-    m_told_m2s = better.total_m2s;
+    m_reported_m2s = better.total_m2s;
     m_listener(better);
 }
 
@@ -215,14 +216,14 @@ std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state,
 {
     constexpr double kShortestPath_m = 50;
     std::optional<CoverageLeg> best;
-    double bestScore = -1;
+    double bestScore = 0;
     for (int i = 0; i < m_model.placeCount(); ++i) {
         if (m_model.inView(state, i) || !mayFly({.iceberg = i}, isFirst))
             continue;
         const double path_m =
             std::max(kShortestPath_m, m_model.distance_m(state, i) - m_model.largestOffset_m());
         const double score = m_model.chanceAt(state, i) * m_model.sigma_m2(state, i) / path_m;
-        if (score > bestScore) {
+        if (!best || score > bestScore) {
             best = CoverageLeg{.iceberg = i, .offset_m = 0};
             bestScore = score;
         }

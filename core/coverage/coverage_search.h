@@ -107,7 +107,7 @@ private:
     [[nodiscard]] std::int64_t workOfLeg() const { return kWorkOfLeg + m_model.placeCount(); }
     bool flyTail(std::size_t from, double limit_m2s);
     bool addToTail(const CoverageState& before, const CoverageLeg& leg);
-    void tell(const CoverageResult& better);
+    void report(const CoverageResult& better);
     [[nodiscard]] bool hopeless(double limit_m2s, std::size_t& place) const;
     [[nodiscard]] bool mayFly(const CoverageLeg& leg, bool isFirst) const;
     [[nodiscard]] std::optional<CoverageLeg> greedyLeg(const CoverageState& state,
@@ -120,7 +120,7 @@ private:
     std::int64_t m_work = 0;
     std::function<void(const CoverageResult&)> m_listener;
     /** Cost of the best plan reported to the listener. */
-    double m_told_m2s = std::numeric_limits<double>::infinity();
+    double m_reported_m2s = std::numeric_limits<double>::infinity();
     CoverageState m_start;
     Flown m_now;
     CoveragePlan m_candidate; ///< The present legs with a change.

@@ -27,7 +27,7 @@ constexpr double kTourOfTree = 1.25;
  * Returns the length of the shortest tree between the present estimates (Prim's algorithm), in time
  * proportional to the square of the number of icebergs.
  */
-double spanningTree_m(const PredictionInput& picture)
+double spanningTree_m(const PredictionInput& input)
 {
     struct Outside
     {
@@ -35,8 +35,8 @@ double spanningTree_m(const PredictionInput& picture)
         double away_m = std::numeric_limits<double>::infinity(); ///< Distance from the tree.
     };
     std::vector<Outside> outside;
-    for (const Track& track : picture.tracks)
-        outside.push_back({track.estimate_m(picture.time_s)});
+    for (const Track& track : input.tracks)
+        outside.push_back({track.estimate_m(input.time_s)});
     double sum_m = 0;
     while (!outside.empty()) {
         const auto next = std::ranges::min_element(outside, {}, &Outside::away_m);
@@ -54,40 +54,39 @@ double spanningTree_m(const PredictionInput& picture)
  * Returns the length of the part of a run that plans are judged by. It grows with the paths between
  * icebergs.
  */
-double part_s(const PredictionInput& picture, std::size_t uavs)
+double part_s(const PredictionInput& input, std::size_t uavs)
 {
-    if (picture.observer.model == ObserverModel::Simple)
+    if (input.observer.model == ObserverModel::Simple)
         return kHorizonPart.length_s;
-    const auto icebergs = static_cast<double>(picture.tracks.size());
-    const double leg_s =
-        kTourOfTree * spanningTree_m(picture) / picture.motion.airspeed_mps / icebergs;
+    const auto icebergs = static_cast<double>(input.tracks.size());
+    const double leg_s = kTourOfTree * spanningTree_m(input) / input.motion.airspeed_mps / icebergs;
     const double legs = kRoundsAhead * icebergs / static_cast<double>(uavs);
     return std::max(kHorizonPart.length_s, leg_s * std::min(legs, kMostLegsAhead));
 }
 
 } // namespace
 
-CoverageHorizon horizonOf(std::span<const PredictionInput> pictures)
+CoverageHorizon horizonOf(std::span<const PredictionInput> inputs)
 {
-    const double until_s = std::ranges::max(pictures, {}, &PredictionInput::until_s).until_s;
-    const double left_s = until_s - pictures.front().time_s;
-    const double length_s = part_s(pictures.front(), pictures.size());
+    const double until_s = std::ranges::max(inputs, {}, &PredictionInput::until_s).until_s;
+    const double left_s = until_s - inputs.front().time_s;
+    const double length_s = part_s(inputs.front(), inputs.size());
     return left_s <= kWhole * length_s
                ? CoverageHorizon{.length_s = left_s}
                : CoverageHorizon{.length_s = length_s, .rest_s = kHorizonPart.rest_s};
 }
 
-double round_s(std::span<const PredictionInput> pictures)
+double round_s(std::span<const PredictionInput> inputs)
 {
     double speed_mps = 0;
-    for (const PredictionInput& picture : pictures)
-        speed_mps += picture.motion.airspeed_mps;
-    return kTourOfTree * spanningTree_m(pictures.front()) / speed_mps;
+    for (const PredictionInput& input : inputs)
+        speed_mps += input.motion.airspeed_mps;
+    return kTourOfTree * spanningTree_m(inputs.front()) / speed_mps;
 }
 
-bool isWeighted(const PredictionInput& picture)
+bool isWeighted(const PredictionInput& input)
 {
-    return std::any_of(picture.weights.begin(), picture.weights.end(),
+    return std::any_of(input.weights.begin(), input.weights.end(),
                        [](double weight) { return weight != 1; });
 }
 
@@ -117,17 +116,17 @@ CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model, std::span<
 {
     CoveragePlan rest;
     for (const auto& [id, offset_m, leg] : plan) {
-        const auto it = std::find(ids.begin(), ids.end(), id);
-        if (!leg.isHold() && it == ids.end())
+        const auto it = id ? std::find(ids.begin(), ids.end(), *id) : ids.end();
+        if (id && it == ids.end())
             continue;
         rest.push_back(leg);
-        if (!leg.isHold())
+        if (id)
             rest.back().iceberg = model.placeNear(static_cast<int>(it - ids.begin()), offset_m);
     }
     return rest;
 }
 
-void shorten(CoveragePlan& plan, const CoverageModel& model, const PredictionInput& picture,
+void shorten(CoveragePlan& plan, const CoverageModel& model, const PredictionInput& input,
              double flown_s)
 {
     constexpr double kLeastOfHold_s = 0.05;
@@ -139,7 +138,7 @@ void shorten(CoveragePlan& plan, const CoverageModel& model, const PredictionInp
         first.stay_s -= flown_s;
         if (first.stay_s < kLeastOfHold_s)
             plan.erase(plan.begin());
-    } else if (picture.tracks[static_cast<std::size_t>(model.icebergAt(first.iceberg))].inView &&
+    } else if (input.tracks[static_cast<std::size_t>(model.icebergAt(first.iceberg))].inView &&
                first.stay_s > kLeastStay_s) {
         first = holdOf(first.stay_s);
     }

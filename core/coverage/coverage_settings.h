@@ -4,6 +4,7 @@
 #include "core/plan/solve/tvp.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,7 @@ inline constexpr std::int64_t kNextWork = 200'000;
  * The first plan gets this many times the work if keeping icebergs in view pays, because there is
  * more to choose.
  */
-inline constexpr std::int64_t kWorkOfLooks = 2;
+inline constexpr std::int64_t kWorkOfSamples = 2;
 /** Each start gets this share of the first work; the best of them gets the rest. */
 inline constexpr double kShareOfStart = 0.15;
 /** Work of each order that the search starts from, in the solver's units. */
@@ -42,20 +43,20 @@ inline constexpr int kRounds = 20;
 /**
  * Returns the horizon of aimed plans: the longest remaining flight, at most 800 s. If keeping
  * icebergs in view pays, the limit is the duration of two visits to each iceberg or of 40 legs, if
- * that is longer. `pictures` has one entry for each UAV, with the same tracks and at least one
+ * that is longer. `inputs` has one entry for each UAV, with the same tracks and at least one
  * iceberg.
  */
-[[nodiscard]] CoverageHorizon horizonOf(std::span<const PredictionInput> pictures);
+[[nodiscard]] CoverageHorizon horizonOf(std::span<const PredictionInput> inputs);
 
 /**
- * Returns an estimate of the time in seconds that the UAVs of the pictures need, together, to fly
+ * Returns an estimate of the time in seconds that the UAVs of the inputs need, together, to fly
  * to each iceberg once; 0 with fewer than two icebergs. The calculation takes time in proportion to
  * the square of the number of icebergs.
  */
-[[nodiscard]] double round_s(std::span<const PredictionInput> pictures);
+[[nodiscard]] double round_s(std::span<const PredictionInput> inputs);
 
-/** Returns whether any weight of the picture differs from 1. */
-[[nodiscard]] bool isWeighted(const PredictionInput& picture);
+/** Returns whether any weight of the input differs from 1. */
+[[nodiscard]] bool isWeighted(const PredictionInput& input);
 
 /**
  * Returns legs straight to the icebergs in this order, this many times. The order has nodes,
@@ -66,7 +67,7 @@ inline constexpr int kRounds = 20;
 /** A leg with an identification of its destination that stays valid during the flight. */
 struct KeptLeg
 {
-    int id = -1;                    ///< Id of the iceberg; -1 for a hold.
+    std::optional<int> id = {};     ///< Id of the iceberg; nullopt for a hold.
     Point offset_m = Point::Zero(); ///< Offset of the place from the estimate of a lost iceberg.
     CoverageLeg leg; ///< The leg, with the place number of the plan it was kept from.
 };
@@ -90,7 +91,7 @@ using KeptPlan = std::vector<KeptLeg>;
                                   std::span<const int> ids);
 
 /** Shortens the first leg by the time flown since the plan was made, and drops it if it is over. */
-void shorten(CoveragePlan& plan, const CoverageModel& model, const PredictionInput& picture,
+void shorten(CoveragePlan& plan, const CoverageModel& model, const PredictionInput& input,
              double flown_s);
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #include "core/coverage/fleet_coverage_search.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace berg {
@@ -77,7 +78,7 @@ FleetCoverage FleetCoverageSearch::completed(std::span<const CoveragePlan> plans
         fix(u, plans[u]);
     FleetCoverage result;
     for (std::size_t u = 0; u < m_members.size(); ++u) {
-        lookAtOthers(u);
+        updateOthers(u);
         CoverageResult found = m_members[u]->search.completed(plans[u]);
         result.total_m2s = found.total_m2s;
         fix(u, std::move(found.plan));
@@ -92,7 +93,7 @@ FleetCoverage FleetCoverageSearch::improved(const FleetCoverage& start, std::int
     if (m_members.size() == 1 && (m_tails || m_members.front()->first.empty()))
         return improvedAlone(start, untilWork, heat, watch);
     FleetCoverage best = start;
-    tell(best);
+    report(best);
     for (std::size_t u = 0; u < m_members.size(); ++u)
         fix(u, start.plans[u]);
     const CoverageCooling cooling{
@@ -114,7 +115,7 @@ FleetCoverage FleetCoverageSearch::improvedAlone(const FleetCoverage& start, std
     CoverageSearch& search = m_members.front()->search;
     if (m_listener)
         search.setListener([this](const CoverageResult& better) {
-            tell({.plans = {better.plan}, .total_m2s = better.total_m2s});
+            report({.plans = {better.plan}, .total_m2s = better.total_m2s});
         });
     const CoverageResult best = search.improved(
         {.plan = start.plans.front(), .total_m2s = start.total_m2s}, untilWork, heat, watch);
@@ -126,7 +127,7 @@ void FleetCoverageSearch::turnOf(std::size_t member, const CoverageCooling& cool
                                  const SolveWatch& watch, FleetCoverage& best)
 {
     Member& own = *m_members[member];
-    lookAtOthers(member);
+    updateOthers(member);
     const std::int64_t before = own.search.work();
     const std::int64_t others = work() - before;
     const auto flight = static_cast<std::int64_t>(own.plan.size() + 1) *
@@ -141,7 +142,7 @@ void FleetCoverageSearch::turnOf(std::size_t member, const CoverageCooling& cool
     if (better.total_m2s < best.total_m2s) {
         best = {.plans = plans(), .total_m2s = better.total_m2s};
         best.plans[member] = std::move(better.plan);
-        tell(best);
+        report(best);
     }
     fix(member, now.plan);
 }
@@ -155,7 +156,7 @@ void FleetCoverageSearch::fix(std::size_t member, CoveragePlan plan)
 }
 
 /** Sets the views and patrols of the others for the UAV whose turn it is. */
-void FleetCoverageSearch::lookAtOthers(std::size_t member)
+void FleetCoverageSearch::updateOthers(std::size_t member)
 {
     Member& own = *m_members[member];
     std::vector<CoverageView> views;
@@ -167,8 +168,8 @@ void FleetCoverageSearch::lookAtOthers(std::size_t member)
         const Member& other = *m_members[v];
         views.insert(views.end(), other.effect.views.begin(), other.effect.views.end());
         shifts_s[v] = other.effect.shift_s;
-        if (const int iceberg = firstIceberg(other.plan); iceberg >= 0)
-            first[static_cast<std::size_t>(iceberg)] = false;
+        if (const std::optional<int> iceberg = firstIceberg(other.plan))
+            first[static_cast<std::size_t>(*iceberg)] = false;
     }
     own.model.setOthers(std::move(views));
     if (m_tails)
@@ -184,11 +185,11 @@ std::vector<CoveragePlan> FleetCoverageSearch::plans() const
     return plans;
 }
 
-void FleetCoverageSearch::tell(const FleetCoverage& better)
+void FleetCoverageSearch::report(const FleetCoverage& better)
 {
-    if (!m_listener || better.total_m2s >= m_told_m2s)
+    if (!m_listener || better.total_m2s >= m_reported_m2s)
         return;
-    m_told_m2s = better.total_m2s;
+    m_reported_m2s = better.total_m2s;
     m_listener(better);
 }
 

@@ -74,18 +74,18 @@ private:
     struct Member;
 
     void fix(std::size_t member, CoveragePlan plan);
-    void lookAtOthers(std::size_t member);
+    void updateOthers(std::size_t member);
     [[nodiscard]] FleetCoverage improvedAlone(const FleetCoverage& start, std::int64_t untilWork,
                                               double heat, const SolveWatch& watch);
     void turnOf(std::size_t member, const CoverageCooling& cooling, const SolveWatch& watch,
                 FleetCoverage& best);
     [[nodiscard]] std::vector<CoveragePlan> plans() const;
-    void tell(const FleetCoverage& better);
+    void report(const FleetCoverage& better);
 
     std::vector<std::unique_ptr<Member>> m_members;
     const PatrolTails* m_tails;
     std::function<void(const FleetCoverage&)> m_listener;
-    double m_told_m2s = std::numeric_limits<double>::infinity();
+    double m_reported_m2s = std::numeric_limits<double>::infinity();
 };
 
 /**

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 // This file proposes the changes that `PatrolSearch` tries.
 
@@ -97,11 +98,13 @@ int PatrolSearch::neighbour(int i, double time_s)
                          static_cast<std::size_t>(share * static_cast<double>(near.size())))];
 }
 
-/** Returns a visit of an iceberg in a route, the first one from a place on or the last one before
- * it; -1 if there is none. */
-int PatrolSearch::placeIn(std::size_t uav, int i, int near)
+/**
+ * Returns a visit of an iceberg in a route, the first one from a place on or the last one before
+ * it, or nullopt if there is none.
+ */
+std::optional<int> PatrolSearch::placeIn(std::size_t uav, int i, int near)
 {
-    int before = -1;
+    std::optional<int> before;
     const bool wantsBefore = m_random.below(2) == 0;
     for (const Seen& seen : m_seen[toPlace(i)]) {
         if (seen.uav != uav)
@@ -109,26 +112,26 @@ int PatrolSearch::placeIn(std::size_t uav, int i, int near)
         if (seen.place < near)
             before = seen.place;
         else
-            return wantsBefore && before >= 0 ? before : seen.place;
+            return wantsBefore && before ? before : seen.place;
     }
     return before;
 }
 
-/** Returns another visit to change together with this one, or -1. */
-int PatrolSearch::partnerOf(std::size_t uav, int place)
+/** Returns another visit to change together with this one, or nullopt if there is none. */
+std::optional<int> PatrolSearch::partnerOf(std::size_t uav, int place)
 {
     const Route& route = m_routes[uav];
     const int count = static_cast<int>(route.visits.size());
-    int partner = -1;
+    std::optional<int> partner;
     if (m_random.below(3) != 0)
         partner = placeIn(
             uav, neighbour(route.visits[toPlace(place)], route.stops[toPlace(place)].time_s),
             place);
     else
         partner = place - kNearby + static_cast<int>(m_random.below(2 * kNearby + 1));
-    const bool isPartner = partner >= 0 && partner < count && partner != place &&
-                           std::abs(partner - place) <= kFarthest;
-    return isPartner ? partner : -1;
+    const bool isPartner = partner && *partner >= 0 && *partner < count && *partner != place &&
+                           std::abs(*partner - place) <= kFarthest;
+    return isPartner ? partner : std::nullopt;
 }
 
 bool PatrolSearch::propose(Change& change, std::size_t uav)
@@ -146,8 +149,8 @@ bool PatrolSearch::propose(Change& change, std::size_t uav)
         proposeOne(change, place, dice);
         return isAllowed(change);
     }
-    const int partner = partnerOf(uav, place);
-    return partner >= 0 && proposeTwo(change, place, partner, dice) && isAllowed(change);
+    const std::optional<int> partner = partnerOf(uav, place);
+    return partner && proposeTwo(change, place, *partner, dice) && isAllowed(change);
 }
 
 void PatrolSearch::proposeOne(Change& change, int place, std::uint64_t dice)

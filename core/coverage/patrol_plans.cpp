@@ -1,8 +1,8 @@
 #include "core/coverage/patrol_plans.h"
 
-#include "core/coverage/covariance_account.h"
 #include "core/coverage/coverage_settings.h"
 #include "core/coverage/patrol_tours.h"
+#include "core/coverage/visit_covariance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,43 +50,43 @@ constexpr std::size_t kLeastLegs = 5;
 constexpr std::size_t kMostLegsOfHead = 40;
 constexpr double kHead_s = 800;
 
-double runEnd_s(const PredictionInput& picture)
+double runEnd_s(const PredictionInput& input)
 {
-    return picture.laterSorties ? picture.laterSorties->runEnd_s : picture.until_s;
+    return input.laterSorties ? input.laterSorties->runEnd_s : input.until_s;
 }
 
-double runLeft_s(std::span<const PredictionInput> pictures)
+double runLeft_s(std::span<const PredictionInput> inputs)
 {
     double longest_s = 0;
-    for (const PredictionInput& picture : pictures)
-        longest_s = std::max(longest_s, runEnd_s(picture) - picture.time_s);
+    for (const PredictionInput& input : inputs)
+        longest_s = std::max(longest_s, runEnd_s(input) - input.time_s);
     return longest_s;
 }
 
 /** Returns the ratio of the total time to the time in the air. */
-double groundFactor(const PredictionInput& picture)
+double groundFactor(const PredictionInput& input)
 {
-    if (!picture.laterSorties)
+    if (!input.laterSorties)
         return 1;
-    const SortieSpec& spec = picture.laterSorties->spec;
+    const SortieSpec& spec = input.laterSorties->spec;
     return 1 + spec.turnaround_s / std::max(1.0, spec.endurance_s - kSortieReserve_s);
 }
 
-PatrolUav patrolUav(const PredictionInput& picture, const CoverageLimits& limits)
+PatrolUav patrolUav(const PredictionInput& input, const CoverageLimits& limits)
 {
-    PatrolUav uav{.start = poseOf(picture.uav),
-                  .speed_mps = picture.motion.airspeed_mps,
-                  .radius_m = picture.motion.airspeed_mps / picture.motion.limit_radps,
-                  .reach_m = kReachOfView * picture.sensor.fov_m.minCoeff() / 2,
-                  .until_s = runEnd_s(picture) - picture.time_s,
+    PatrolUav uav{.start = poseOf(input.uav),
+                  .speed_mps = input.motion.airspeed_mps,
+                  .radius_m = input.motion.airspeed_mps / input.motion.limit_radps,
+                  .reach_m = kReachOfView * input.sensor.fov_m.minCoeff() / 2,
+                  .until_s = runEnd_s(input) - input.time_s,
                   .first = limits.first,
                   .any = limits.any};
-    if (picture.reachRadius_m)
-        uav.reach_m = std::min(uav.reach_m, *picture.reachRadius_m);
-    if (picture.laterSorties) {
-        const SortieSpec& spec = picture.laterSorties->spec;
-        uav.sorties = {.home = {.place_m = spec.home_m, .velocity_mps = -picture.motion.wind_mps},
-                       .left_s = picture.until_s - picture.time_s - kSortieReserve_s,
+    if (input.reachRadius_m)
+        uav.reach_m = std::min(uav.reach_m, *input.reachRadius_m);
+    if (input.laterSorties) {
+        const SortieSpec& spec = input.laterSorties->spec;
+        uav.sorties = {.home = {.place_m = spec.home_m, .velocity_mps = -input.motion.wind_mps},
+                       .left_s = input.until_s - input.time_s - kSortieReserve_s,
                        .length_s = spec.endurance_s - kSortieReserve_s,
                        .ground_s = spec.turnaround_s};
     }
@@ -116,55 +116,55 @@ void keepWithinSorties(PatrolUav& uav, std::span<const PatrolIceberg> icebergs, 
 
 } // namespace
 
-bool needsPatrol(std::span<const PredictionInput> pictures, LastPlan last)
+bool needsPatrol(std::span<const PredictionInput> inputs, LastPlan last)
 {
-    const PredictionInput& picture = pictures.front();
+    const PredictionInput& input = inputs.front();
     const auto fades = [](const Track& track) { return track.velocityTime_s > 0; };
-    if (std::ranges::any_of(picture.tracks, fades))
+    if (std::ranges::any_of(input.tracks, fades))
         return false;
-    if (picture.observer.model != ObserverModel::Simple && last != LastPlan::None)
+    if (input.observer.model != ObserverModel::Simple && last != LastPlan::None)
         return last == LastPlan::Patrol;
-    return runLeft_s(pictures) > kShortRun_s &&
-           round_s(pictures) > (last == LastPlan::Patrol ? kShortestRoundOn_s : kShortestRound_s);
+    return runLeft_s(inputs) > kShortRun_s &&
+           round_s(inputs) > (last == LastPlan::Patrol ? kShortestRoundOn_s : kShortestRound_s);
 }
 
-bool knowsVelocities(std::span<const PredictionInput> pictures)
+bool knowsVelocities(std::span<const PredictionInput> inputs)
 {
     constexpr double kShareOfView = 0.25;
-    const PredictionInput& picture = pictures.front();
-    const double far_m = kShareOfView * picture.sensor.fov_m.minCoeff();
-    const double round_s = berg::round_s(pictures);
-    return std::ranges::all_of(picture.tracks, [&](const Track& track) {
+    const PredictionInput& input = inputs.front();
+    const double far_m = kShareOfView * input.sensor.fov_m.minCoeff();
+    const double round_s = berg::round_s(inputs);
+    return std::ranges::all_of(input.tracks, [&](const Track& track) {
         return track.status == TrackStatus::Tracked &&
                std::sqrt(track.velocity_m2ps2) * round_s < far_m;
     });
 }
 
-double patrolLength_s(std::span<const PredictionInput> pictures)
+double patrolLength_s(std::span<const PredictionInput> inputs)
 {
-    const double ahead_s = std::max(kLeastOfPatrol_s, kRoundsOfPatrol * round_s(pictures) *
-                                                          groundFactor(pictures.front()));
-    const double left_s = runLeft_s(pictures);
+    const double ahead_s = std::max(kLeastOfPatrol_s, kRoundsOfPatrol * round_s(inputs) *
+                                                          groundFactor(inputs.front()));
+    const double left_s = runLeft_s(inputs);
     return left_s <= kWholePatrol * ahead_s ? left_s : ahead_s;
 }
 
-std::vector<PatrolIceberg> patrolIcebergs(std::span<const PredictionInput> pictures)
+std::vector<PatrolIceberg> patrolIcebergs(std::span<const PredictionInput> inputs)
 {
-    const PredictionInput& picture = pictures.front();
-    const double round_s = berg::round_s(pictures);
+    const PredictionInput& input = inputs.front();
+    const double round_s = berg::round_s(inputs);
     std::vector<PatrolIceberg> icebergs;
-    for (std::size_t i = 0; i < picture.tracks.size(); ++i) {
-        const Track& track = picture.tracks[i];
-        const double weight = picture.weights.empty() ? 1 : picture.weights[i];
-        const VisitCovariance account(track, picture.observer, weight);
+    for (std::size_t i = 0; i < input.tracks.size(); ++i) {
+        const Track& track = input.tracks[i];
+        const double weight = input.weights.empty() ? 1 : input.weights[i];
+        const VisitCovariance account(track, input.observer, weight);
         DriftVariances known = account.start();
         PatrolIceberg& iceberg = icebergs.emplace_back();
-        iceberg.place = {.place_m = track.estimate_m(picture.time_s),
-                         .velocity_mps = track.velocity_mps - picture.motion.wind_mps};
+        iceberg.place = {.place_m = track.estimate_m(input.time_s),
+                         .velocity_mps = track.velocity_mps - input.motion.wind_mps};
         for (std::size_t stage = 0; stage < PatrolIceberg::kStages; ++stage) {
             if (stage > 0) {
                 account.grow(known, stage == 1 ? round_s / 2 : round_s);
-                account.look(known, kPass_s);
+                account.sample(known, kPass_s);
             }
             iceberg.growth[stage] = {.base_m2 = known.position_m2,
                                      .rate_m2ps = weight * track.q_m2ps + 2 * known.mixed_m2ps,
@@ -174,13 +174,12 @@ std::vector<PatrolIceberg> patrolIcebergs(std::span<const PredictionInput> pictu
     return icebergs;
 }
 
-PatrolProblem patrolProblem(std::span<const PredictionInput> pictures,
+PatrolProblem patrolProblem(std::span<const PredictionInput> inputs,
                             std::span<const CoverageLimits> limits)
 {
-    PatrolProblem problem{.icebergs = patrolIcebergs(pictures),
-                          .length_s = patrolLength_s(pictures)};
-    for (std::size_t u = 0; u < pictures.size(); ++u) {
-        problem.uavs.push_back(patrolUav(pictures[u], limits[u]));
+    PatrolProblem problem{.icebergs = patrolIcebergs(inputs), .length_s = patrolLength_s(inputs)};
+    for (std::size_t u = 0; u < inputs.size(); ++u) {
+        problem.uavs.push_back(patrolUav(inputs[u], limits[u]));
         keepWithinSorties(problem.uavs.back(), problem.icebergs, problem.length_s);
     }
     return problem;
@@ -273,13 +272,13 @@ CoveragePlan legsOf(const PatrolSearch& search, std::size_t uav, const PatrolPar
         CoverageLeg& leg = plan.emplace_back(CoverageLeg{.iceberg = iceberg});
         const Point from_m =
             k > 0 ? search.stops(uav)[k - 1].place_m : search.problem().uavs[uav].start.position_m;
-        const Point way_m = stop.place_m - from_m;
-        if (way_m.norm() < kNoLeg_m)
+        const Point path_m = stop.place_m - from_m;
+        if (path_m.norm() < kNoLeg_m)
             continue;
         const DriftingPlace& place =
             search.problem().icebergs[static_cast<std::size_t>(iceberg)].place;
         const Point there_m = place.at(stop.time_s) - from_m;
-        leg.offset_m = std::clamp(cross(Point(way_m.normalized()), there_m),
+        leg.offset_m = std::clamp(cross(Point(path_m.normalized()), there_m),
                                   -model.largestOffset_m(), model.largestOffset_m());
     }
     return plan;

@@ -26,32 +26,32 @@ enum class LastPlan
  * to its last or never, because a change would discard the searches of aimed plans. Returns false
  * for velocities that fade, which patrols cannot predict.
  */
-[[nodiscard]] bool needsPatrol(std::span<const PredictionInput> pictures, LastPlan last);
+[[nodiscard]] bool needsPatrol(std::span<const PredictionInput> inputs, LastPlan last);
 
 /**
  * Returns whether a patrol finds every iceberg at its predicted position a round later: no iceberg
  * is lost, and no deviation grows by more than a quarter of the view.
  */
-[[nodiscard]] bool knowsVelocities(std::span<const PredictionInput> pictures);
+[[nodiscard]] bool knowsVelocities(std::span<const PredictionInput> inputs);
 
 /**
  * Returns the length of a patrol in seconds: two rounds and at least an hour, or to the end of the
  * run if that is not much longer.
  */
-[[nodiscard]] double patrolLength_s(std::span<const PredictionInput> pictures);
+[[nodiscard]] double patrolLength_s(std::span<const PredictionInput> inputs);
 
 /**
- * Returns the icebergs of a patrol, with the weights of the pictures. The growth after the first
+ * Returns the icebergs of a patrol, with the weights of the inputs. The growth after the first
  * visit is that of a track which was out of view for half a round and then in view for a pass;
  * after later visits it was out of view for a whole round before the next pass.
  */
-[[nodiscard]] std::vector<PatrolIceberg> patrolIcebergs(std::span<const PredictionInput> pictures);
+[[nodiscard]] std::vector<PatrolIceberg> patrolIcebergs(std::span<const PredictionInput> inputs);
 
 /**
- * Returns the problem of a patrol. `pictures` and `limits` have one entry for each UAV; empty
+ * Returns the problem of a patrol. `inputs` and `limits` have one entry for each UAV; empty
  * `limits` allow all icebergs.
  */
-[[nodiscard]] PatrolProblem patrolProblem(std::span<const PredictionInput> pictures,
+[[nodiscard]] PatrolProblem patrolProblem(std::span<const PredictionInput> inputs,
                                           std::span<const CoverageLimits> limits);
 
 /**

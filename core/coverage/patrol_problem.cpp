@@ -19,11 +19,11 @@ Point aimOf(const PatrolUav& uav, const Point& from_m, const Point& centre_m, co
     const Point toCentre_m = centre_m - from_m;
     const double away_m = toCentre_m.norm();
     if (onward_m != nullptr) {
-        const Point way_m = *onward_m - from_m;
-        const double length2_m2 = std::max(1.0, way_m.squaredNorm());
-        const double share = toCentre_m.dot(way_m) / length2_m2;
+        const Point path_m = *onward_m - from_m;
+        const double length2_m2 = std::max(1.0, path_m.squaredNorm());
+        const double share = toCentre_m.dot(path_m) / length2_m2;
         if (share > 0) {
-            const Point off_m = from_m + way_m * std::min(1.0, share) - centre_m;
+            const Point off_m = from_m + path_m * std::min(1.0, share) - centre_m;
             const double off2_m2 = off_m.squaredNorm();
             const double reach2_m2 = uav.reach_m * uav.reach_m;
             if (off2_m2 > reach2_m2)
@@ -31,7 +31,7 @@ Point aimOf(const PatrolUav& uav, const Point& from_m, const Point& centre_m, co
             const double length_m = std::sqrt(length2_m2);
             const double entry_m = share * length_m - std::sqrt(reach2_m2 - off2_m2);
             if (share <= 1)
-                return from_m + way_m * (std::max(0.0, entry_m) / length_m);
+                return from_m + path_m * (std::max(0.0, entry_m) / length_m);
         }
     }
     return centre_m - toCentre_m * (uav.reach_m / away_m);
@@ -87,11 +87,11 @@ PatrolStop patrolStart(const PatrolUav& uav)
 
 double patrolTimeHome_s(const PatrolUav& uav, const PatrolStop& from)
 {
-    const Point way_m = uav.sorties->home.at(from.time_s) - from.place_m;
-    const double length_m = way_m.norm();
+    const Point path_m = uav.sorties->home.at(from.time_s) - from.place_m;
+    const double length_m = path_m.norm();
     return length_m < kNoLeg_m
                ? 0
-               : length_m / uav.speed_mps + turn_s(uav, from.ahead, way_m / length_m);
+               : length_m / uav.speed_mps + turn_s(uav, from.ahead, path_m / length_m);
 }
 
 PatrolStop patrolLeg(const PatrolUav& uav, const PatrolStop& from, const DriftingPlace& to,
@@ -103,9 +103,9 @@ PatrolStop patrolLeg(const PatrolUav& uav, const PatrolStop& from, const Driftin
     PatrolStop home = from;
     home.time_s += patrolTimeHome_s(uav, from) + uav.sorties->ground_s;
     home.place_m = uav.sorties->home.at(home.time_s);
-    const Point way_m = to.at(home.time_s) - home.place_m;
-    if (way_m.norm() > kNoLeg_m)
-        home.ahead = way_m.normalized();
+    const Point path_m = to.at(home.time_s) - home.place_m;
+    if (path_m.norm() > kNoLeg_m)
+        home.ahead = path_m.normalized();
     home.sortieEnd_s = home.time_s + uav.sorties->length_s;
     stop = directLeg(uav, home, to, next);
     stop.tookOff = true;

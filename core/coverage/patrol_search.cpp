@@ -13,7 +13,7 @@ namespace {
 /** Largest number of visits of one UAV. */
 constexpr std::size_t kMostVisits = 1500;
 /** Number of moves between checks of the watch. */
-constexpr int kMovesPerLook = 256;
+constexpr int kMovesPerCheck = 256;
 /** The value of a greedy visit is its sigma over its flight time plus this. */
 constexpr double kGreedy_s = 10;
 
@@ -53,7 +53,8 @@ void PatrolSearch::fly(std::size_t uav, std::size_t from)
     PatrolStop now = from > 0 ? route.stops[from - 1] : patrolStart(m_problem.uavs[uav]);
     std::size_t k = from;
     for (; k < count; ++k) {
-        now = flown(uav, now, route.visits[k], k + 1 < count ? route.visits[k + 1] : -1);
+        now = flown(uav, now, route.visits[k],
+                    k + 1 < count ? std::optional(route.visits[k + 1]) : std::nullopt);
         if (now.time_s >= end_s(uav))
             break;
         route.stops[k] = now;
@@ -237,7 +238,8 @@ PatrolSearch::Shift PatrolSearch::flyChanged(const Change& change, int begin)
     for (int w = 0; w < static_cast<int>(m_window.size()); ++w) {
         const int i = m_window[placeIndex(w)];
         const bool isLast = w + 1 == static_cast<int>(m_window.size());
-        now = flown(change.uav, now, i, isLast ? -1 : m_window[placeIndex(w + 1)]);
+        now = flown(change.uav, now, i,
+                    isLast ? std::nullopt : std::optional(m_window[placeIndex(w + 1)]));
         if (now.time_s >= end_s)
             break;
         const int place = change.end + w - changed;
@@ -294,13 +296,13 @@ void PatrolSearch::extend()
         Route& route = m_routes[u];
         if (!(free->time_s < end_s(u)))
             break;
-        int best = -1;
+        std::optional<int> best;
         double bestScore = 0;
         PatrolStop bestStop;
         for (int i = 0; i < static_cast<int>(m_seen.size()); ++i) {
             if (!m_problem.uavs[u].mayVisit(i, route.visits.empty()))
                 continue;
-            const PatrolStop stop = flown(u, *free, i, -1);
+            const PatrolStop stop = flown(u, *free, i, std::nullopt);
             const double flight_s = stop.time_s - free->time_s;
             if (!(flight_s > 0) || stop.time_s <= lastSeen_s[placeIndex(i)])
                 continue;
@@ -314,14 +316,14 @@ void PatrolSearch::extend()
                 bestStop = stop;
             }
         }
-        if (best < 0 || bestStop.time_s >= end_s(u) || route.visits.size() >= kMostVisits) {
+        if (!best || bestStop.time_s >= end_s(u) || route.visits.size() >= kMostVisits) {
             free->time_s = std::numeric_limits<double>::infinity();
             continue;
         }
-        route.visits.push_back(best);
+        route.visits.push_back(*best);
         *free = bestStop;
-        lastSeen_s[placeIndex(best)] = bestStop.time_s;
-        ++visits[placeIndex(best)];
+        lastSeen_s[placeIndex(*best)] = bestStop.time_s;
+        ++visits[placeIndex(*best)];
     }
     set(routes());
 }
@@ -336,7 +338,7 @@ void PatrolSearch::improve(std::int64_t moves, double heat, const SolveWatch& wa
     const double hottest_m2s =
         heat * m_cost_m2s / static_cast<double>(std::max<std::size_t>(1, count));
     for (std::int64_t move = 0; move < moves && count > 0; ++move) {
-        if (move % kMovesPerLook == 0 && watch.stopReason())
+        if (move % kMovesPerCheck == 0 && watch.stopReason())
             break;
         ++m_moves;
         const double left = 1 - static_cast<double>(move) / static_cast<double>(moves);

@@ -5,6 +5,7 @@
 #include "core/plan/solve/solve_watch.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -116,10 +117,11 @@ private:
     {
         return m_problem.icebergs[static_cast<std::size_t>(i)];
     }
-    [[nodiscard]] PatrolStop flown(std::size_t uav, const PatrolStop& from, int to, int next) const
+    [[nodiscard]] PatrolStop flown(std::size_t uav, const PatrolStop& from, int to,
+                                   std::optional<int> next) const
     {
         return patrolLeg(m_problem.uavs[uav], from, iceberg(to).place,
-                         next < 0 ? nullptr : &iceberg(next).place);
+                         next ? &iceberg(*next).place : nullptr);
     }
     [[nodiscard]] double end_s(std::size_t uav) const
     {
@@ -145,8 +147,8 @@ private:
     // These propose changes (patrol_moves.cpp).
     [[nodiscard]] const std::vector<int>& neighbours(int iceberg, double time_s);
     [[nodiscard]] int neighbour(int iceberg, double time_s);
-    [[nodiscard]] int placeIn(std::size_t uav, int iceberg, int near);
-    [[nodiscard]] int partnerOf(std::size_t uav, int place);
+    [[nodiscard]] std::optional<int> placeIn(std::size_t uav, int iceberg, int near);
+    [[nodiscard]] std::optional<int> partnerOf(std::size_t uav, int place);
     [[nodiscard]] bool propose(Change& change, std::size_t uav);
     void proposeOne(Change& change, int place, std::uint64_t dice);
     [[nodiscard]] bool proposeTwo(Change& change, int a, int b, std::uint64_t dice);

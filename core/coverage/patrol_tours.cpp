@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace berg {
 
@@ -55,7 +56,7 @@ private:
         const int last = first + length - 1;
         const double out_m =
             away_m(first - 1, first) + away_m(last, last + 1) - away_m(first - 1, last + 1);
-        int best = -1;
+        std::optional<int> best;
         bool bestTurned = false;
         double bestGain_m = kLeastGain_m;
         for (int k = 0; k < m_count; ++k) { // The stops move between k and k + 1.
@@ -71,14 +72,14 @@ private:
             bestGain_m = gain_m;
             bestTurned = turned_m < straight_m;
         }
-        if (best < 0)
+        if (!best)
             return false;
         const auto begin = m_tour.begin() + first;
         std::vector<int> stretch(begin, begin + length);
         if (bestTurned)
             std::reverse(stretch.begin(), stretch.end());
         m_tour.erase(begin, begin + length);
-        const int to = best < first ? best + 1 : best + 1 - length;
+        const int to = *best < first ? *best + 1 : *best + 1 - length;
         m_tour.insert(m_tour.begin() + to, stretch.begin(), stretch.end());
         return true;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace berg {
@@ -92,7 +93,7 @@ int icebergOf(const CoveragePlan& plan, std::size_t leg)
     const auto isAim = [](const CoverageLeg& other) { return !other.isHold(); };
     const auto from = plan.begin() + static_cast<std::ptrdiff_t>(leg);
     const auto next = std::find_if(from, plan.end(), isAim);
-    return next != plan.end() ? next->iceberg : std::max(0, firstIceberg(plan));
+    return next != plan.end() ? next->iceberg : firstIceberg(plan).value_or(0);
 }
 
 } // namespace
@@ -151,48 +152,49 @@ std::vector<double> sightingsOf(const DescribedPlan& described, std::size_t iceb
  * nearest iceberg that it may have, that no other UAV's plan begins with, and that is not the only
  * one of another UAV. So each UAV is sent out by its plan, unless there are too few icebergs.
  */
-void assignToEach(std::vector<int>& owner, std::span<const CoverageModel> models,
+void assignToEach(std::vector<std::optional<int>>& owner, std::span<const CoverageModel> models,
                   const PlanRequest& request, std::span<const CoveragePlan> plans)
 {
     std::vector<bool> isFirst(owner.size(), false);
     std::vector<int> count(plans.size(), 0);
-    for (const int uav : owner)
-        if (uav >= 0)
-            ++count[static_cast<std::size_t>(uav)];
-    const auto mayLose = [&](int uav) {
-        return uav < 0 || count[static_cast<std::size_t>(uav)] > 1;
+    for (const std::optional<int>& uav : owner)
+        if (uav)
+            ++count[static_cast<std::size_t>(*uav)];
+    const auto mayLose = [&](const std::optional<int>& uav) {
+        return !uav || count[static_cast<std::size_t>(*uav)] > 1;
     };
     for (std::size_t u = 0; u < plans.size(); ++u)
-        if (const int iceberg = firstIceberg(plans[u]); iceberg >= 0)
-            isFirst[static_cast<std::size_t>(models[u].icebergAt(iceberg))] = true;
+        if (const std::optional<int> iceberg = firstIceberg(plans[u]))
+            isFirst[static_cast<std::size_t>(models[u].icebergAt(*iceberg))] = true;
     for (std::size_t u = 0; u < plans.size(); ++u) {
         const UavRequest& own = request.uavs[u];
-        int nearest = -1;
+        std::optional<std::size_t> nearest;
         bool hasOne = plans[u].empty();
         for (std::size_t k = 0; k < owner.size(); ++k) {
             hasOne = hasOne || (owner[k] == static_cast<int>(u) && own.available[k]);
             if (own.available[k] && !isFirst[k] && mayLose(owner[k]) &&
-                (nearest < 0 || own.distance_m(0, static_cast<Eigen::Index>(k) + 1) <
-                                    own.distance_m(0, nearest + 1)))
-                nearest = static_cast<int>(k);
+                (!nearest || own.distance_m(0, static_cast<Eigen::Index>(k) + 1) <
+                                 own.distance_m(0, static_cast<Eigen::Index>(*nearest) + 1)))
+                nearest = k;
         }
-        if (hasOne || nearest < 0)
+        if (hasOne || !nearest)
             continue;
-        int& uav = owner[static_cast<std::size_t>(nearest)];
-        if (uav >= 0)
-            --count[static_cast<std::size_t>(uav)];
+        std::optional<int>& uav = owner[*nearest];
+        if (uav)
+            --count[static_cast<std::size_t>(*uav)];
         uav = static_cast<int>(u);
         ++count[u];
-        isFirst[static_cast<std::size_t>(nearest)] = true;
+        isFirst[*nearest] = true;
     }
 }
 
-/** Returns the UAV whose order has each iceberg; -1 if no order has it. */
-std::vector<int> owners(std::span<const CoverageModel> models, const PlanRequest& request,
-                        std::span<const CoveragePlan> plans,
-                        const std::vector<std::vector<double>>& sightings_s)
+/** Returns, for each iceberg, the UAV whose order has it; nullopt if no order has it. */
+std::vector<std::optional<int>> owners(std::span<const CoverageModel> models,
+                                       const PlanRequest& request,
+                                       std::span<const CoveragePlan> plans,
+                                       const std::vector<std::vector<double>>& sightings_s)
 {
-    std::vector<int> owner(request.ids.size(), -1);
+    std::vector<std::optional<int>> owner(request.ids.size());
     for (std::size_t k = 0; k < request.ids.size(); ++k)
         for (std::size_t u = 0; u < plans.size(); ++u) {
             if (!request.uavs[u].available[k])
@@ -200,14 +202,14 @@ std::vector<int> owners(std::span<const CoverageModel> models, const PlanRequest
             const auto away_m = [&](std::size_t v) {
                 return request.uavs[v].distance_m(0, static_cast<Eigen::Index>(k) + 1);
             };
-            const auto was = static_cast<std::size_t>(owner[k]);
-            if (owner[k] < 0 || sightings_s[u][k] < sightings_s[was][k] ||
+            const auto was = static_cast<std::size_t>(owner[k].value_or(0));
+            if (!owner[k] || sightings_s[u][k] < sightings_s[was][k] ||
                 (sightings_s[u][k] == sightings_s[was][k] && away_m(u) < away_m(was)))
                 owner[k] = static_cast<int>(u);
         }
     for (std::size_t u = 0; u < plans.size(); ++u)
-        if (const int iceberg = firstIceberg(plans[u]); iceberg >= 0)
-            owner[static_cast<std::size_t>(models[u].icebergAt(iceberg))] = static_cast<int>(u);
+        if (const std::optional<int> iceberg = firstIceberg(plans[u]))
+            owner[static_cast<std::size_t>(models[u].icebergAt(*iceberg))] = static_cast<int>(u);
     assignToEach(owner, models, request, plans);
     return owner;
 }
@@ -291,7 +293,7 @@ std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,
         sightings_s.push_back(sightingsOf(described[u], request.ids.size()));
     }
     shareSearches(described);
-    const std::vector<int> owner = owners(models, request, plans, sightings_s);
+    const std::vector<std::optional<int>> owner = owners(models, request, plans, sightings_s);
     std::vector<UavAnswer> answers;
     for (std::size_t u = 0; u < models.size(); ++u) {
         const auto isOwn = [&](std::size_t k) { return owner[k] == static_cast<int>(u); };

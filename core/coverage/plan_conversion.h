@@ -23,7 +23,7 @@ struct DescribedPlan
 
 /**
  * Returns a plan of the model in the terms of the autopilot and the display. The model must have
- * been made from `request`, which must have a picture, and from icebergs with these ids.
+ * been made from `request`, which must have a input, and from icebergs with these ids.
  */
 [[nodiscard]] DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
                                      std::span<const int> ids, const CoveragePlan& plan);
@@ -33,7 +33,7 @@ struct DescribedPlan
  * each UAV of the request. An iceberg is in the order of the UAV whose first leg goes to it, else
  * of the one that sees it first, else of the nearest; the UAV must always be allowed to fly there.
  * A place of a lost iceberg is in the outlook of the first UAV that has it in view. The outlooks
- * are without zeta. `models` must be made from the request's pictures, without views of other UAVs.
+ * are without zeta. `models` must be made from the request's inputs, without views of other UAVs.
  */
 [[nodiscard]] std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,
                                                    const PlanRequest& request,

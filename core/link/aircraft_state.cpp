@@ -125,12 +125,13 @@ void updateState(AircraftState& state, const LinkMessage& message, double now_s)
         return;
     case MessageId::MissionCurrent: {
         const std::int64_t total = message.integer("total");
+        const auto id = static_cast<std::uint32_t>(message.integer("mission_id"));
         state.mission = {.item = static_cast<int>(message.integer("seq")),
                          .total = total > 0 && total < 65535
                                       ? std::optional(static_cast<int>(total))
                                       : std::nullopt,
                          .state = static_cast<int>(message.integer("mission_state")),
-                         .missionId = static_cast<std::uint32_t>(message.integer("mission_id")),
+                         .missionId = id != 0 ? std::optional(id) : std::nullopt,
                          .received_s = now_s};
         return;
     }

@@ -60,8 +60,8 @@ struct AircraftMission
 {
     int item = 0; ///< Numbered as on the link: ArduPilot counts home as 0.
     std::optional<int> total;
-    int state = 0;               ///< MISSION_STATE: 3 active, 4 paused, 5 complete.
-    std::uint32_t missionId = 0; ///< 0 if the autopilot gives none.
+    int state = 0;                          ///< MISSION_STATE: 3 active, 4 paused, 5 complete.
+    std::optional<std::uint32_t> missionId; ///< Nullopt if the autopilot gives none.
     double received_s = 0;
 };
 

@@ -31,7 +31,7 @@ struct CommandResult
 {
     int number = 0; ///< The number returned by `CommandQueue::add`.
     LinkCommand command;
-    std::optional<int> result; ///< MAV_RESULT, 0 for accepted; empty if there was no answer.
+    std::optional<int> result; ///< MAV_RESULT, 0 for accepted; nullopt without an answer.
 };
 
 /**

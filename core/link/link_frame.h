@@ -36,9 +36,9 @@ struct LinkFrame
     std::uint8_t sequence = 0;
     LinkAddress sender;
     std::uint32_t messageId = 0;
-    /** Empty if Bergwatch does not know the message; its checksum is then unchecked. */
+    /** Nullopt if Bergwatch does not know the message; its checksum is then unchecked. */
     std::optional<LinkMessage> message;
-    std::optional<FrameSignature> signature; ///< Empty if the frame is not signed.
+    std::optional<FrameSignature> signature; ///< Nullopt if the frame is not signed.
     std::vector<std::uint8_t> bytes;         ///< The complete frame.
 };
 

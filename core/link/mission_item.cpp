@@ -173,7 +173,7 @@ std::vector<ItemDifference> missionDifferences(std::span<const LinkMissionItem> 
 {
     std::vector<ItemDifference> differences;
     if (planned.size() != onBoard.size())
-        differences.push_back({.index = -1, .field = "count"});
+        differences.push_back({.field = "count"});
     for (std::size_t i = 0; i < std::min(planned.size(), onBoard.size()); ++i) {
         const LinkMissionItem& plan = planned[i];
         const LinkMissionItem& board = onBoard[i];

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -108,7 +109,8 @@ struct ItemAddress
 /** A difference between plan and vehicle. */
 struct ItemDifference
 {
-    int index = 0;     ///< Index of the item in the plan, from 0; -1 for the number of items.
+    /** Index of the item in the plan, from 0; nullopt if the number of items differs. */
+    std::optional<int> index = {};
     std::string field; ///< "count", "command", "frame", "x", "y", "z" or "param1" to "param4".
     bool operator==(const ItemDifference&) const = default;
 };

@@ -87,7 +87,7 @@ std::vector<LinkMessage> MissionUpload::restart(double now_s)
     }
     m_hasRestarted = true;
     m_wasRequested.assign(m_items.size(), false);
-    m_status.item = -1;
+    m_status.item.reset();
     m_status.done = 0;
     m_sends = 1;
     m_lastSent_s = m_lastHeard_s = m_lastProgress_s = now_s;
@@ -105,7 +105,7 @@ std::vector<LinkMessage> MissionUpload::advance(double now_s)
     if (m_mustRestart)
         return restart(now_s);
     const bool isDue = m_sends == 0 || now_s - m_lastSent_s >= kResend_s;
-    if (m_status.item < 0) { // nothing requested yet
+    if (!m_status.item) { // nothing requested yet
         if (!isDue)
             return {};
         if (m_sends == kMostSends) {
@@ -128,7 +128,7 @@ std::vector<LinkMessage> MissionUpload::advance(double now_s)
         return {};
     ++m_sends;
     m_lastSent_s = now_s;
-    return {itemMessageAt(m_status.item)};
+    return {itemMessageAt(*m_status.item)};
 }
 
 std::vector<LinkMessage> MissionUpload::receive(const LinkMessage& message, double now_s)
@@ -149,7 +149,7 @@ std::vector<LinkMessage> MissionUpload::receive(const LinkMessage& message, doub
 
 std::vector<LinkMessage> MissionUpload::answerRequest(int seq, double now_s)
 {
-    if (seq >= m_status.total) {
+    if (seq >= *m_status.total) {
         m_status.item = seq;
         fail(TransferFailure::WrongItem);
         return {addressed(MessageId::MissionAck, m_vehicle, m_type).with("type", kCancelled)};
@@ -174,11 +174,11 @@ void MissionUpload::receiveAck(int result, double now_s)
     if (result == kAccepted) { // otherwise it belongs to an earlier transfer
         if (isEveryItemRequested()) {
             m_status.state = TransferState::Done;
-            m_status.done = m_status.total;
+            m_status.done = *m_status.total;
         }
         return;
     }
-    if (result == kCancelled && m_status.item >= 0) { // ArduPilot has timed out
+    if (result == kCancelled && m_status.item) { // ArduPilot has timed out
         m_mustRestart = true;
         return;
     }
@@ -189,7 +189,7 @@ void MissionUpload::receiveAck(int result, double now_s)
     }
     // A busy PX4 only reports "error", for example until it drops a transfer whose end was lost.
     // The count is then sent again.
-    if (m_status.item >= 0)
+    if (m_status.item)
         m_refused_s = m_refused_s.value_or(now_s);
 }
 
@@ -244,7 +244,7 @@ std::vector<LinkMessage> MissionDownload::receive(const LinkMessage& message, do
         return {};
     if (message.id() == MessageId::MissionCount && !m_count) {
         m_count = static_cast<int>(message.integer("count"));
-        m_status.total = *m_count;
+        m_status.total = m_count;
         if (*m_count > kMostItemsRead) {
             m_status.state = TransferState::Failed;
             m_status.failure = TransferFailure::TooManyItems;

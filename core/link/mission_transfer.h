@@ -33,10 +33,10 @@ struct TransferStatus
     TransferState state = TransferState::Running;
     TransferFailure failure = TransferFailure::None;
     int result = 0; ///< MAV_MISSION_RESULT of the vehicle's last refusal.
-    /** Last item requested by the vehicle or read from it, as on the link; -1 before the first. */
-    int item = -1;
+    /** Last item requested by the vehicle or read from it, as on the link; nullopt before. */
+    std::optional<int> item;
     int done = 0;
-    int total = 0; ///< 0 while unknown.
+    std::optional<int> total; ///< Number of items; nullopt while unknown.
 };
 
 /**

@@ -156,9 +156,12 @@ std::optional<NmeaFix> NmeaReader::fixOf(std::string_view line)
         ++m_counts.others;
         return std::nullopt;
     }
-    int sum = -1;
-    if (star != std::string_view::npos && star > start && line.size() == star + 3)
-        std::from_chars(line.data() + star + 1, line.data() + line.size(), sum, 16);
+    std::optional<int> sum;
+    if (int read = 0;
+        star != std::string_view::npos && star > start && line.size() == star + 3 &&
+        std::from_chars(line.data() + star + 1, line.data() + line.size(), read, 16).ec ==
+            std::errc())
+        sum = read;
     const std::string_view content =
         line.substr(start + 1, star == std::string_view::npos ? star : star - start - 1);
     if (sum != nmeaChecksum(content)) {

@@ -32,7 +32,7 @@ struct VehicleReadings
     double battery = 1; ///< Remaining charge, 0 to 1.
     double voltage_v = 25;
     double current_a = 0;
-    std::optional<double> timeRemaining_s; ///< Empty if unknown.
+    std::optional<double> timeRemaining_s; ///< Nullopt if unknown.
     std::uint32_t mode = 0;                ///< custom_mode of this autopilot's HEARTBEAT.
     bool isArmed = false;
     bool isFlying = false;

@@ -11,7 +11,7 @@ namespace berg {
 /** Times and places of the start and end of a flight. */
 struct FlightHours
 {
-    std::optional<SunTime> takeOff; ///< empty if it is already aloft
+    std::optional<SunTime> takeOff; ///< nullopt if it is already aloft
     SunTime landing;
     LatLon from;
     LatLon to;

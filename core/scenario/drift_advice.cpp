@@ -13,7 +13,7 @@ namespace berg {
 namespace {
 
 /** More samples per visit hardly improve the estimate. */
-constexpr double kMostLooks = 100;
+constexpr double kMostSamples = 100;
 
 SensorSpec sensorOf(const Scenario& scenario, const Uav& uav)
 {
@@ -93,9 +93,10 @@ double sdAfterRound_m(const Scenario& scenario, const Iceberg& iceberg, const Ua
     const double interval_s = std::max(observer.interval_s, scenario.dt_s);
     const double inView_s = width_m(scenario, uav) / uav.spec.airspeed_mps;
     Track track = initialTrack(iceberg, observer.model);
-    const double looks = std::clamp(observer.detection * inView_s / interval_s, 1.0, kMostLooks);
-    for (int look = 0; look < static_cast<int>(looks); ++look) {
-        track.grow(look == 0 ? 0 : inView_s / looks);
+    const double samples =
+        std::clamp(observer.detection * inView_s / interval_s, 1.0, kMostSamples);
+    for (int sample = 0; sample < static_cast<int>(samples); ++sample) {
+        track.grow(sample == 0 ? 0 : inView_s / samples);
         track.measured(track.anchor_m, observer.positionSd_m * observer.positionSd_m,
                        track.anchor_s);
     }

@@ -128,7 +128,7 @@ struct Fields
         {"gain", [](Asset& a) { return &a.gain; }, Number, limits::kGain, {.mostDecimals = 2, .presence = Always},
          en("Gain"), en("Additional weight of an iceberg at the asset.")},
         {"alarm_m", [](Asset& a) { return &a.alarm_m; }, Distance, limits::kLength_m,
-         {.step = 500, .mostDecimals = 2, .noneText = en("half the range")}, en("Inner ring"),
+         {.step = 500, .mostDecimals = 2, .noneText = en("half the range"), .zeroIsNone = true}, en("Inner ring"),
          en("An iceberg predicted to enter it within an hour raises an alarm. At 0 it is half the range.")},
         {"standoff_m", [](Asset& a) { return &a.standoff_m; }, Distance, limits::kLength_m,
          {.step = 100, .mostDecimals = 2, .noneText = en("none")}, en("Stand-off ring"),

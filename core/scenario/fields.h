@@ -39,7 +39,11 @@ struct FieldTraits
     int leastDecimals = 0;
     int mostDecimals = 1;
     const char* noneText = ""; ///< text shown for the lowest value
-    bool zeroIsNone = false;   ///< 0 in memory means that the file has no such member
+    /**
+     * Meaning of 0: of a number in memory, that the file has no such member; of an optional number
+     * in a file, that it has no value.
+     */
+    bool zeroIsNone = false;
     Presence presence = Presence::UnlessDefault;
     const char* olderName = nullptr; ///< name of a number in older files
     bool isLong = false;             ///< text of several lines
@@ -53,8 +57,8 @@ struct Field
     FieldPlace<T> place;
     Quantity quantity = Quantity::Text;
     /**
-     * Limits of the number, or of both numbers of a pair. Empty if it is checked with other fields
-     * or is not a number.
+     * Limits of the number, or of both numbers of a pair. Nullopt if it is checked with other
+     * fields or is not a number.
      */
     std::optional<Limits> limits{};
     FieldTraits traits{};

@@ -19,7 +19,7 @@ double priority(const Asset& asset, const RelativeMotion& motion)
 
 double alarmRadius_m(const Asset& asset)
 {
-    return asset.alarm_m > 0 ? asset.alarm_m : asset.range_m / 2;
+    return asset.alarm_m.value_or(asset.range_m / 2);
 }
 
 } // namespace berg

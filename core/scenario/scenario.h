@@ -22,7 +22,7 @@ namespace berg {
 /** Weather limits of a UAV. */
 struct WeatherLimits
 {
-    /** Strongest permitted wind; empty means no limit. */
+    /** Strongest permitted wind; nullopt means no limit. */
     std::optional<double> wind_mps;
     std::optional<double> gust_mps;
     bool icing = false; ///< true if it may fly in icing conditions
@@ -38,7 +38,7 @@ struct Uav
     double heading_deg = 45; ///< clockwise from north
     UavSpec spec;
     Point fov_m = Point(600, 600); ///< field of view along and across the heading
-    std::optional<Point> home_m;   ///< landing place; empty means the start
+    std::optional<Point> home_m;   ///< landing place; nullopt means the start
     double turnaround_s = 600;     ///< time on the ground between two sorties
     WeatherLimits weather;
     std::string extraJson;
@@ -81,9 +81,9 @@ struct Asset
     Point velocity_mps = Point::Zero();
     double range_m = 10000;
     double gain = 5;
-    double alarm_m = 0;    ///< radius of the inner ring; 0 means half the range
-    double standoff_m = 0; ///< distance that every UAV keeps; 0 means none
-    /** Height above which UAVs may cross the ring; empty means no height. */
+    std::optional<double> alarm_m = {}; ///< radius of the inner ring; nullopt means half the range
+    double standoff_m = 0;              ///< distance that every UAV keeps
+    /** Height above which UAVs may cross the ring; nullopt means no height. */
     std::optional<double> standoffCeiling_m;
     std::string extraJson;
     bool operator==(const Asset&) const = default;
@@ -95,7 +95,7 @@ struct NoFlyArea
     std::string name;
     std::vector<Point> corners_m;
     double floor_m = 0;              ///< above sea level, like the altitude of a UAV
-    std::optional<double> ceiling_m; ///< empty means unlimited
+    std::optional<double> ceiling_m; ///< nullopt means unlimited
     std::string extraJson;
     bool operator==(const NoFlyArea&) const = default;
 };
@@ -105,7 +105,7 @@ struct GroundStation
 {
     Point position_m = Point::Zero();
     double antenna_m = 2;          ///< above sea level
-    std::optional<double> range_m; ///< range of the link; empty means the radio horizon
+    std::optional<double> range_m; ///< range of the link; nullopt means the radio horizon
     std::string extraJson;
     bool operator==(const GroundStation&) const = default;
 };
@@ -198,7 +198,7 @@ struct AirspaceArea
     std::string kind; ///< class or type as given by the source: "D", "R", "TRA", ...
     std::vector<Point> corners_m;
     double floor_m = 0;
-    std::optional<double> ceiling_m; ///< empty means unlimited
+    std::optional<double> ceiling_m; ///< nullopt means unlimited
     std::string fromUtc;             ///< ISO 8601 with Z; if empty, active from any time
     std::string untilUtc;            ///< ISO 8601 with Z; if empty, active without end
     std::string extraJson;
@@ -210,7 +210,7 @@ struct ScenarioLabels
 {
     std::string name;
     std::string notes;
-    std::optional<Operation> operation; ///< empty if no permit is applied for
+    std::optional<Operation> operation; ///< nullopt if no permit is applied for
     std::vector<AirspaceArea> airspace;
     bool operator==(const ScenarioLabels&) const = default;
 };

@@ -7,18 +7,19 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace berg {
 
 namespace {
 
-/** Returns the value of `count` digits at `from`, or -1 if one of them is not a digit. */
-int digits(std::string_view text, std::size_t from, std::size_t count)
+/** Returns the value of `count` digits at `from`, or nullopt if one of them is not a digit. */
+std::optional<int> digits(std::string_view text, std::size_t from, std::size_t count)
 {
     int value = 0;
     for (const char c : text.substr(from, count)) {
         if (c < '0' || c > '9')
-            return -1;
+            return std::nullopt;
         value = value * 10 + (c - '0');
     }
     return value;
@@ -97,21 +98,21 @@ bool isUtcTime(std::string_view text)
     const std::string_view fraction = text.substr(length, text.size() - length - 1);
     if (!fraction.empty() &&
         (fraction[0] != '.' || fraction.size() < 2 || fraction.size() > kMostFractionDigits + 1 ||
-         digits(fraction, 1, fraction.size() - 1) < 0))
+         !digits(fraction, 1, fraction.size() - 1)))
         return false;
 
-    const int year = digits(text, 0, 4);
-    const int month = digits(text, 5, 2);
-    const int day = digits(text, 8, 2);
-    const int hour = digits(text, 11, 2);
-    const int minute = digits(text, 14, 2);
-    const int second = digits(text, 17, 2);
-    if (std::min({year, month, day, hour, minute, second}) < 0)
+    const std::optional<int> year = digits(text, 0, 4);
+    const std::optional<int> month = digits(text, 5, 2);
+    const std::optional<int> day = digits(text, 8, 2);
+    const std::optional<int> hour = digits(text, 11, 2);
+    const std::optional<int> minute = digits(text, 14, 2);
+    const std::optional<int> second = digits(text, 17, 2);
+    if (!year || !month || !day || !hour || !minute || !second)
         return false;
-    const std::chrono::year_month_day date{std::chrono::year(year),
-                                           std::chrono::month(static_cast<unsigned>(month)),
-                                           std::chrono::day(static_cast<unsigned>(day))};
-    return date.ok() && hour <= 23 && minute <= 59 && second <= 59;
+    const std::chrono::year_month_day date{std::chrono::year(*year),
+                                           std::chrono::month(static_cast<unsigned>(*month)),
+                                           std::chrono::day(static_cast<unsigned>(*day))};
+    return date.ok() && *hour <= 23 && *minute <= 59 && *second <= 59;
 }
 
 } // namespace berg

@@ -88,7 +88,7 @@ bool Autopilot::fliesTo(int iceberg) const
 
 Point targetPlace_m(const FlightTarget& flightTarget, const Observer& observer)
 {
-    return flightTarget.members.empty() ? observer.estimate_m(flightTarget.target)
+    return flightTarget.members.empty() ? observer.estimate_m(*flightTarget.target)
                                         : middle_m(observer, flightTarget.members);
 }
 
@@ -180,25 +180,25 @@ double searchGain_m2ps(const Autopilot& uav, const Search& search, const Observe
 
 bool isWorthSearching(const Autopilot& uav, const Search& search, const Observer& observer)
 {
-    const int target = uav.target();
-    if (!search.path.hasCorner() || target < 0)
+    const std::optional<int> target = uav.target();
+    if (!search.path.hasCorner() || !target)
         return search.path.hasCorner();
-    const Point leg_m = observer.estimate_m(target) - uav.pose().position_m;
+    const Point leg_m = observer.estimate_m(*target) - uav.pose().position_m;
     const double leg_s =
         std::max(uav.guard().uav().clock.command_s(),
                  (leg_m.norm() - surelySeen_m(uav.sensor())) / uav.motion().airspeed_mps);
     return searchGain_m2ps(uav, search, observer) >
-           priority(observer, target) * observer.track(target).sigma_m2 / leg_s;
+           priority(observer, *target) * observer.track(*target).sigma_m2 / leg_s;
 }
 
 void Autopilot::setTarget(FlightTarget flightTarget, const Observer& observer)
 {
     m_misses = 0;
-    if (flightTarget.target < 0) {
-        if (m_lastReached < 0)
+    if (!flightTarget.target) {
+        if (!m_lastReached)
             m_lastReached =
                 nearest(observer, m_pose.position_m, [&](int i) { return observer.active(i); });
-        m_mode = m_lastReached < 0 ? Mode(Idle{}) : Mode(Circle{});
+        m_mode = m_lastReached ? Mode(Circle{}) : Mode(Idle{});
         return;
     }
     if (!flightTarget.members.empty()) {
@@ -348,7 +348,7 @@ double Autopilot::steer(int uav, Observer& observer, StepReport& report)
     case FlightMode::RunOut:
         return steerRunOut();
     case FlightMode::Circle:
-        return steerRound(observer.estimate_m(m_lastReached));
+        return steerRound(observer.estimate_m(*m_lastReached));
     case FlightMode::Search:
         return steerSearch(uav, observer, report);
     case FlightMode::Hold:
@@ -403,7 +403,7 @@ double Autopilot::steerLeg(const Observer& observer)
         m_crossTrack_m = leg_m.isZero(0) ? 0 : cross(leg_m.normalized(), flown_m);
         return steerAt(end_m);
     }
-    const Point& drift_mps = observer.track(flightTarget.target).velocity_mps;
+    const Point& drift_mps = observer.track(*flightTarget.target).velocity_mps;
     const LosGuidance::Command command = steerAlong(end_m, drift_mps);
     if (!command.passedEnd)
         return command.u_radps;

@@ -10,7 +10,7 @@ namespace berg {
 /** The iceberg, cluster or aimed leg that a UAV flies to. */
 struct FlightTarget
 {
-    int target = -1; ///< index into the icebergs; -1 means no iceberg
+    std::optional<int> target; ///< index of the iceberg; nullopt while nothing is flown to
     /** Leg to fly in place of the straight leg to the target's estimate. */
     std::optional<AimedLeg> aim;
     std::vector<int> members; ///< icebergs of the cluster to fly over; empty for a single iceberg
@@ -50,8 +50,11 @@ public:
      * Returns the target, or null if the UAV has none. The pointer is valid until the next change.
      */
     [[nodiscard]] const FlightTarget* flightTarget() const;
-    /** Returns the index of the target iceberg, or -1 if there is none. */
-    [[nodiscard]] int target() const { return flightTarget() ? flightTarget()->target : -1; }
+    /** Returns the index of the target iceberg, or nullopt if there is none. */
+    [[nodiscard]] std::optional<int> target() const
+    {
+        return flightTarget() ? flightTarget()->target : std::nullopt;
+    }
     /** Returns true if the iceberg is the target or a member of the target cluster. */
     [[nodiscard]] bool fliesTo(int iceberg) const;
     /**
@@ -72,8 +75,8 @@ public:
     [[nodiscard]] std::optional<double> homeMargin_s(const Observer& observer) const;
 
     /**
-     * Flies to the target. With target -1 the UAV circles the last iceberg reached, else the
-     * nearest active one, else it holds where it is (Idle).
+     * Flies to the target. Without one the UAV circles the last iceberg reached, else the nearest
+     * active one, else it holds where it is (Idle).
      */
     void setTarget(FlightTarget flightTarget, const Observer& observer);
     /** Flies the observer's search for this UAV; the present target is kept for afterwards. */
@@ -175,7 +178,7 @@ private:
     double m_flown_m = 0; ///< distance flown through the air
     Mode m_mode;
     FlightOrder m_order = FlightOrder::None;
-    int m_lastReached = -1;
+    std::optional<int> m_lastReached;
     LosGuidance m_guidance;
     double m_runOut_m = 0;        ///< distance left to fly straight in mode RunOut
     int m_misses = 0;             ///< number of times the target was passed without reaching it

@@ -23,11 +23,11 @@ FieldOfView Camera::part(double share) const
     return {seen, pose.position_m, pose.psi_rad};
 }
 
-int firstWith(std::span<const FieldOfView> views, const Point& place_m)
+std::optional<int> firstWith(std::span<const FieldOfView> views, const Point& place_m)
 {
     const auto it = std::ranges::find_if(
         views, [&](const FieldOfView& view) { return view.contains(place_m); });
-    return it == views.end() ? -1 : static_cast<int>(it - views.begin());
+    return it == views.end() ? std::nullopt : std::optional(static_cast<int>(it - views.begin()));
 }
 
 void Cameras::add(const Camera& camera)
@@ -59,7 +59,7 @@ std::vector<FieldOfView> Cameras::middles() const
     return middles;
 }
 
-int Cameras::viewer(const Point& place_m)
+std::optional<int> Cameras::viewer(const Point& place_m)
 {
     for (std::size_t uav = 0; uav < m_cameras.size(); ++uav) {
         const double near_m = m_cameras[uav].reach_m + kReachMargin_m;
@@ -70,7 +70,7 @@ int Cameras::viewer(const Point& place_m)
         if (m_views[uav]->contains(place_m))
             return static_cast<int>(uav);
     }
-    return -1;
+    return std::nullopt;
 }
 
 bool Cameras::isWithinReach(int uav, const Point& place_m) const

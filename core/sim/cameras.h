@@ -2,6 +2,7 @@
 
 #include "core/sim/world_state.h"
 
+#include <optional>
 #include <span>
 
 namespace berg {
@@ -27,8 +28,9 @@ private:
     [[nodiscard]] FieldOfView part(double share) const;
 };
 
-/** Returns the index of the first view that contains the place, or -1 if none does. */
-[[nodiscard]] int firstWith(std::span<const FieldOfView> views, const Point& place_m);
+/** Returns the index of the first view that contains the place, or nullopt if none does. */
+[[nodiscard]] std::optional<int> firstWith(std::span<const FieldOfView> views,
+                                           const Point& place_m);
 
 /** Fields of view and reach of all UAVs, by UAV. */
 class Cameras
@@ -54,8 +56,8 @@ public:
     [[nodiscard]] std::vector<FieldOfView> views() const;
     /** Returns `Camera::middle` by UAV. */
     [[nodiscard]] std::vector<FieldOfView> middles() const;
-    /** Returns the first UAV that has the place in view now, or -1 if none has. */
-    [[nodiscard]] int viewer(const Point& place_m);
+    /** Returns the first UAV that has the place in view now, or nullopt if none has. */
+    [[nodiscard]] std::optional<int> viewer(const Point& place_m);
 
     [[nodiscard]] const std::optional<double>& reachRadius_m() const { return m_reachRadius_m; }
     /** Returns true if there is a reach radius and the place is within it. */

@@ -71,9 +71,9 @@ bool Fleet::visitable(int uav, int iceberg) const
 {
     const Track& track = m_observer.track(iceberg);
     const World& world = m_observer.world();
-    const int assigned = world.parameters(iceberg).assignedUav;
+    const std::optional<int>& assigned = world.parameters(iceberg).assignedUav;
     return m_observer.active(iceberg) && track.status == TrackStatus::Tracked && !track.inView &&
-           (assigned < 0 || assigned == uav) && !isReachedUnseen(m_observer, iceberg) &&
+           (!assigned || assigned == uav) && !isReachedUnseen(m_observer, iceberg) &&
            !autopilot(uav).isShutOff(m_observer.estimate_m(iceberg));
 }
 
@@ -87,7 +87,7 @@ bool Fleet::available(int uav, int iceberg) const
     return visitable(uav, iceberg) && affordable(uav, iceberg);
 }
 
-int Fleet::nearestAvailable(int uav) const
+std::optional<int> Fleet::nearestAvailable(int uav) const
 {
     return nearest(m_observer, autopilot(uav).pose().position_m,
                    [this, uav](int iceberg) { return available(uav, iceberg); });
@@ -134,7 +134,7 @@ void Fleet::enforceSeparation(int uav)
     if (!m_separation.concerns(uav) || !me.isCommanded(m_observer.world()))
         return;
     Separation::DesiredTurn desired{.rate_radps = me.turnRate_radps(),
-                                    .hasGoal = me.isHomeward() || me.target() >= 0};
+                                    .hasGoal = me.isHomeward() || me.target()};
     if (me.isHomeward() && me.guard().uav().sortie) {
         desired.home_m = me.guard().uav().sortie->home_m;
         desired.due_s = m_observer.world().time_s() + me.guard().slotLeft_s();
@@ -146,7 +146,7 @@ void Fleet::setTarget(int uav, FlightTarget flightTarget, bool mayContinueLeg, b
 {
     Autopilot& me = m_autopilots[toIndex(uav)];
     const FlightTarget* now = me.flightTarget();
-    if (mayContinueLeg && flightTarget.target >= 0 && !flightTarget.aim && now != nullptr &&
+    if (mayContinueLeg && flightTarget.target && !flightTarget.aim && now != nullptr &&
         now->target == flightTarget.target && now->members == flightTarget.members && !now->aim) {
         // Another UAV may have passed on its search.
         if (me.mode() != FlightMode::Search && !(keepsSearch && m_observer.isLeftToPlan()))
@@ -157,10 +157,10 @@ void Fleet::setTarget(int uav, FlightTarget flightTarget, bool mayContinueLeg, b
     if (!keepsSearch || !m_observer.isLeftToPlan())
         beginOrEndSearch(uav);
     // The UAV flies home if icebergs can be visited, but not in this sortie.
-    if (me.target() < 0 && me.mode() != FlightMode::Search && me.guard().uav().sortie &&
+    if (!me.target() && me.mode() != FlightMode::Search && me.guard().uav().sortie &&
         nearest(m_observer, me.pose().position_m,
-                [this, uav](int i) { return visitable(uav, i); }) >= 0 &&
-        nearestAvailable(uav) < 0)
+                [this, uav](int i) { return visitable(uav, i); }) &&
+        !nearestAvailable(uav))
         sendHome(uav);
 }
 
@@ -204,9 +204,8 @@ void Fleet::leaveSearch(int uav)
 
 bool Fleet::maySearch(int uav, int iceberg) const
 {
-    const int assigned = m_observer.world().parameters(iceberg).assignedUav;
-    return m_observer.active(iceberg) && (assigned < 0 || assigned == uav) &&
-           affordable(uav, iceberg);
+    const std::optional<int>& assigned = m_observer.world().parameters(iceberg).assignedUav;
+    return m_observer.active(iceberg) && (!assigned || assigned == uav) && affordable(uav, iceberg);
 }
 
 bool Fleet::hasSomethingToSearch(int uav) const
@@ -255,7 +254,7 @@ void Fleet::searchAgain(int uav)
 {
     const Autopilot& me = autopilot(uav);
     std::optional<Search> best;
-    double best_m2ps = me.target() < 0 ? -1 : 0;
+    double best_m2ps = me.target() ? 0 : -1;
     for (const Search& old : m_observer.searches().givenUp()) {
         if (!maySearch(uav, old.iceberg))
             continue;
@@ -276,7 +275,7 @@ void Fleet::searchAgain(int uav)
 
 void Fleet::setReached(int uav)
 {
-    m_autopilots[toIndex(uav)].setReached(autopilot(uav).target());
+    m_autopilots[toIndex(uav)].setReached(*autopilot(uav).target());
     m_separation.arrive(uav);
 }
 
@@ -305,7 +304,7 @@ bool Fleet::takeOffWhenDue(int uav)
         me.guard().sortie().ground_s > kRounding * world.dt_s() || !world.isWholeSecond())
         return false;
     takeSlot(uav);
-    if ((nearestAvailable(uav) < 0 && !hasSomethingToSearch(uav)) ||
+    if ((!nearestAvailable(uav) && !hasSomethingToSearch(uav)) ||
         !m_separation.hasRoom(uav, me.pose().position_m) || !me.takeOff(m_observer))
         return false;
     enterLayer(uav);

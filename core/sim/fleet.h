@@ -46,10 +46,10 @@ public:
      */
     [[nodiscard]] bool available(int uav, int iceberg) const;
     /**
-     * Returns the available iceberg with the nearest estimate, the first among equals, or -1 if
-     * none is available.
+     * Returns the available iceberg with the nearest estimate, the first among equals, or nullopt
+     * if none is available.
      */
-    [[nodiscard]] int nearestAvailable(int uav) const;
+    [[nodiscard]] std::optional<int> nearestAvailable(int uav) const;
     /** Returns true if the scenario groups nearby icebergs into clusters. */
     [[nodiscard]] bool plansClusters() const { return m_clusters; }
     /** Returns true if the iceberg is available to the UAV and may be a member of a cluster. */

@@ -82,7 +82,7 @@ private:
             return true;
         if (hasLegs)
             passOverAllVisible();
-        else if (uav().target >= 0 && reason == PlanReason::TargetReached)
+        else if (uav().target && reason == PlanReason::TargetReached)
             finishTarget();
         passOverVisible();
         if (isLegOver)
@@ -91,7 +91,7 @@ private:
             flyOn(isLegOver);
             return true;
         }
-        m_simulation.setTarget(0, -1);
+        m_simulation.setTarget(0, std::nullopt);
         return !uav().isPlanned();
     }
 
@@ -205,7 +205,7 @@ void flyHome(FlyablePath& path, const Scenario& scene)
 FlyablePath flyOrder(const Scenario& scene, const UavOrder& order, bool home)
 {
     FlyablePath path = OrderFlight(scene, order).fly();
-    const bool isHome = !path.visits.empty() && path.visits.back().iceberg < 0;
+    const bool isHome = !path.visits.empty() && !path.visits.back().iceberg;
     if (home && !isHome)
         flyHome(path, scene);
     return path;

@@ -49,14 +49,14 @@ void apply(const Intervention& intervention, Simulation& world,
     if (intervention.appears)
         world.addIceberg(*intervention.appears);
     if (intervention.seen)
-        world.reportSighting(indexOfId(icebergs, *intervention.seen), intervention.seenAge_s);
+        world.reportSighting(*indexOfId(icebergs, *intervention.seen), intervention.seenAge_s);
     if (intervention.removed)
-        world.removeIceberg(indexOfId(icebergs, *intervention.removed));
+        world.removeIceberg(*indexOfId(icebergs, *intervention.removed));
     if (intervention.assigned)
-        world.assign(indexOfId(icebergs, intervention.assigned->iceberg),
+        world.assign(*indexOfId(icebergs, intervention.assigned->iceberg),
                      indexOfId(uavs, intervention.assigned->uav));
     if (intervention.commanded)
-        world.order(indexOfId(uavs, intervention.commanded->uav), intervention.commanded->order);
+        world.order(*indexOfId(uavs, intervention.commanded->uav), intervention.commanded->order);
 }
 
 } // namespace berg

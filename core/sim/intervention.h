@@ -3,6 +3,7 @@
 #include "core/sim/simulation.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 namespace berg {
@@ -59,12 +60,13 @@ struct LastChange
 [[nodiscard]] PlannerSettings withChanges(PlannerSettings settings,
                                           const Intervention& intervention);
 
-/** Returns the index of the entry with this id, or -1 if there is none. */
+/** Returns the index of the entry with this id, or nullopt if there is none. */
 template <class Entry>
-[[nodiscard]] int indexOfId(const std::vector<Entry>& entries, const std::string& id)
+[[nodiscard]] std::optional<int> indexOfId(const std::vector<Entry>& entries, const std::string& id)
 {
     const auto it = std::ranges::find(entries, id, &Entry::id);
-    return it == entries.end() ? -1 : static_cast<int>(it - entries.begin());
+    return it == entries.end() ? std::nullopt
+                               : std::optional(static_cast<int>(it - entries.begin()));
 }
 
 /**

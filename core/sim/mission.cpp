@@ -28,7 +28,7 @@ const Scenario& checked(const Scenario& scenario)
 std::vector<int> seenWithTarget(const FlightTarget& flightTarget)
 {
     std::vector<int> others = flightTarget.members;
-    std::erase(others, flightTarget.target);
+    std::erase(others, *flightTarget.target);
     return others;
 }
 
@@ -192,7 +192,7 @@ void Mission::noteChanges(const Intervention& intervention)
               .iceberg = indexOfId(m_icebergs, *intervention.removed),
               .changed = ChangedPart::Removal});
     if (const std::optional<Assignment>& assigned = intervention.assigned) {
-        const int iceberg = indexOfId(m_icebergs, assigned->iceberg);
+        const int iceberg = *indexOfId(m_icebergs, assigned->iceberg);
         m_icebergs[static_cast<std::size_t>(iceberg)].uav = assigned->uav;
         note({.kind = EventKind::Intervention,
               .iceberg = iceberg,
@@ -213,10 +213,10 @@ void Mission::noteChanges(const Intervention& intervention)
  */
 void Mission::requireAppeared(const std::string& iceberg, const char* field) const
 {
-    const int index = indexOfId(m_icebergs, iceberg);
+    const std::optional<int> index = indexOfId(m_icebergs, iceberg);
     const bool mayHaveLeft = field == std::string_view("removed");
-    if (index < 0 ||
-        (!m_simulation.active(index) && !(mayHaveLeft && m_simulation.track(index).left)))
+    if (!index ||
+        (!m_simulation.active(*index) && !(mayHaveLeft && m_simulation.track(*index).left)))
         throw Error(ErrorCode::InvalidInput, m_scenario.name,
                     {{Severity::Error, field, {IssueId::NoSuchIceberg, {iceberg}}}});
 }
@@ -228,7 +228,7 @@ void Mission::requireAppeared(const std::string& iceberg, const char* field) con
 void Mission::requireUav(const std::string& uav, const char* field) const
 {
     const bool isAny = uav.empty() && field == std::string_view("assigned.uav");
-    if (!isAny && indexOfId(m_scenario.uavs, uav) < 0)
+    if (!isAny && !indexOfId(m_scenario.uavs, uav))
         throw Error(ErrorCode::InvalidInput, m_scenario.name,
                     {{Severity::Error, field, {IssueId::UnknownUav, {uav}}}});
 }

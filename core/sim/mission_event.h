@@ -3,6 +3,7 @@
 #include "core/plan/policy/policy.h"
 #include "core/sim/world_state.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,11 +50,11 @@ struct MissionEvent
 {
     double time_s = 0;
     EventKind kind = EventKind::Planned;
-    int iceberg = -1;      ///< index, or -1 if no iceberg is concerned
-    int uav = -1;          ///< index, or -1 if no UAV is concerned
-    int otherUav = -1;     ///< Close: index of the other UAV
-    double distance_m = 0; ///< Close: distance between the two
-    double entry_s = 0;    ///< Alarm: time until it enters the ring
+    std::optional<int> iceberg;  ///< index; nullopt if no iceberg is concerned
+    std::optional<int> uav;      ///< index; nullopt if no UAV is concerned
+    std::optional<int> otherUav; ///< Close: index of the other UAV
+    double distance_m = 0;       ///< Close: distance between the two
+    double entry_s = 0;          ///< Alarm: time until it enters the ring
     /** Sighted: reported by somebody other than a UAV; Appeared: added in flight. */
     bool reported = false;
     std::vector<int> together;                ///< Reached: other members of the cluster

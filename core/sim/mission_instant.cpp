@@ -90,8 +90,8 @@ private:
                 if (plan.interim && plan.reason == PlanReason::Intervention &&
                     m_world.planReason(plan.uav) != PlanReason::Intervention)
                     m_world.requestPlan();
-                m_world.setTarget(plan.uav, plan.target, firstAim(plan),
-                                  clusterWith(plan.clusters, plan.target), keepsSearch(plan));
+                m_world.setTarget(plan.uav, plan.target, firstAim(plan), clusterOfTarget(plan),
+                                  keepsSearch(plan));
                 ++m_plan;
             } else {
                 return;

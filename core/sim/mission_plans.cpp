@@ -21,6 +21,12 @@ bool nobodyIsPlanned(const Fleet& fleet)
     return true;
 }
 
+/** Returns the first iceberg of the order, or nullopt if the order is empty. */
+std::optional<int> firstOfOrder(std::span<const int> order)
+{
+    return order.empty() ? std::nullopt : std::optional(order.front());
+}
+
 /** Copies what the log stores of an answer; the caller adds time, order and reason. */
 PlanEvent planEvent(const PlanAnswer& answer)
 {
@@ -49,7 +55,7 @@ std::vector<PlanEvent> planEvents(const PlanAnswer& answer, const PlanRequest& r
         PlanEvent event = planEvent(answer);
         event.uav = request.uavs[k].uav;
         event.sameSolve = k > 0;
-        event.target = own.order.empty() ? -1 : own.order.front();
+        event.target = firstOfOrder(own.order);
         event.order = own.order;
         std::ranges::copy_if(answer.clusters, std::back_inserter(event.clusters),
                              [&](const std::vector<int>& members) {
@@ -111,10 +117,10 @@ bool Mission::putPendingInForce()
         std::erase_if(plan.order, isGone);
         plan.clusters = stillClusters(std::move(plan.clusters), plan.uav, m_simulation);
         plan.time_s = m_simulation.time_s();
-        if (plan.target < 0 || !isGone(plan.target))
+        if (!plan.target || !isGone(*plan.target))
             continue;
         isTimely = false;
-        plan.target = plan.order.empty() ? -1 : plan.order.front();
+        plan.target = firstOfOrder(plan.order);
         plan.legs.clear();
     }
     putInForce(std::move(plans));
@@ -129,7 +135,7 @@ bool Mission::planNow(const std::stop_token& stop)
     options.gap = m_options.gap;
     options.inFlight =
         !m_settingsChanged &&
-        std::ranges::any_of(m_plans, [](const PlanEvent& plan) { return plan.target >= 0; });
+        std::ranges::any_of(m_plans, [](const PlanEvent& plan) { return plan.target.has_value(); });
     options.stop = stop;
     const auto request =
         std::make_shared<const PlanRequest>(requestFor(m_simulation, m_planner.settings().policy));
@@ -176,8 +182,8 @@ void Mission::putInForce(Round plans)
 /** Puts the plan of one UAV into force and records it. */
 void Mission::activate(PlanEvent plan)
 {
-    m_simulation.setTarget(plan.uav, plan.target, firstAim(plan),
-                           clusterWith(plan.clusters, plan.target), keepsSearch(plan));
+    m_simulation.setTarget(plan.uav, plan.target, firstAim(plan), clusterOfTarget(plan),
+                           keepsSearch(plan));
     if (!plan.interim)
         note({.kind = EventKind::Planned,
               .iceberg = plan.target,
@@ -210,17 +216,17 @@ void Mission::flyOn(int uav)
         return !m_simulation.available(uav, i) || isTargetOfOther(uav, i);
     });
     if (plan.order.empty())
-        if (const int next = nearest(
+        if (const std::optional<int> next = nearest(
                 m_simulation.observer(), m_simulation.fleet().autopilot(uav).pose().position_m,
                 [&](int i) { return !isTargetOfOther(uav, i) && m_simulation.available(uav, i); });
-            next >= 0)
-            plan.order = {next};
+            next)
+            plan.order = {*next};
     if (const PlanEvent* last = lastPlanOf(m_plans, uav))
         plan.clusters = stillClusters(last->clusters, uav, m_simulation);
     plan.thisSortie = thisSortie(m_simulation, uav, plan.order, plan.clusters);
-    plan.target = plan.order.empty() ? -1 : plan.order.front();
+    plan.target = firstOfOrder(plan.order);
     const FlightTarget* now = m_simulation.fleet().autopilot(uav).flightTarget();
-    if (plan.target >= 0 && now != nullptr && plan.target == now->target && now->aim) {
+    if (plan.target && now != nullptr && plan.target == now->target && now->aim) {
         AimedLeg leg = *now->aim;
         const double planned_s = plan.time_s + m_scenario.planningTime_s;
         leg.sighting_s = std::max(leg.sighting_s, planned_s);
@@ -324,7 +330,7 @@ void Mission::reportIncumbent(const SolveProgress& progress, const PlanRequest& 
         event.sameSolve = k > 0;
         event.order = progress.plan[k];
         event.reason = m_simulation.planReason(event.uav);
-        event.target = event.order.empty() ? -1 : event.order.front();
+        event.target = firstOfOrder(event.order);
         event.thisSortie = thisSortie(m_simulation, event.uav, event.order, event.clusters);
         event.legs = progress.legs.empty() ? std::vector<AimedLeg>() : progress.legs[k];
         m_incumbentListener(event);

@@ -68,7 +68,7 @@ void Observer::addIceberg(const Iceberg& iceberg)
 {
     insert(iceberg, DriftNoise(m_world.seed(), iceberg.id), m_world.time_s(), m_world.step());
     const Point truth_m = m_world.truth_m(m_world.icebergCount() - 1);
-    if (m_world.observer().model == ObserverModel::Simple && m_cameras.viewer(truth_m) >= 0)
+    if (m_world.observer().model == ObserverModel::Simple && m_cameras.viewer(truth_m))
         m_tracks.back().seen(truth_m, m_world.time_s());
 }
 
@@ -86,10 +86,10 @@ void Observer::reportSighting(int iceberg, double age_s, StepReport& report)
         track.seen(m_world.truth_m(iceberg), m_world.time_s());
         track.sigma_m2 = growth_m2;
         if (track.status != TrackStatus::Tracked)
-            found(iceberg, -1, report);
+            found(iceberg, std::nullopt, report);
     } else
-        measure(iceberg, m_world.truth_m(iceberg), measurementVariance_m2() + growth_m2, -1,
-                report);
+        measure(iceberg, m_world.truth_m(iceberg), measurementVariance_m2() + growth_m2,
+                std::nullopt, report);
     track.seen_s = seen_s;
     track.inView = inView;
 }
@@ -160,8 +160,8 @@ void Observer::sampleIceberg(int iceberg, StepReport& report)
         m_newlyAppeared.push_back(iceberg);
     Track& track = m_tracks[toIndex(iceberg)];
     const Point truth_m = m_world.position_m(iceberg);
-    const int uav = m_cameras.viewer(truth_m);
-    if (uav < 0) {
+    const std::optional<int> uav = m_cameras.viewer(truth_m);
+    if (!uav) {
         track.inView = false;
         m_checkStep[toIndex(iceberg)] =
             m_world.step() +
@@ -176,7 +176,7 @@ void Observer::sampleIceberg(int iceberg, StepReport& report)
         found(iceberg, uav, report);
 }
 
-void Observer::found(int iceberg, int seenBy, StepReport& report)
+void Observer::found(int iceberg, std::optional<int> seenBy, StepReport& report)
 {
     m_tracks[toIndex(iceberg)].status = TrackStatus::Tracked;
     m_searches.end(iceberg);
@@ -200,9 +200,9 @@ void Observer::watchEstimates(StepReport& report)
         if (track(i).status != TrackStatus::Tracked) {
             m_searches.grow(i, track(i).q_m2ps);
             m_searches.miss(i, seenNow(), estimate_m, 1);
-        } else if (m_cameras.viewer(estimate_m) >= 0) {
-            if (const int uav = firstWith(m_cameras.middles(), estimate_m); uav >= 0)
-                lose(i, uav, seenNow(), report);
+        } else if (m_cameras.viewer(estimate_m)) {
+            if (const std::optional<int> uav = firstWith(m_cameras.middles(), estimate_m))
+                lose(i, *uav, seenNow(), report);
         }
     }
 }
@@ -228,8 +228,8 @@ void Observer::sampleMeasurements(double dt_s, StepReport& report)
         if (m_world.age(i) < 0)
             continue;
         const Point truth_m = m_world.position_m(i);
-        const int seenBy = firstWith(views, truth_m);
-        if (seenBy < 0) {
+        const std::optional<int> seenBy = firstWith(views, truth_m);
+        if (!seenBy) {
             miss(i, views, middles, report);
             continue;
         }
@@ -243,8 +243,8 @@ void Observer::sampleMeasurements(double dt_s, StepReport& report)
     }
 }
 
-void Observer::measure(int iceberg, const Point& measured_m, double variance_m2, int seenBy,
-                       StepReport& report)
+void Observer::measure(int iceberg, const Point& measured_m, double variance_m2,
+                       std::optional<int> seenBy, StepReport& report)
 {
     Track& track = m_tracks[toIndex(iceberg)];
     if (!track.inView && !track.left)
@@ -289,14 +289,14 @@ void Observer::miss(int iceberg, std::span<const FieldOfView> views,
         m_searches.miss(iceberg, views, estimate_m, m_world.observer().detection);
         if (track.status == TrackStatus::Lost)
             m_searches.missOfPlan(iceberg, views, estimate_m, m_world.observer().detection);
-    } else if (firstWith(views, estimate_m) < 0) {
+    } else if (!firstWith(views, estimate_m)) {
         track.inView = false;
         track.presence = 1;
-    } else if (const int uav = firstWith(middles, estimate_m); uav >= 0) {
+    } else if (const std::optional<int> uav = firstWith(middles, estimate_m)) {
         track.presence =
             afterMiss(std::min(track.presence, kBelieved), m_world.observer().detection);
         if (track.presence < kLostBelow && !track.left)
-            lose(iceberg, uav, views, report);
+            lose(iceberg, *uav, views, report);
     }
 }
 
@@ -378,7 +378,8 @@ void Observer::watchArea(StepReport& report)
         if (track.left && isInside) {
             track.left = false;
             m_newlyAppeared.push_back(i);
-            if (const int uav = m_cameras.viewer(m_world.truth_m(i)); track.inView && uav >= 0) {
+            if (const std::optional<int> uav = m_cameras.viewer(m_world.truth_m(i));
+                track.inView && uav) {
                 m_newlySeen.push_back({.iceberg = i, .uav = uav});
                 std::ranges::stable_sort(m_newlySeen, {}, &SeenIceberg::iceberg);
             }
@@ -409,13 +410,14 @@ Point middle_m(const Observer& observer, std::span<const int> icebergs)
     return circleRound(icebergs, [&](int i) { return observer.estimate_m(i); }).centre_m;
 }
 
-int nearest(const Observer& observer, const Point& from_m, const std::function<bool(int)>& counts)
+std::optional<int> nearest(const Observer& observer, const Point& from_m,
+                           const std::function<bool(int)>& counts)
 {
-    int nearest = -1;
+    std::optional<int> nearest;
     double nearest_m = 0;
     for (int i = 0; i < observer.world().icebergCount(); ++i) {
         const double distance_m = (observer.estimate_m(i) - from_m).norm();
-        if ((nearest < 0 || distance_m < nearest_m) && counts(i)) {
+        if ((!nearest || distance_m < nearest_m) && counts(i)) {
             nearest = i;
             nearest_m = distance_m;
         }

@@ -93,14 +93,14 @@ private:
     /** Variance of a measured position along one axis, m^2. */
     [[nodiscard]] double measurementVariance_m2() const;
     void sampleMeasurements(double dt_s, StepReport& report);
-    void measure(int iceberg, const Point& measured_m, double variance_m2, int seenBy,
-                 StepReport& report);
+    void measure(int iceberg, const Point& measured_m, double variance_m2,
+                 std::optional<int> seenBy, StepReport& report);
     void miss(int iceberg, std::span<const FieldOfView> views, std::span<const FieldOfView> middles,
               StepReport& report);
     void watchEstimates(StepReport& report);
     void lose(int iceberg, int uav, std::span<const FieldOfView> views, StepReport& report);
     void noteGivenUp(int iceberg, int uav, StepReport& report);
-    void found(int iceberg, int seenBy, StepReport& report);
+    void found(int iceberg, std::optional<int> seenBy, StepReport& report);
     void watchArea(StepReport& report);
 
     World m_world;
@@ -120,10 +120,10 @@ private:
 
 /**
  * Returns the iceberg with the nearest estimate among those for which `counts` returns true, the
- * first among equals, or -1 if there is none.
+ * first among equals, or nullopt if there is none.
  */
-[[nodiscard]] int nearest(const Observer& observer, const Point& from_m,
-                          const std::function<bool(int)>& counts);
+[[nodiscard]] std::optional<int> nearest(const Observer& observer, const Point& from_m,
+                                         const std::function<bool(int)>& counts);
 /** Returns the centre of the smallest circle around the estimates, m. */
 [[nodiscard]] Point middle_m(const Observer& observer, std::span<const int> icebergs);
 

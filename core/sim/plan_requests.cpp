@@ -29,8 +29,9 @@ Eigen::MatrixXd distances_m(const Simulation& simulation, int uav, std::span<con
 double chanceSeen(const Autopilot& me, const ObserverSpec& observer)
 {
     const double half_s = surelySeen_m(me.sensor()) / me.motion().airspeed_mps;
-    const double looks = half_s / observer.interval_s;
-    return looks < 1 ? looks * observer.detection : 1 - std::pow(1 - observer.detection, looks);
+    const double samples = half_s / observer.interval_s;
+    return samples < 1 ? samples * observer.detection
+                       : 1 - std::pow(1 - observer.detection, samples);
 }
 
 /**

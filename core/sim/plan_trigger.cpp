@@ -14,7 +14,7 @@ constexpr double kOverdue_s = 2;
 bool targetReached(int uav, const FlightTarget& flightTarget, const Fleet& fleet)
 {
     if (flightTarget.members.empty())
-        return isReached(fleet.observer(), uav, flightTarget.target);
+        return isReached(fleet.observer(), uav, *flightTarget.target);
     return std::ranges::all_of(
         flightTarget.members, [&](int member) { return isReached(fleet.observer(), uav, member); });
 }
@@ -25,7 +25,7 @@ bool isSeenByOther(int uav, const FlightTarget& flightTarget, const Fleet& fleet
     const auto isSeen = [&](int iceberg) {
         return isReachedByOther(fleet.observer(), uav, iceberg);
     };
-    return isSeen(flightTarget.target) || std::ranges::any_of(flightTarget.members, isSeen);
+    return isSeen(*flightTarget.target) || std::ranges::any_of(flightTarget.members, isSeen);
 }
 
 /** Returns true if any UAV flies to the iceberg. */
@@ -38,7 +38,7 @@ bool isTarget(int iceberg, const Fleet& fleet)
 bool hasTargets(const Fleet& fleet)
 {
     return std::ranges::any_of(fleet.autopilots(),
-                               [](const Autopilot& uav) { return uav.target() >= 0; });
+                               [](const Autopilot& uav) { return uav.target().has_value(); });
 }
 
 } // namespace
@@ -135,7 +135,7 @@ PlanReason PlanTrigger::reasonOf(int uav, Fleet& fleet) const
     if (const PlanReason trigger = fleet.report().trigger; trigger != PlanReason::None)
         return trigger;
     const FlightTarget* flightTarget = me.flightTarget();
-    if (flightTarget == nullptr || flightTarget->target < 0) {
+    if (flightTarget == nullptr || !flightTarget->target) {
         if (!fleet.observer().newlyAppeared().empty())
             return PlanReason::Appeared;
         return somethingForIdle(uav, fleet) ? PlanReason::OutOfView : PlanReason::None;
@@ -157,16 +157,16 @@ PlanReason PlanTrigger::reasonOfAim(int uav, Fleet& fleet) const
     const Observer& observer = fleet.observer();
     const bool sees = std::ranges::find(observer.newlySeen(), uav, &SeenIceberg::uav) !=
                       observer.newlySeen().end();
-    const bool targetSeen = isInOwnView(observer, uav, flightTarget.target);
+    const bool targetSeen = isInOwnView(observer, uav, *flightTarget.target);
     const bool isByRadius = observer.cameras().reachRadius_m().has_value();
     if ((sees || isByRadius || fleet.count() > 1) &&
-        isReached(observer, uav, flightTarget.target)) {
+        isReached(observer, uav, *flightTarget.target)) {
         fleet.setReached(uav);
         return PlanReason::TargetReached;
     }
     if (sees && !targetSeen) // otherwise it continues until the target is within the reach radius
         return PlanReason::Sighted;
-    if (observer.track(flightTarget.target).inView && !targetSeen)
+    if (observer.track(*flightTarget.target).inView && !targetSeen)
         return PlanReason::SeenByOther;
     if (!observer.newlyAppeared().empty())
         return PlanReason::Appeared;

@@ -1,5 +1,7 @@
 #include "core/sim/recorder.h"
 
+#include "core/sim/clusters.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -33,6 +35,11 @@ std::int64_t stepsOf(double interval_s, double dt_s)
 std::optional<AimedLeg> firstAim(const PlanEvent& plan)
 {
     return plan.legs.empty() ? std::nullopt : std::optional(plan.legs.front());
+}
+
+std::span<const int> clusterOfTarget(const PlanEvent& plan)
+{
+    return plan.target ? clusterWith(plan.clusters, *plan.target) : std::span<const int>();
 }
 
 const PlanEvent* lastPlanOf(std::span<const PlanEvent> plans, int uav)

@@ -4,6 +4,8 @@
 #include "core/sim/plan_forecast.h"
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,8 @@ struct PlanEvent
     bool sameSolve = false; ///< the previous event is of the same solve, for another UAV
     /** Reason for which this UAV needed the plan. */
     PlanReason reason = PlanReason::None;
-    int target = -1;        ///< index of the iceberg to fly to, or -1 to circle
-    std::vector<int> order; ///< indices of the icebergs in visiting order
+    std::optional<int> target; ///< index of the iceberg to fly to; nullopt to circle
+    std::vector<int> order;    ///< indices of the icebergs in visiting order
     /** Groups of two or more icebergs planned as one point. */
     std::vector<std::vector<int>> clusters;
     /**
@@ -60,7 +62,7 @@ struct PlanEvent
  */
 [[nodiscard]] inline bool keepsSearch(const PlanEvent& plan)
 {
-    return plan.interim || (plan.source == AnswerSource::Coverage && plan.target >= 0);
+    return plan.interim || (plan.source == AnswerSource::Coverage && plan.target);
 }
 
 /**
@@ -75,6 +77,9 @@ struct PlanEvent
 /** Returns the last of the plans that is for the UAV, or null if there is none. */
 [[nodiscard]] const PlanEvent* lastPlanOf(std::span<const PlanEvent> plans, int uav);
 
+/** Returns the members of the target's cluster; none for a single iceberg or without a target. */
+[[nodiscard]] std::span<const int> clusterOfTarget(const PlanEvent& plan);
+
 /** Returns the aim of the plan's first leg, or nullopt if it has no aimed legs. */
 [[nodiscard]] std::optional<AimedLeg> firstAim(const PlanEvent& plan);
 
@@ -84,9 +89,8 @@ struct UavSample
     DubinsState pose;
     double u_radps = 0;
     double crossTrack_m = 0;
-    double flown_m = 0; ///< distance flown through the air
-    /** Index of the target iceberg, or -1. */
-    int target = -1;
+    double flown_m = 0;        ///< distance flown through the air
+    std::optional<int> target; ///< index of the target iceberg
     bool onGround = false;
 };
 

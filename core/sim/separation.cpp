@@ -177,7 +177,7 @@ void Separation::leave(int uav)
     me.due_s.reset();
     me.departure = {};
     me.waits_s = 0;
-    me.blocker = -1;
+    me.blocker.reset();
     me.denied_s = 0;
     me.waited_s = 0;
 }
@@ -267,7 +267,7 @@ Separation::Trial Separation::trial(int uav, const SafetyGuard& guard, const Dub
             disc.radius_m = std::max(disc.radius_m, (flown[i].position_m - disc.middle_m).norm());
         const std::vector<double> gaps = gaps_m(uav, disc);
         double lack_m = 0;
-        int blocker = -1;
+        std::optional<int> blocker;
         for (std::size_t other = 0; other < gaps.size(); ++other)
             if (least_m[other] - gaps[other] > lack_m) {
                 lack_m = least_m[other] - gaps[other];
@@ -303,9 +303,9 @@ bool Separation::precedes(int first, int second) const
 
 /**
  * Returns the UAV to fly away from: one that is too close, or one that goes first and has long been
- * blocked by this UAV; -1 if there is none.
+ * blocked by this UAV; nullopt if there is none.
  */
-int Separation::avoided(int uav, const std::vector<double>& gaps) const
+std::optional<int> Separation::avoided(int uav, const std::vector<double>& gaps) const
 {
     const auto nearest = std::ranges::min_element(gaps);
     if (*nearest < m_separation_m)
@@ -314,7 +314,7 @@ int Separation::avoided(int uav, const std::vector<double>& gaps) const
         if (const Member& them = m_members[index(other)];
             them.blocker == uav && them.denied_s >= kPatience_s && precedes(other, uav))
             return other;
-    return -1;
+    return std::nullopt;
 }
 
 /**
@@ -324,9 +324,9 @@ int Separation::avoided(int uav, const std::vector<double>& gaps) const
 bool Separation::waitsOn(int uav) const
 {
     const Member& me = m_members[index(uav)];
-    if (me.waits_s == 0 || me.waits_s > kLongestWait_s || me.ahead_m.empty() || me.blocker < 0)
+    if (me.waits_s == 0 || me.waits_s > kLongestWait_s || me.ahead_m.empty() || !me.blocker)
         return false;
-    const std::optional<Disc>& theirs = m_members[index(me.blocker)].disc;
+    const std::optional<Disc>& theirs = m_members[index(*me.blocker)].disc;
     return theirs && (nearestOn(me.ahead_m, theirs->middle_m) - theirs->middle_m).norm() <
                          theirs->radius_m + me.radius_m + m_separation_m;
 }
@@ -344,7 +344,7 @@ void Separation::note(int uav, const Trial& result, const DesiredTurn& desired, 
     if (result.disc) {
         me.denied_s = std::max(0.0, me.denied_s - command_s);
         if (me.denied_s == 0)
-            me.blocker = -1;
+            me.blocker.reset();
         return;
     }
     me.denied_s = std::min(2 * kPatience_s, me.denied_s + command_s);
@@ -445,38 +445,39 @@ double Separation::command_radps(int uav, const SafetyGuard& guard, const Dubins
     Member& me = m_members[index(uav)];
     me.place_m = pose.position_m;
     me.ahead_m = desired.home_m ? pathAhead_m(uav, guard, pose, desired) : std::vector<Point>();
-    me.due_s = desired.home_m ? std::optional(me.due_s.value_or(desired.due_s)) : std::nullopt;
+    me.due_s = desired.home_m ? std::optional(me.due_s.value_or(desired.due_s.value_or(kFar)))
+                              : std::nullopt;
     if (const auto rate_radps = me.departure.takeNext_radps(guard.uav().clock.steps))
         return *rate_radps;
     me.disc->radius_m = me.radius_m; // the path to the circle has been flown
     std::vector<double> least_m = gaps_m(uav, *me.disc);
-    const int other = avoided(uav, least_m);
+    const std::optional<int> other = avoided(uav, least_m);
     for (double& gap_m : least_m)
         gap_m = std::min(gap_m, m_separation_m);
     const auto tried = [&](double rate_radps) {
         return trial(uav, guard, pose, rate_radps, least_m);
     };
 
-    if (other < 0 && waitsOn(uav)) {
+    if (!other && waitsOn(uav)) {
         note(uav, {.blocker = me.blocker}, desired, guard.uav().clock.command_s());
         me.waits_s += guard.uav().clock.command_s();
         return holdingRate_radps(guard, pose, me.disc->middle_m, me.disc->side);
     }
     const double desired_radps =
-        other < 0 ? desired.rate_radps
-                  : turnAway_radps(guard, pose, placeToAvoid_m(other, pose.position_m));
+        other ? turnAway_radps(guard, pose, placeToAvoid_m(*other, pose.position_m))
+              : desired.rate_radps;
     Trial best = tried(desired_radps);
-    if (!best.disc && desired.home_m && other < 0) {
+    if (!best.disc && desired.home_m && !other) {
         if (Trial through = passage(uav, guard, pose, desired_radps); through.disc)
             best = std::move(through);
-        else if (best.blocker < 0)
+        else if (!best.blocker)
             best.blocker = through.blocker;
     }
     note(uav, best, desired, guard.uav().clock.command_s());
-    const bool waits = best.blocker >= 0 &&
-                       (precedes(best.blocker, uav) ? m_members[index(best.blocker)].blocker >= 0
-                                                    : me.denied_s >= kPatience_s);
-    me.waits_s = waits && !me.ahead_m.empty() && other < 0 ? guard.uav().clock.command_s() : 0;
+    const bool waits = best.blocker && (precedes(*best.blocker, uav)
+                                            ? m_members[index(*best.blocker)].blocker.has_value()
+                                            : me.denied_s >= kPatience_s);
+    me.waits_s = waits && !me.ahead_m.empty() && !other ? guard.uav().clock.command_s() : 0;
     if (!waits)
         for (const double rate_radps : ratesByNearness(desired_radps, guard.uav().motion)) {
             if (best.disc)

@@ -31,9 +31,8 @@ public:
     {
         double rate_radps = 0;
         std::optional<Point> home_m; ///< landing place if the UAV flies home
-        /** Run time by which the UAV must be home, s; infinity means no limit. */
-        double due_s = std::numeric_limits<double>::infinity();
-        bool hasGoal = true; ///< true if it flies to a target or home
+        std::optional<double> due_s; ///< run time by which the UAV must be home, s
+        bool hasGoal = true;         ///< true if it flies to a target or home
     };
 
     /**
@@ -79,17 +78,17 @@ private:
         double altitude_m = 0;
         bool isConcerned = false;
         double radius_m = 0;           ///< radius of the disc in which it holds
-        std::optional<Disc> disc;      ///< empty on the ground
+        std::optional<Disc> disc;      ///< nullopt on the ground
         Point place_m = Point::Zero(); ///< position at its last command
         /**
          * Run time by which it must be home, as it was when it set out: this fixes the order of
-         * landing. Empty while it does not fly home.
+         * landing. Nullopt while it does not fly home.
          */
         std::optional<double> due_s;
         Departure departure; ///< rest of the present departure or passage
         /** Path home ahead; UAVs that rank after it keep clear of this path as of its disc. */
         std::vector<Point> ahead_m;
-        int blocker = -1; ///< UAV that last blocked its desired turn, or -1
+        std::optional<int> blocker; ///< UAV that last blocked its desired turn
         /**
          * Grows while its desired turn is denied, up to twice the patience, and shrinks otherwise.
          */
@@ -102,9 +101,9 @@ private:
     struct Trial
     {
         double rate_radps = 0;
-        std::optional<Disc> disc; ///< empty if the turn rate is not permitted
-        int blocker = -1;         ///< UAV whose disc lacks the most distance, or -1
-        Departure passage = {};   ///< passage to fly to its end; empty for the turn rate alone
+        std::optional<Disc> disc = {};   ///< nullopt if the turn rate is not permitted
+        std::optional<int> blocker = {}; ///< UAV whose disc lacks the most distance
+        Departure passage = {}; ///< passage to fly to its end; empty for the turn rate alone
     };
 
     [[nodiscard]] static std::size_t index(int uav) { return static_cast<std::size_t>(uav); }
@@ -119,7 +118,7 @@ private:
     [[nodiscard]] Trial passage(int uav, const SafetyGuard& guard, const DubinsState& pose,
                                 double rate_radps) const;
     [[nodiscard]] bool precedes(int first, int second) const;
-    [[nodiscard]] int avoided(int uav, const std::vector<double>& gaps) const;
+    [[nodiscard]] std::optional<int> avoided(int uav, const std::vector<double>& gaps) const;
     [[nodiscard]] Point placeToAvoid_m(int other, const Point& from_m) const;
     [[nodiscard]] bool waitsOn(int uav) const;
     void note(int uav, const Trial& result, const DesiredTurn& desired, double command_s);

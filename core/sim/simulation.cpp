@@ -29,7 +29,7 @@ UavState Simulation::uav(int uav) const
     return state;
 }
 
-void Simulation::setTarget(int uav, int iceberg, const std::optional<AimedLeg>& aim,
+void Simulation::setTarget(int uav, std::optional<int> iceberg, const std::optional<AimedLeg>& aim,
                            std::span<const int> members, bool keepsSearch)
 {
     // Another UAV requested the plan; a UAV that keeps its target continues its leg.
@@ -63,9 +63,9 @@ void Simulation::setAsset(const Asset& asset)
     requestPlan();
 }
 
-void Simulation::assign(int iceberg, int uav)
+void Simulation::assign(int iceberg, std::optional<int> uav)
 {
-    require(iceberg >= 0 && iceberg < icebergCount() && uav >= -1 && uav < uavCount(),
+    require(iceberg >= 0 && iceberg < icebergCount() && (!uav || (*uav >= 0 && *uav < uavCount())),
             "assign: no such iceberg or UAV");
     m_fleet.observer().world().assign(iceberg, uav);
     requestPlan();

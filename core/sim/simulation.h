@@ -62,13 +62,14 @@ public:
     /** Returns why this UAV needs a plan; `Fleet` means that another UAV does. */
     [[nodiscard]] PlanReason planReason(int uav) const { return m_trigger.reason(uav); }
     /**
-     * Sends the UAV to an iceberg from its present position; -1 makes it circle the last iceberg
-     * reached. With `aim` it flies that leg until something comes into view. With `members` of a
-     * cluster, which contains the iceberg, it flies to the middle of the circle around their
+     * Sends the UAV to an iceberg from its present position; nullopt makes it circle the last
+     * iceberg reached. With `aim` it flies that leg until something comes into view. With `members`
+     * of a cluster, which contains the iceberg, it flies to the middle of the circle around their
      * estimates and has reached it when all of them are reached at once. For `keepsSearch` see
      * `keepsSearch(PlanEvent)`.
      */
-    void setTarget(int uav, int iceberg, const std::optional<AimedLeg>& aim = std::nullopt,
+    void setTarget(int uav, std::optional<int> iceberg,
+                   const std::optional<AimedLeg>& aim = std::nullopt,
                    std::span<const int> members = {}, bool keepsSearch = false);
 
     /**
@@ -87,10 +88,11 @@ public:
     /** Sets the policy of plans from now on. */
     void setPolicy(PolicyKind policy) { m_trigger.setPolicy(policy); }
     /**
-     * Assigns the iceberg to this UAV alone, or to any UAV if `uav` is -1, and requests a plan.
+     * Assigns the iceberg to this UAV alone, or to every UAV if `uav` is nullopt, and requests a
+     * plan.
      * Throws `std::logic_error` if an index does not exist.
      */
-    void assign(int iceberg, int uav);
+    void assign(int iceberg, std::optional<int> uav);
     /**
      * Gives the UAV an operator's order and requests a plan. `FlightOrder::None` returns it to its
      * plan. Throws `std::logic_error` if there is no such UAV.

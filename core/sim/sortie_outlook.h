@@ -33,11 +33,11 @@ struct SortieOutlook
 {
     /**
      * Usable endurance (`usableEndurance_s`) left at home, s; also the least over the plan, since
-     * flying on shortens the path home by no more than the distance flown. Empty if the endurance
+     * flying on shortens the path home by no more than the distance flown. Nullopt if the endurance
      * is unlimited.
      */
     std::optional<double> margin_s;
-    /** On the path past all icebergs; empty if the UAV can return from anywhere on it. */
+    /** On the path past all icebergs; nullopt if the UAV can return from anywhere on it. */
     std::optional<NoReturn> noReturn;
     double noContact_s = 0; ///< time out of range of the ground station; 0 without a station
 };

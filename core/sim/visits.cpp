@@ -54,8 +54,8 @@ std::span<const int> clusterReached(const Mission& mission, const MissionEvent& 
     const std::vector<PlanEvent>& plans = mission.plans();
     const auto after = std::ranges::lower_bound(plans, reached.time_s, {}, &PlanEvent::time_s);
     const auto before = std::span(plans).first(static_cast<std::size_t>(after - plans.begin()));
-    const PlanEvent* plan = lastPlanOf(before, reached.uav);
-    return plan == nullptr ? std::span<const int>() : clusterWith(plan->clusters, reached.iceberg);
+    const PlanEvent* plan = lastPlanOf(before, *reached.uav);
+    return plan == nullptr ? std::span<const int>() : clusterWith(plan->clusters, *reached.iceberg);
 }
 
 } // namespace
@@ -106,7 +106,7 @@ std::vector<Visit> flownVisits(const Mission& mission, int uav)
         };
         const std::span<const int> members = clusterReached(mission, event);
         const Circle circle =
-            circleRound(members.empty() ? std::span(&event.iceberg, 1) : members, truth_m);
+            circleRound(members.empty() ? std::span(&*event.iceberg, 1) : members, truth_m);
         visits.push_back({.iceberg = event.iceberg,
                           .time_s = event.time_s,
                           .position_m = circle.centre_m,
@@ -118,7 +118,7 @@ std::vector<Visit> flownVisits(const Mission& mission, int uav)
 
 std::vector<int> icebergsOf(const Visit& visit)
 {
-    return visit.members.empty() ? std::vector{visit.iceberg} : visit.members;
+    return visit.members.empty() && visit.iceberg ? std::vector{*visit.iceberg} : visit.members;
 }
 
 } // namespace berg

@@ -2,6 +2,7 @@
 
 #include "core/sim/mission.h"
 
+#include <optional>
 #include <vector>
 
 namespace berg {
@@ -18,7 +19,8 @@ struct TrackPoint
 /** A meeting of the UAV with an iceberg or cluster, planned or flown. */
 struct Visit
 {
-    int iceberg = -1; ///< index, or -1 for home or for the start at the end of a closed route
+    /** Index; nullopt for home and for the start at the end of a closed route. */
+    std::optional<int> iceberg = {};
     double time_s = 0;
     Point position_m = Point::Zero(); ///< true or predicted position of the iceberg at `time_s`
     /** Members of the cluster, `iceberg` among them; empty for a single iceberg. */
@@ -45,8 +47,8 @@ struct Visit
 [[nodiscard]] std::vector<Visit> flownVisits(const Mission& mission, int uav = 0);
 
 /**
- * Returns the icebergs in view at the visit: the members of the cluster, or the single iceberg (-1
- * for home or the start).
+ * Returns the icebergs in view at the visit: the members of the cluster, or the single iceberg.
+ * Returns no icebergs for home and for the start.
  */
 [[nodiscard]] std::vector<int> icebergsOf(const Visit& visit);
 

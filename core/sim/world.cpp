@@ -49,12 +49,13 @@ void World::add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::i
     start.anchor_s = start_s;
     start.seen_s = start_s;
     const auto assigned = std::ranges::find(m_uavs, iceberg.uav);
-    m_parameters.push_back({.stream = stableHash(iceberg.id + "/look"),
-                            .radius_m = iceberg.radius_m,
-                            .start = start,
-                            .assignedUav = iceberg.uav.empty() || assigned == m_uavs.end()
-                                               ? -1
-                                               : static_cast<int>(assigned - m_uavs.begin())});
+    m_parameters.push_back(
+        {.stream = stableHash(iceberg.id + "/look"), // a new name would change every run
+         .radius_m = iceberg.radius_m,
+         .start = start,
+         .assignedUav = iceberg.uav.empty() || assigned == m_uavs.end()
+                            ? std::nullopt
+                            : std::optional(static_cast<int>(assigned - m_uavs.begin()))});
 }
 
 Point World::truth_m(int iceberg) const

@@ -5,6 +5,7 @@
 #include "core/tracking/drift.h"
 
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace berg {
@@ -21,8 +22,9 @@ struct IcebergParameters
 {
     std::uint64_t stream = 0; ///< stream of its random numbers
     double radius_m = 0;
-    Track start;          ///< knowledge at its start; the velocity includes the current
-    int assignedUav = -1; ///< UAV that alone may visit it; -1 means any UAV
+    Track start; ///< knowledge at its start; the velocity includes the current
+    /** Only UAV that may visit it; nullopt if every UAV may. */
+    std::optional<int> assignedUav;
 };
 
 /** The true state: time and positions of the icebergs. */
@@ -66,8 +68,11 @@ public:
     {
         m_appearsStep[toIndex(iceberg)] = std::numeric_limits<std::int64_t>::max();
     }
-    /** Assigns the iceberg to a UAV, or to any UAV if `uav` is -1. */
-    void assign(int iceberg, int uav) { m_parameters[toIndex(iceberg)].assignedUav = uav; }
+    /** Assigns the iceberg to a UAV, or to every UAV if `uav` is nullopt. */
+    void assign(int iceberg, std::optional<int> uav)
+    {
+        m_parameters[toIndex(iceberg)].assignedUav = uav;
+    }
     /** Returns the number of steps since the iceberg appeared; negative before. */
     [[nodiscard]] std::int64_t age(int iceberg) const
     {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/coverage/flight_picture.h"
+#include "core/coverage/prediction_input.h"
 #include "core/plan/policy/policy.h"
 #include "core/tracking/lost_search.h"
 #include "core/vehicle/return_path.h"
@@ -15,8 +15,9 @@ namespace berg {
 /** An iceberg that has come into view. */
 struct SeenIceberg
 {
-    int iceberg = -1;
-    int uav = -1; ///< first UAV that has it in view, or -1 if somebody else reported it
+    int iceberg = 0;
+    /** First UAV that has it in view; nullopt if somebody else reported it. */
+    std::optional<int> uav;
 };
 
 /** Present activity of an autopilot. */
@@ -51,7 +52,7 @@ inline constexpr std::array<Named<FlightOrder>, 3> kFlightOrderNames{
 /** The search for a lost iceberg. */
 struct Search
 {
-    int iceberg = -1;
+    int iceberg = 0;
     LostSearch path;
     bool operator==(const Search&) const = default;
 };
@@ -64,8 +65,8 @@ struct UavState
     double crossTrack_m = 0;
     double flown_m = 0; ///< distance flown through the air
     FlightMode mode = FlightMode::Idle;
-    int target = -1; ///< index into the icebergs; -1 means no target
-    int lastReached = -1;
+    std::optional<int> target;      ///< index of the target iceberg; nullopt without a target
+    std::optional<int> lastReached; ///< index of the last iceberg reached; nullopt before
     bool isAlone = false; ///< planned separately until the next plan for all: see `PlanTrigger`
     LosGuidance guidance;
     double runOut_m = 0; ///< distance left to fly straight in mode RunOut

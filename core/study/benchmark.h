@@ -76,7 +76,7 @@ struct BenchmarkRow
     double worst_s = 0;
     double meanObjective = 0;       ///< mean F of Eq. (1)
     std::int64_t work = 0;          ///< sum in the back end's own unit
-    std::optional<double> worstGap; ///< over all instances tried; empty if one has no bound
+    std::optional<double> worstGap; ///< over all instances tried; nullopt if one has no bound
     std::string note;               ///< reason for missing results
 };
 

@@ -9,6 +9,12 @@
 
 namespace berg {
 
+std::size_t threadCount(const std::optional<int>& threads)
+{
+    return threads ? static_cast<std::size_t>(*threads)
+                   : std::max(1U, std::thread::hardware_concurrency());
+}
+
 bool forEachIndex(std::size_t count, const std::function<void(std::size_t)>& job,
                   const ParallelOptions& options)
 {
@@ -42,9 +48,7 @@ bool forEachIndex(std::size_t count, const std::function<void(std::size_t)>& job
         }
     };
 
-    const auto cores = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t wanted =
-        options.threads > 0 ? static_cast<std::size_t>(options.threads) : cores;
+    const std::size_t wanted = threadCount(options.threads);
     {
         std::vector<std::jthread> pool;
         for (std::size_t t = 0; t < std::min(wanted, std::max<std::size_t>(1, count)); ++t)

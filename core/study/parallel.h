@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <stop_token>
 
 namespace berg {
@@ -9,10 +10,13 @@ namespace berg {
 /** Distribution of independent jobs over threads. */
 struct ParallelOptions
 {
-    int threads = 0; ///< 0 means one per core
+    std::optional<int> threads = {}; ///< at least 1; nullopt means one per core
     std::stop_token stop;
     std::function<void(std::size_t done)> onProgress; ///< never called by two threads at once
 };
+
+/** Returns the number of threads of a pool: as given, or the number of cores. */
+[[nodiscard]] std::size_t threadCount(const std::optional<int>& threads);
 
 /**
  * Calls `job(i)` once for each i in [0, count) on a pool of threads. Jobs must write to separate

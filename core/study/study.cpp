@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <mutex>
 #include <set>
-#include <thread>
 #include <utility>
 
 namespace berg {
@@ -43,9 +42,9 @@ bool isStuck(const Mission& mission)
 {
     std::set<int> targets;
     for (const PlanEvent& plan : mission.plans())
-        // -1 means circling.
-        if (plan.time_s >= mission.scenario().duration_s / 2 && plan.target >= 0)
-            targets.insert(plan.target);
+        // Without a target the UAV circles.
+        if (plan.time_s >= mission.scenario().duration_s / 2 && plan.target)
+            targets.insert(*plan.target);
     return targets.size() <= 2;
 }
 
@@ -188,10 +187,8 @@ private:
     [[nodiscard]] std::size_t missionsPerBatch() const
     {
         constexpr std::size_t kBatchesPerThread = 8;
-        const std::size_t threads = m_options.threads > 0
-                                        ? static_cast<std::size_t>(m_options.threads)
-                                        : std::max(1U, std::thread::hardware_concurrency());
-        const std::size_t share = (m_count - m_done) / (threads * kBatchesPerThread);
+        const std::size_t share =
+            (m_count - m_done) / (threadCount(m_options.threads) * kBatchesPerThread);
         return std::clamp<std::size_t>(share, 1, std::max<std::size_t>(m_settings.size(), 1));
     }
 

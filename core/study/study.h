@@ -108,7 +108,8 @@ struct Shard
 /** Options of flying a study. */
 struct StudyOptions
 {
-    int threads = 0; ///< 0 means one per core; the result does not depend on it
+    /** At least 1; nullopt means one per core. The result does not depend on it. */
+    std::optional<int> threads = {};
     Shard shard;
     std::stop_token stop;
     /**

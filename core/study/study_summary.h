@@ -37,7 +37,7 @@ struct BestTau
 struct Recommendation
 {
     std::size_t lowest = 0; ///< index of the lowest mean zeta, the first of a tie
-    /** Surely lowest setting (`isSurelyLowest`); empty if there is no clear winner. */
+    /** Surely lowest setting (`isSurelyLowest`); nullopt without a clear winner. */
     std::optional<std::size_t> best;
     std::optional<std::size_t> next; ///< with `best`: the setting closest to it
     MeanInterval relative;           ///< zeta of `best` / zeta of `next` - 1, case by case

@@ -13,6 +13,8 @@ namespace berg {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
+/** Entry of the matrix of paths where no path is known. */
+constexpr int kNoCorner = -1;
 /** Factor by which the circle over ground is wider than necessary. */
 constexpr double kCircleMargin = 1.05;
 /** A path passes a corner at a distance where this fraction of it is free of the fence. */
@@ -250,7 +252,7 @@ void Geofence::connectCorners()
     const auto n = static_cast<Eigen::Index>(m_corners_m.size());
     const auto at = [this](Eigen::Index i) { return m_corners_m[static_cast<std::size_t>(i)]; };
     m_path_m = Eigen::MatrixXd::Constant(n, n, kFar);
-    m_next = Eigen::MatrixXi::Constant(n, n, -1);
+    m_next = Eigen::MatrixXi::Constant(n, n, kNoCorner);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < n; ++j)
             if (i == j || isClear(at(i), at(j))) {
@@ -284,20 +286,19 @@ std::vector<Point> Geofence::cornersBetween(const Point& start_m, const Point& e
     if (isClear(from_m, to_m))
         return {};
     double best_m = kFar;
-    int first = -1;
-    int last = -1;
+    std::optional<std::pair<int, int>> ends; // first and last corner
     const std::vector<Sight> arriving = sights(to_m);
     for (const Sight& a : sights(from_m))
         for (const Sight& b : arriving) {
             const double path_m = a.from_m + m_path_m(a.corner, b.corner) + b.to_m;
             if (path_m < best_m) {
                 best_m = path_m;
-                first = a.corner;
-                last = b.corner;
+                ends = {a.corner, b.corner};
             }
         }
-    if (first < 0)
+    if (!ends)
         return {};
+    auto [first, last] = *ends;
     std::vector<Point> corners{m_corners_m[static_cast<std::size_t>(first)]};
     while (first != last) {
         first = m_next(first, last);

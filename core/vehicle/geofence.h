@@ -161,7 +161,7 @@ private:
     std::vector<double> m_space_m;  ///< by reflex corner: distance at which it is passed
     std::vector<Point> m_corners_m; ///< by reflex corner: place at which it is passed
     Eigen::MatrixXd m_path_m;       ///< shortest air distances between those places
-    Eigen::MatrixXi m_next;         ///< place after the row on that path; -1 if no path is known
+    Eigen::MatrixXi m_next; ///< place after the row on that path; `kNoCorner` if none is known
 };
 
 } // namespace berg

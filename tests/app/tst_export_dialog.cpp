@@ -322,7 +322,7 @@ private slots:
         QVERIFY(dialog.choice().path.endsWith(u".csv"_s));
     }
 
-    void refusalIsToldAndStopsTheExport()
+    void refusalIsReportedAndStopsTheExport()
     {
         Scenario scenario = withUavs(1);
         scenario.wind_mps = Point(8, 0);

@@ -48,28 +48,28 @@ private slots:
     void flightIsTakenUpWhereItWasNoted()
     {
         const QTemporaryDir folder;
-        const QString kept = folder.filePath(u"kept"_s);
+        const QString recoveries = folder.filePath(u"recoveries"_s);
         const QString left = folder.filePath(u"left"_s);
         std::shared_ptr<const RunFile> flown;
         {
             WindowFixture w(randomScenario(31, {.icebergs = 3}));
-            w.workspace.autosaver().start(kept, {.pause_ms = 0, .longest_ms = 0});
+            w.workspace.autosaver().start(recoveries, {.pause_ms = 0, .longest_ms = 0});
             QVERIFY(flyTo(w, 20));
             w.workspace.setWind({3, -1});
             QVERIFY(flyTo(w, 40));
             flown = test::flownRun(w);
             QVERIFY(w.document().isClean()); // the flight alone is what would be lost
             const auto isNoted = [&] {
-                const QStringList runs = runsIn(kept);
+                const QStringList runs = runsIn(recoveries);
                 return runs.size() == 1 &&
-                       loadRun(QDir(kept).filePath(runs[0]).toStdString()) == *flown;
+                       loadRun(QDir(recoveries).filePath(runs[0]).toStdString()) == *flown;
             };
             QVERIFY(w.until(isNoted));
-            copyFiles(QDir(kept), left);
+            copyFiles(QDir(recoveries), left);
             w.interaction.unsavedRun = Interaction::Unsaved::Discard;
             QVERIFY(w.window().close());
         }
-        QVERIFY(QDir(kept).isEmpty(QDir::Files | QDir::Hidden)); // ended in order
+        QVERIFY(QDir(recoveries).isEmpty(QDir::Files | QDir::Hidden)); // ended in order
 
         WindowFixture w(randomScenario(32, {.icebergs = 3}));
         w.workspace.autosaver().start(left, {.pause_ms = 0, .longest_ms = 0});

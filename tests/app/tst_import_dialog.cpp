@@ -251,7 +251,7 @@ private slots:
         QVERIFY(boxRound(outline) == expected);
     }
 
-    void newAndUpdatedAreTold()
+    void newAndUpdatedAreReported()
     {
         const Scenario before = direct("points.geojson", test::openSea()).scenario;
         Scenario present = before;
@@ -273,7 +273,7 @@ private slots:
     }
 
     /** UAVs, area and asset of the file: taken over into a new scenario only, and said. */
-    void restOfTheFileIsTold()
+    void restOfTheFileIsReported()
     {
         Importing import(fixturePath("fence.plan"), test::openSea(), true);
         QVERIFY(import.settles());
@@ -299,7 +299,7 @@ private slots:
     }
 
     /** The fifth of February or the second of May: nobody is to find out later. */
-    void guessedDateIsTold()
+    void guessedDateIsReported()
     {
         const QTemporaryDir folder;
         Importing import(

@@ -49,16 +49,16 @@ private:
     int m_fd;
 };
 
-struct Entry
+struct JournalEntry
 {
     qint64 at_ms = 0;
     QByteArray what;
     qint64 value = 0;
 };
 
-std::vector<Entry> entriesOf(const QString& path)
+std::vector<JournalEntry> entriesOf(const QString& path)
 {
-    std::vector<Entry> entries;
+    std::vector<JournalEntry> entries;
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return entries;
@@ -69,10 +69,10 @@ std::vector<Entry> entriesOf(const QString& path)
 }
 
 /** Returns the last value noted under `what` at `until_ms` or before, or -1 if there is none. */
-qint64 lastOf(const std::vector<Entry>& entries, const QByteArray& what, qint64 until_ms)
+qint64 lastOf(const std::vector<JournalEntry>& entries, const QByteArray& what, qint64 until_ms)
 {
     qint64 value = -1;
-    for (const Entry& entry : entries)
+    for (const JournalEntry& entry : entries)
         if (entry.what == what && entry.at_ms <= until_ms)
             value = entry.value;
     return value;
@@ -186,15 +186,15 @@ private:
     }
 
     /** Nothing done longer ago than what may be lost is missing. */
-    void checkLoss(const std::vector<Entry>& entries, qint64 kept, qint64 killed_ms)
+    void checkLoss(const std::vector<JournalEntry>& entries, qint64 recovered, qint64 killed_ms)
     {
-        for (const Entry& entry : entries)
-            if (entry.what == "edit" && entry.value > kept) {
+        for (const JournalEntry& entry : entries)
+            if (entry.what == "edit" && entry.value > recovered) {
                 m_worst_ms = std::max(m_worst_ms, killed_ms - entry.at_ms);
                 break;
             }
         const qint64 due = lastOf(entries, "edit", killed_ms - kMostLost_ms);
-        QVERIFY2(kept >= due, qPrintable(u"%1 of %2"_s.arg(kept).arg(due)));
+        QVERIFY2(recovered >= due, qPrintable(u"%1 of %2"_s.arg(recovered).arg(due)));
     }
 
     static void addSeeds()
@@ -215,8 +215,8 @@ private slots:
     }
     void cleanupTestCase() { qInfo("at most %lld ms of work were lost", m_worst_ms); }
 
-    void editing_data() { addSeeds(); }
-    void editing()
+    void editsAreRecovered_data() { addSeeds(); }
+    void editsAreRecovered()
     {
         QFETCH(int, seed);
         QVERIFY(QDir(m_dir->path()).mkdir(u"work"_s));
@@ -226,7 +226,7 @@ private slots:
         saveScenario(original, file.toStdString());
         const qint64 killed_ms = killedAt_ms(u"--edit"_s, path(u"settings.ini"_s), file,
                                              static_cast<std::uint64_t>(seed));
-        const std::vector<Entry> entries = entriesOf(m_journal);
+        const std::vector<JournalEntry> entries = entriesOf(m_journal);
 
         // The file is whole, the one that was saved last or the one being saved.
         Scenario saved = loadScenario(file.toStdString());
@@ -241,13 +241,14 @@ private slots:
             RecoveryStore(path(u"settings.ini.data/recovery"_s)).abandoned();
         QVERIFY(found.damaged.isEmpty());
         QVERIFY(found.usable.size() <= 1);
-        qint64 kept = inFile;
+        qint64 recovered = inFile;
         for (const FoundRecovery& recovery : found.usable) {
-            kept = std::max<qint64>(kept, std::llround(recovery.scenario.planner.tau * kSteps));
+            recovered =
+                std::max<qint64>(recovered, std::llround(recovery.scenario.planner.tau * kSteps));
             QCOMPARE(recovery.info.originalPath, file);
             removeRecovery(recovery.held.files);
         }
-        checkLoss(entries, kept, killed_ms);
+        checkLoss(entries, recovered, killed_ms);
         ScenarioDocument document;
         DocumentFile opened(document);
         opened.setLockFolder(path(u"settings.ini.data/locks"_s));
@@ -260,8 +261,8 @@ private slots:
         QCOMPARE(names(u"settings.ini.data/recovery"_s).size(), std::ssize(found.usable));
     }
 
-    void studying_data() { addSeeds(); }
-    void studying()
+    void studiesAreRecovered_data() { addSeeds(); }
+    void studiesAreRecovered()
     {
         QFETCH(int, seed);
         const QString folder = path(u"studies"_s);
@@ -275,7 +276,7 @@ private slots:
                     [&](const std::shared_ptr<const Study>& study) { found = study; });
             keeper.start(folder);
             const bool isThere = !names(u"studies"_s).filter(u".bergstudy"_s).isEmpty();
-            keeper.lookForAbandoned();
+            keeper.findAbandoned();
             QVERIFY(!isThere || QTest::qWaitFor([&] { return found != nullptr; }, 60000));
         }
         checkLoss(entriesOf(m_journal), found ? static_cast<qint64>(flownCount(*found)) : 0,

@@ -121,7 +121,7 @@ private slots:
     }
 
     /** Looking back or changing the language does not report old alarms again. */
-    void nothingIsToldTwice()
+    void nothingIsReportedTwice()
     {
         WindowFixture w(threatened());
         const auto messages = [&w] {
@@ -220,7 +220,7 @@ private slots:
     }
 
     /** In place of words over the icebergs; the flight that has ended is locked, too. */
-    void padlockTellsOfTheLock()
+    void padlockShowsTheLock()
     {
         WindowFixture w(threatened());
         auto& lock = test::child<QToolButton>(w.window(), u"lockButton"_s);

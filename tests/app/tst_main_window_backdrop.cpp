@@ -95,7 +95,7 @@ private slots:
     }
 
     /** Cancelled, of another kind, broken, gone: what was shown stays, and the user knows why. */
-    void faultsAreTold()
+    void faultsAreReported()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         w.interaction.path = chartFile(w, w.scenario().origin);
@@ -120,7 +120,7 @@ private slots:
         QVERIFY(w.map().layers().backdrop == shown);
     }
 
-    void oneThatIsGoneIsToldOnce()
+    void oneThatIsGoneIsReportedOnce()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         w.settings.setValue("view/backdrop", w.file(u"gone.kml"_s));

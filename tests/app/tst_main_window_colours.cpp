@@ -71,7 +71,7 @@ class TestMainWindowColours : public QObject
 
 private slots:
     void init() { test::failOnWarnings(); }
-    void cleanup() { chooseSigmaEnd(0); }
+    void cleanup() { chooseSigmaEnd(std::nullopt); }
 
     /** Flown to, looked back at and continued from, an instant has the same colours. */
     void anInstantHasOneColour()
@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(missionPicture(w.record(), QLocale::c()).sigmaFull_m2, 1000.0);
         QTRY_VERIFY(symbolIn(w, "berg-3") != own);
         MainWindowHost next(w.workspace, w.interaction, w.settings);
-        QCOMPARE(chosenSigmaEnd_m2(), 1000.0);
+        QCOMPARE(chosenSigmaEnd_m2(), std::optional(1000.0));
         QVERIFY(test::child<QAction>(next.window(), u"view/sigmaEnd-1000"_s).isChecked());
         w.trigger(u"view/sigmaEnd-0"_s);
         QTRY_VERIFY(symbolIn(w, "berg-3") == own);

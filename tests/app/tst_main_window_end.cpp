@@ -23,7 +23,7 @@ namespace {
 
 bool flyToEnd(WindowFixture& w)
 {
-    w.workspace.fly(0);
+    w.workspace.fly(kFastestRate);
     return w.until(RunPhase::Finished);
 }
 
@@ -77,7 +77,7 @@ private slots:
         QTRY_VERIFY(test::child<QTableView>(w.window(), u"planTable"_s).model()->rowCount() > 0);
     }
 
-    void cardTellsWhatTheRunHasComeTo()
+    void cardShowsTheResultOfTheRun()
     {
         WindowFixture w(test::MapFixture::shortRun());
         QVERIFY(w.until([&] { return w.workspace.forecasts().isComplete(); }));
@@ -104,7 +104,7 @@ private slots:
     }
 
     /** The log has the number of the card. */
-    void logTellsWhatTheCardTells()
+    void logAgreesWithTheCard()
     {
         WindowFixture w(test::MapFixture::shortRun());
         QVERIFY(w.until([&] { return w.workspace.forecasts().isComplete(); }));
@@ -117,24 +117,24 @@ private slots:
             {.formatId = "log-html", .path = folder.filePath(u"log.html"_s)});
         QVERIFY(w.until([&] { return !page.empty(); }));
         const double mean_m2s = w.workspace.predicted().value().mean_m2s;
-        const std::string told =
+        const std::string expected =
             "predicted before take-off " + printedNumber(std::round(mean_m2s), 0) + " m² s";
-        QVERIFY2(page.find(told) != std::string::npos, told.c_str());
+        QVERIFY2(page.find(expected) != std::string::npos, expected.c_str());
     }
 
-    void cardTellsWhereInThePredictionTheRunIs_data()
+    void cardShowsThePlaceInThePrediction_data()
     {
         QTest::addColumn<double>("zeta_m2s");
-        QTest::addColumn<QString>("told");
+        QTest::addColumn<QString>("expected");
         QTest::newRow("below") << 90. << u"below 100.0 to 200.0"_s;
         QTest::newRow("inside") << 150. << u"inside 100.0 to 200.0"_s;
         QTest::newRow("above") << 201. << u"above 100.0 to 200.0"_s;
     }
 
-    void cardTellsWhereInThePredictionTheRunIs()
+    void cardShowsThePlaceInThePrediction()
     {
         QFETCH(double, zeta_m2s);
-        QFETCH(QString, told);
+        QFETCH(QString, expected);
         QWidget map;
         FlightCard card(&map);
         card.showSummary({.zeta_m2s = zeta_m2s});
@@ -143,7 +143,7 @@ private slots:
         card.showSummary(
             {.zeta_m2s = zeta_m2s,
              .predicted = ZetaPrediction{.mean_m2s = 140, .least_m2s = 100, .most_m2s = 200}});
-        QCOMPARE(range.text(), told);
+        QCOMPARE(range.text(), expected);
     }
 
     void cardSaysWhyNothingWasPredicted()

@@ -160,9 +160,9 @@ private slots:
             w.interaction.overwriteReasons.clear();
             w.trigger(u"exportAction"_s);
             QVERIFY(w.until([&] { return !w.interaction.overwriteReasons.isEmpty(); }));
-            const bool isKept = answer == Overwrite::Cancel;
-            QCOMPARE(readFile(first.toStdString()) == "old", isKept);
-            QCOMPARE(readFile(second.toStdString()) == "old", isKept);
+            const bool isUnchanged = answer == Overwrite::Cancel;
+            QCOMPARE(readFile(first.toStdString()) == "old", isUnchanged);
+            QCOMPARE(readFile(second.toStdString()) == "old", isUnchanged);
             QCOMPARE(w.interaction.overwriteReasons.size(), 1);
         }
     }

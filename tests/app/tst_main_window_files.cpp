@@ -26,7 +26,7 @@ Q_DECLARE_METATYPE(Interaction::Unsaved)
 namespace {
 
 /** All actions that replace the scenario on screen. */
-enum class WayOut
+enum class Exit
 {
     New,
     Open,
@@ -70,42 +70,42 @@ bool drop(WindowFixture& w, const QList<QUrl>& urls)
     return true;
 }
 
-void leave(WindowFixture& w, WayOut path, const QString& other)
+void leave(WindowFixture& w, Exit path, const QString& other)
 {
     switch (path) {
-    case WayOut::New:
+    case Exit::New:
         w.trigger(u"newAction"_s);
         return;
-    case WayOut::Open:
+    case Exit::Open:
         w.interaction.path = other;
         w.trigger(u"openAction"_s);
         return;
-    case WayOut::Run:
+    case Exit::Run:
         w.interaction.path = w.file(u"other.bergrun"_s);
         w.trigger(u"openAction"_s);
         return;
-    case WayOut::Example:
+    case Exit::Example:
         w.trigger(u"startPageAction"_s);
         w.window().findChild<ExampleCard*>()->click();
         return;
-    case WayOut::Recent:
+    case Exit::Recent:
         recentActions(w).front()->trigger();
         return;
-    case WayOut::Drop:
+    case Exit::Drop:
         QVERIFY(drop(w, {QUrl::fromLocalFile(other)}));
         QTest::qWait(0);
         return;
-    case WayOut::Close:
+    case Exit::Close:
         w.window().close();
         return;
-    case WayOut::Quit:
+    case Exit::Quit:
         w.trigger(u"quitAction"_s);
         return;
     }
 }
 
 /** Files to be opened in place of the scenario, which is in one of its own. */
-QString prepareFiles(WindowFixture& w, WayOut path)
+QString prepareFiles(WindowFixture& w, Exit path)
 {
     const QString other = w.file(u"other.berg"_s);
     const QString own = w.file(u"own.berg"_s);
@@ -118,15 +118,15 @@ QString prepareFiles(WindowFixture& w, WayOut path)
     saveScenario(three(34), own.toStdString());
     w.interaction.path = own;
     w.trigger(u"openAction"_s);
-    if (path == WayOut::Recent) // the other one comes first
+    if (path == Exit::Recent) // the other one comes first
         w.settings.setValue("files/recent", QStringList{other, own});
     return other;
 }
 
-const std::vector<std::pair<WayOut, const char*>> kWaysOut = {
-    {WayOut::New, "new"},         {WayOut::Open, "open"},     {WayOut::Run, "run"},
-    {WayOut::Example, "example"}, {WayOut::Recent, "recent"}, {WayOut::Drop, "drop"},
-    {WayOut::Close, "close"},     {WayOut::Quit, "quit"}};
+const std::vector<std::pair<Exit, const char*>> kExits = {
+    {Exit::New, "new"},         {Exit::Open, "open"},     {Exit::Run, "run"},
+    {Exit::Example, "example"}, {Exit::Recent, "recent"}, {Exit::Drop, "drop"},
+    {Exit::Close, "close"},     {Exit::Quit, "quit"}};
 
 /** Something that is in no file. */
 void change(WindowFixture& w, double to = 0.8)
@@ -261,20 +261,20 @@ private slots:
         QVERIFY(w.until([&] { return w.interaction.unsavedNames.size() == 1; }));
     }
 
-    void everyWayOutAsks_data()
+    void everyExitAsks_data()
     {
-        QTest::addColumn<WayOut>("path");
+        QTest::addColumn<Exit>("path");
         QTest::addColumn<Unsaved>("answer");
-        for (const auto& [path, name] : kWaysOut) {
+        for (const auto& [path, name] : kExits) {
             QTest::addRow("%s, cancel", name) << path << Unsaved::Cancel;
             QTest::addRow("%s, discard", name) << path << Unsaved::Discard;
             QTest::addRow("%s, save", name) << path << Unsaved::Save;
         }
     }
 
-    void everyWayOutAsks()
+    void everyExitAsks()
     {
-        QFETCH(WayOut, path);
+        QFETCH(Exit, path);
         QFETCH(Unsaved, answer);
         WindowFixture w(three());
         const QString other = prepareFiles(w, path);
@@ -286,7 +286,7 @@ private slots:
         leave(w, path, other);
         QCOMPARE(w.interaction.unsavedNames.size(), 1);
         const bool stays = answer == Unsaved::Cancel;
-        const bool closes = path == WayOut::Close || path == WayOut::Quit;
+        const bool closes = path == Exit::Close || path == Exit::Quit;
         QCOMPARE(w.window().isVisible(), stays || !closes);
         QVERIFY((loadScenario(own.toStdString()) == changed) == (answer == Unsaved::Save));
         if (stays) {
@@ -295,22 +295,22 @@ private slots:
             QCOMPARE(w.document().undoStack()->count(), 1);
             QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{"berg-2"});
             QVERIFY(w.window().isWindowModified());
-        } else if (path == WayOut::New) {
+        } else if (path == Exit::New) {
             QVERIFY(w.scenario().icebergs.empty());
             QVERIFY(w.document().filePath().isEmpty());
-        } else if (path == WayOut::Example) {
+        } else if (path == Exit::Example) {
             QVERIFY(w.scenario() == loadExample(examplePaths().front()));
         } else if (!closes) {
             QVERIFY(w.scenario() == three(33));
         }
     }
 
-    void everyWayOutAsksAboutTheFlight_data()
+    void everyExitAsksAboutTheFlight_data()
     {
-        QTest::addColumn<WayOut>("path");
+        QTest::addColumn<Exit>("path");
         QTest::addColumn<bool>("changed");
-        for (const auto& [path, name] : kWaysOut) {
-            if (path == WayOut::Close || path == WayOut::Quit)
+        for (const auto& [path, name] : kExits) {
+            if (path == Exit::Close || path == Exit::Quit)
                 continue;
             QTest::addRow("%s", name) << path << false;
             QTest::addRow("%s, changed", name) << path << true;
@@ -318,9 +318,9 @@ private slots:
     }
 
     /** One question for the flight and what is unsaved. */
-    void everyWayOutAsksAboutTheFlight()
+    void everyExitAsksAboutTheFlight()
     {
-        QFETCH(WayOut, path);
+        QFETCH(Exit, path);
         QFETCH(bool, changed);
         WindowFixture w(three());
         const QString other = prepareFiles(w, path);
@@ -332,7 +332,7 @@ private slots:
         const Scenario flown = w.scenario();
         leave(w, path, other);
         QCOMPARE(w.interaction.unsavedNames.size(), changed ? 1 : 0);
-        QCOMPARE(w.interaction.toldOfFlight, changed);
+        QCOMPARE(w.interaction.mentionedFlight, changed);
         QCOMPARE(w.interaction.endFlightQuestions, changed ? 0 : 1);
         QVERIFY(w.window().isVisible() && w.workspace.isMidFlight());
         QVERIFY(w.scenario() == flown);
@@ -352,7 +352,7 @@ private slots:
     void flightThatHasEndedIsLeftWithoutAQuestion()
     {
         WindowFixture w(three());
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
         w.trigger(u"newAction"_s);
         QVERIFY(w.scenario().icebergs.empty());
@@ -394,10 +394,10 @@ private slots:
 
     void typingIsAChange_data()
     {
-        QTest::addColumn<WayOut>("path");
+        QTest::addColumn<Exit>("path");
         QTest::addColumn<QString>("field");
-        const std::pair<WayOut, const char*> paths[] = {
-            {WayOut::New, "new"}, {WayOut::Drop, "drop"}, {WayOut::Close, "close"}};
+        const std::pair<Exit, const char*> paths[] = {
+            {Exit::New, "new"}, {Exit::Drop, "drop"}, {Exit::Close, "close"}};
         for (const auto& [path, name] : paths)
             for (const char* field : {"icebergs.name", "icebergs.q_m2ps", "tauField"})
                 QTest::addRow("%s, %s", name, field) << path << QString::fromLatin1(field);
@@ -406,7 +406,7 @@ private slots:
     /** Text that is typed but not yet confirmed counts as a change. */
     void typingIsAChange()
     {
-        QFETCH(WayOut, path);
+        QFETCH(Exit, path);
         QFETCH(QString, field);
         WindowFixture w(three());
         const QString other = w.file(u"other.berg"_s);
@@ -472,13 +472,13 @@ private slots:
         saveScenario(randomScenario(7), path.toStdString());
         QString begun;
         const auto answer = [&](const QString& file) {
-            auto* look = new QTimer(&w.window());
-            look->start();
-            QObject::connect(look, &QTimer::timeout, &w.window(), [&begun, file, look] {
+            auto* poll = new QTimer(&w.window());
+            poll->start();
+            QObject::connect(poll, &QTimer::timeout, &w.window(), [&begun, file, poll] {
                 auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
                 if (dialog == nullptr)
                     return;
-                look->stop();
+                poll->stop();
                 begun = dialog->directory().absolutePath();
                 test::child<QLineEdit>(*dialog, u"fileNameEdit"_s).setText(file);
                 if (file.isEmpty())

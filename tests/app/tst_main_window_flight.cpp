@@ -269,7 +269,7 @@ private slots:
         }));
         const MissionEvent& last = *std::ranges::find_if(
             w.record().history.events, [](auto& e) { return e.kind == EventKind::Intervention; });
-        QCOMPARE(last.iceberg, 1);
+        QCOMPARE(last.iceberg, std::optional(1));
         w.trigger(u"resetAction"_s);
         QVERIFY(w.untilReady());
         QVERIFY(w.record().now.active.at(1));
@@ -330,7 +330,7 @@ private slots:
         QTRY_VERIFY(firstEvent(w).endsWith(u"berg-1"_s));
         w.dragTau(0.9, 0.0);
         QVERIFY(w.untilReady());
-        QCOMPARE(w.record().now.plan->target, 1);
+        QCOMPARE(w.record().now.plan->target, std::optional(1));
         QTRY_VERIFY(firstEvent(w).endsWith(u"berg-2"_s));
     }
 

@@ -111,7 +111,7 @@ private slots:
     }
 
     /** A successful import shows no error. */
-    void airspaceThatIsLeftOutInPartIsTold()
+    void airspaceThatIsLeftOutInPartIsReported()
     {
         WindowFixture w(test::openSea());
         w.interaction.path =

@@ -24,7 +24,7 @@ struct ListWindow : WindowFixture
 
     ListWindow() : WindowFixture(test::MapFixture::shortRun())
     {
-        workspace.fly(0);
+        workspace.fly(kFastestRate);
         if (!until(RunPhase::Finished))
             qFatal("not flown");
         workspace.reset();

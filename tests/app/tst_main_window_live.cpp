@@ -58,7 +58,7 @@ private slots:
         for (int round = 0; !hasFinished(w) && round < 1000; ++round) {
             const double before_s = w.record().now.time_s;
             w.workspace.seekLatest();
-            w.workspace.fly(0);
+            w.workspace.fly(kFastestRate);
             w.dragTau(tau, 1.0 - tau, 5);
             tau = 1.0 - tau;
             w.window().resize(1000 + 40 * (round % 8), 700 + 25 * (round % 5));
@@ -90,7 +90,7 @@ private slots:
         QCOMPARE(recordingOf(day).sampleInterval_s, 5.0);
         day.planner.policy = PolicyKind::Nearest;
         WindowFixture w(day);
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
         const std::vector<Sample>& samples = w.record().history.samples;
         QCOMPARE(samples.size(), std::size_t{24 * 3600 / 5 + 1});

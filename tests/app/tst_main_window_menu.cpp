@@ -101,7 +101,7 @@ private slots:
     {
         QTest::addColumn<Point>("place_m");
         QTest::addColumn<QStringList>("offered");
-        QTest::addColumn<QStringList>("kept");
+        QTest::addColumn<QStringList>("remaining");
         const QString edit = u"Edit in the inspector"_s;
         QTest::newRow("iceberg") << Point(1500, 1000)
                                  << QStringList{edit, u"Cut"_s, u"Copy"_s, u"Duplicate"_s,
@@ -121,12 +121,12 @@ private slots:
     {
         QFETCH(Point, place_m);
         QFETCH(QStringList, offered);
-        QFETCH(QStringList, kept);
+        QFETCH(QStringList, remaining);
         WindowFixture w(withEverything());
         const QStringList texts = textsOf(menuAt(w, place_m));
         for (const QString& text : offered)
             QVERIFY2(texts.contains(text), qPrintable(text + u" in "_s + texts.join(u", "_s)));
-        for (const QString& text : kept)
+        for (const QString& text : remaining)
             QVERIFY2(!texts.contains(text), qPrintable(text));
         QVERIFY(texts.contains(u"Fit everything"_s));
     }

@@ -154,7 +154,7 @@ private slots:
         QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{id});
     }
 
-    void favouritesAreKept()
+    void favouritesAreSaved()
     {
         WindowFixture w(fourIcebergs());
         auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
@@ -289,7 +289,7 @@ private slots:
         COMPARE_NEAR(w.scenario().origin.latitude_deg, 48.65, 0.1);
     }
 
-    void newScenarioWhereOneLooks()
+    void newScenarioIsMadeAtTheFoundPlace()
     {
         WindowFixture w(fourIcebergs());
         auto& field = test::child<QLineEdit>(w.window(), u"findField"_s);
@@ -401,7 +401,7 @@ private slots:
         QVERIFY(w.scenario() == before);
     }
 
-    void dialog()
+    void originDialogShowsTheChoice()
     {
         const Scenario scenario = fourIcebergs();
         OriginDialog dialog(scenario, scenario.origin, Theme::light());

@@ -44,7 +44,7 @@ QTableView& planTable(WindowFixture& w)
     return test::child<QTableView>(w.window(), u"planTable"_s);
 }
 
-int rowOf(WindowFixture& w, const std::string& id)
+std::optional<int> rowOf(WindowFixture& w, const std::string& id)
 {
     const auto* model = qobject_cast<PlanModel*>(planTable(w).model());
     return model->rowOf(id);
@@ -54,7 +54,7 @@ int rowOf(WindowFixture& w, const std::string& id)
 std::string firstOf(WindowFixture& w, const std::string& uav)
 {
     const auto* model = qobject_cast<PlanModel*>(planTable(w).model());
-    return model->idOf(model->rowOf(uav) + 1);
+    return model->idOf(model->rowOf(uav).value() + 1);
 }
 
 /** Drops the row of the iceberg onto that of the UAV, as the platform does it. */
@@ -62,8 +62,9 @@ void dragTo(WindowFixture& w, const std::string& iceberg, const std::string& uav
 {
     QTableView& table = planTable(w);
     QAbstractItemModel& model = *table.model();
-    const std::unique_ptr<QMimeData> data(model.mimeData({model.index(rowOf(w, iceberg), 0)}));
-    const QModelIndex onto = model.index(rowOf(w, uav), PlanModel::Name);
+    const std::unique_ptr<QMimeData> data(
+        model.mimeData({model.index(rowOf(w, iceberg).value(), 0)}));
+    const QModelIndex onto = model.index(rowOf(w, uav).value(), PlanModel::Name);
     table.scrollTo(onto);
     const QPoint at = table.visualRect(onto).center();
     QDragEnterEvent enter(at, Qt::MoveAction, data.get(), Qt::LeftButton, {});
@@ -136,8 +137,8 @@ private slots:
         }));
         const auto& chart = test::child<ParetoChart>(w.window(), {});
         const TauCurve& curve = w.workspace.curve().curve();
-        const CurveInterval& present =
-            curve.intervals.at(static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau)));
+        const CurveInterval& present = curve.intervals.at(
+            static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau).value()));
         const QString whole = distanceText(present.distance_m, QLocale());
         QCOMPARE(test::child<QLabel>(w.window(), u"planDistance"_s).text(), whole);
         QCOMPARE(test::child<QLabel>(w.window(), u"planReward"_s).text(),
@@ -166,7 +167,7 @@ private slots:
         QVERIFY(rowOf(w, iceberg) > rowOf(w, "uav-2"));
         QVERIFY(planTable(w)
                     .model()
-                    ->index(rowOf(w, iceberg), PlanModel::Name)
+                    ->index(rowOf(w, iceberg).value(), PlanModel::Name)
                     .data(PlanModel::AssignedRole)
                     .toBool());
         w.trigger(u"undoAction"_s);
@@ -187,7 +188,7 @@ private slots:
         QVERIFY(w.until([&] { return w.workspace.assignedUavOf(iceberg) == "uav-2"; }));
         QVERIFY(w.until([&] { return rowOf(w, iceberg) > rowOf(w, "uav-2"); }));
         QVERIFY(w.scenario() == twoUavs());
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
 
         const std::shared_ptr<const RunFile> run = flownRun(w);
@@ -223,7 +224,7 @@ private slots:
             QTest::qWait(0); // deleted
         };
         QTableView& table = planTable(w);
-        table.setCurrentIndex(table.model()->index(rowOf(w, iceberg), 0));
+        table.setCurrentIndex(table.model()->index(rowOf(w, iceberg).value(), 0));
         QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
         QCoreApplication::sendEvent(&table, &key);
         choose(u"planMenu"_s, u"Assign to uav-2"_s);
@@ -251,7 +252,7 @@ private slots:
         Scenario scenario = test::MapFixture::fourIcebergs();
         scenario.duration_s = 100;
         WindowFixture w(scenario);
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
         if (!atEnd) {
             w.workspace.seek(20);

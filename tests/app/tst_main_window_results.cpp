@@ -77,7 +77,7 @@ struct ResultWindow : WindowFixture
         keeper.keep();
         return isFlown;
     }
-    [[nodiscard]] QStringList kept() const
+    [[nodiscard]] QStringList savedFiles() const
     {
         return QDir(studies()).entryList({u"*.bergstudy"_s}, QDir::Files | QDir::Hidden);
     }
@@ -248,7 +248,7 @@ private slots:
     {
         ResultWindow w;
         QVERIFY(w.leaveStudy());
-        QCOMPARE(w.kept().size(), 1);
+        QCOMPARE(w.savedFiles().size(), 1);
         w.workspace.studyAutosaver().start(w.studies());
         QVERIFY(!w.window().offerRecoveries()); // no question: it is simply there
         QVERIFY(w.until([&] { return w.workspace.study().result() != nullptr; }));
@@ -261,18 +261,18 @@ private slots:
 
         QVERIFY(!w.window().close()); // it is in no file yet
         QCOMPARE(w.interaction.unsavedNames, QStringList{u"Study: Quick study"_s});
-        w.interaction.path = w.file(u"kept.bergstudy"_s);
+        w.interaction.path = w.file(u"savedFiles.bergstudy"_s);
         w.press(u"saveStudy"_s);
-        QVERIFY(w.until([&] { return w.kept().isEmpty(); }));
+        QVERIFY(w.until([&] { return w.savedFiles().isEmpty(); }));
         QVERIFY(loadStudy(w.interaction.path.toStdString()) == found);
         QVERIFY(w.window().close());
     }
 
-    void damagedStudyIsToldOfAndKept()
+    void damagedStudyIsReportedAndKept()
     {
         ResultWindow w;
         QVERIFY(w.leaveStudy());
-        const QString name = w.kept().value(0);
+        const QString name = w.savedFiles().value(0);
         QFile left(QDir(w.studies()).filePath(name));
         QVERIFY(left.open(QIODevice::WriteOnly));
         left.write("{");

@@ -348,15 +348,15 @@ private slots:
         SafeWindow w;
         const QString own = w.openFile();
         w.change();
-        const auto isKept = [&] {
+        const auto isSaved = [&] {
             return !QDir(w.recovery()).entryList({u"*.berg"_s}, QDir::Files).isEmpty();
         };
-        QVERIFY(w.until(isKept));
+        QVERIFY(w.until(isSaved));
         w.interaction.unsaved = answer;
         QCOMPARE(w.window().mayEndSession(true), answer != Unsaved::Cancel);
         QCOMPARE(w.interaction.unsavedNames.size(), 1);
         QCOMPARE(loadScenario(own.toStdString()) == w.scenario(), answer == Unsaved::Save);
-        QCOMPARE(isKept(), answer == Unsaved::Cancel); // it may be killed from now on
+        QCOMPARE(isSaved(), answer == Unsaved::Cancel); // it may be killed from now on
         endProgram();
         QCOMPARE(w.window().isVisible(), answer == Unsaved::Cancel);
         // Asked once for both, unless the answer was to stay.

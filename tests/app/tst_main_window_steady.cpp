@@ -125,12 +125,12 @@ private slots:
         QVERIFY(w.untilReady());
         w.interaction.unsaved = Unsaved::Discard;
         QVERIFY(flyTo(w, 80));
-        w.workspace.fly(finished ? 0 : 1);
+        w.workspace.fly(finished ? kFastestRate : FlightRate(1));
         QVERIFY(w.until(finished ? RunPhase::Finished : RunPhase::Flying));
         QVERIFY(!w.window().close());
         QCOMPARE(w.interaction.runQuestions, std::vector<bool>{!finished});
         QCOMPARE(w.interaction.unsavedNames.size(), changed ? 1 : 0);
-        QVERIFY(!w.interaction.toldOfFlight);
+        QVERIFY(!w.interaction.mentionedFlight);
 
         w.interaction.unsavedRun = Unsaved::Save; // but in no file, after all
         QVERIFY(!w.window().close());

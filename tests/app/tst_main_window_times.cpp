@@ -110,20 +110,20 @@ private slots:
     {
         WindowFixture w(atNoon());
         QVERIFY(flyTo(w, 90));
-        const auto looksAt = [&w](double time_s) {
+        const auto isShownAt = [&w](double time_s) {
             return w.until([&] {
                 return w.record().instant && std::abs(w.record().instant->time_s - time_s) < 0.05;
             });
         };
         typeTime(w, u"1201Z"_s);
-        QVERIFY(looksAt(60));
+        QVERIFY(isShownAt(60));
         QTRY_COMPARE(timeField(w), u"12:01:00Z"_s);
         typeTime(w, u"12:00:20Z"_s);
-        QVERIFY(looksAt(20));
+        QVERIFY(isShownAt(20));
         typeTime(w, u"1:10"_s);
-        QVERIFY(looksAt(70));
+        QVERIFY(isShownAt(70));
         typeTime(w, u"1130Z"_s); // before the start
-        QVERIFY(looksAt(70));
+        QVERIFY(isShownAt(70));
         QTRY_COMPARE(timeField(w), u"12:01:10Z"_s);
     }
 

@@ -327,7 +327,7 @@ private slots:
         Scenario brief = windyScenario();
         brief.duration_s = 30;
         WindowFixture w(brief);
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
         const QPoint from = windTipOf(w);
         w.drag(from, from + QPoint(-22, 9));
@@ -344,13 +344,13 @@ private slots:
         Scenario brief = windyScenario();
         brief.duration_s = 60;
         WindowFixture w(brief);
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
         w.trigger(u"resetAction"_s);
         QVERIFY(w.untilReady());
         QVERIFY(flyTo(w, 20));
         QVERIFY(changeWind(w));
-        w.workspace.fly(0);
+        w.workspace.fly(kFastestRate);
         QVERIFY(w.until(RunPhase::Finished));
         RunList& runs = w.workspace.runs();
         QCOMPARE(runs.runs().size(), std::size_t{2});

@@ -173,7 +173,7 @@ private slots:
     void initTestCase() { QDir::setCurrent(m_home.path()); }
     void init() { test::failOnWarnings(); }
 
-    void anything_data()
+    void randomUseFindsNoFault_data()
     {
         QTest::addColumn<int>("seed");
         // 12 presses on a corner of an area, undoes and drags on; 28 and 46 take off in a drag.
@@ -184,7 +184,7 @@ private slots:
             QTest::addRow("seed %d", seed) << seed;
     }
 
-    void anything()
+    void randomUseFindsNoFault()
     {
         QFETCH(int, seed);
         MonkeyRun run(static_cast<std::uint64_t>(seed));

@@ -215,24 +215,24 @@ private slots:
     void examplePicturesFollowTheAppearance()
     {
         StartContent content;
-        std::map<bool, std::vector<QImage>> pictures;
+        std::map<bool, std::vector<QImage>> images;
         connect(&content, &StartContent::examplePainted, this,
                 [&](int, const Example& example, const QColor& sea) {
-                    pictures[sea == Theme::dark().sea].push_back(example.picture);
+                    images[sea == Theme::dark().sea].push_back(example.image);
                 });
         const NoBlockingScope guard;
         const auto count = static_cast<std::size_t>(examplePaths().size());
         content.paintExamples(Theme::light(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(pictures[false].size() == count, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(images[false].size() == count, 60000);
         content.paintExamples(Theme::light(), 1); // not wanted any more
         content.paintExamples(Theme::dark(), 2);
-        QTRY_VERIFY_WITH_TIMEOUT(pictures[true].size() == count, 60000);
-        QVERIFY(pictures[false].size() < 2 * count);
-        QCOMPARE(pictures[false][0].size(), kExamplePicture_px);
-        QCOMPARE(pictures[true][0].size(), kExamplePicture_px * 2);
-        QCOMPARE(pictures[false][0].pixelColor(3, 3), Theme::light().sea);
+        QTRY_VERIFY_WITH_TIMEOUT(images[true].size() == count, 60000);
+        QVERIFY(images[false].size() < 2 * count);
+        QCOMPARE(images[false][0].size(), kExampleImage_px);
+        QCOMPARE(images[true][0].size(), kExampleImage_px * 2);
+        QCOMPARE(images[false][0].pixelColor(3, 3), Theme::light().sea);
         for (std::size_t i = 1; i < count; ++i)
-            QVERIFY(pictures[false][i] != pictures[false][i - 1]);
+            QVERIFY(images[false][i] != images[false][i - 1]);
     }
 
     /** Neither the list of recent files nor the end of the page waits for a plan. */
@@ -255,12 +255,12 @@ private slots:
         content->readRecent({path}, Theme::light(), 1);
         QTRY_COMPARE_WITH_TIMEOUT(recent.size(), 1, 60000);
         QCOMPARE(recent.front().icebergs.value_or(0), 120);
-        QCOMPARE(recent.front().picture.size(), kRecentPicture_px);
+        QCOMPARE(recent.front().image.size(), kRecentImage_px);
         content.reset();
-        QCOMPARE(painted.load(), 0); // stopped: a picture without its plan is not shown
+        QCOMPARE(painted.load(), 0); // stopped: a image without its plan is not shown
     }
 
-    /** Even in a small picture, 40 icebergs are distinguishable. */
+    /** Even in a small image, 40 icebergs are distinguishable. */
     void recentPicturesAreOfDots()
     {
         const QTemporaryDir folder;
@@ -272,15 +272,15 @@ private slots:
                 [&](const QList<RecentFile>& files) { recent = files; });
         content.readRecent({path}, Theme::dark(), 1);
         QTRY_COMPARE_WITH_TIMEOUT(recent.size(), 1, 60000);
-        const QImage& picture = recent.front().picture;
+        const QImage& image = recent.front().image;
         int sea = 0;
-        for (int y = 0; y < picture.height(); ++y)
-            for (int x = 0; x < picture.width(); ++x)
-                sea += picture.pixelColor(x, y) == Theme::dark().sea ? 1 : 0;
-        QVERIFY2(sea > 0.65 * picture.width() * picture.height(), qPrintable(QString::number(sea)));
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                sea += image.pixelColor(x, y) == Theme::dark().sea ? 1 : 0;
+        QVERIFY2(sea > 0.65 * image.width() * image.height(), qPrintable(QString::number(sea)));
     }
 
-    /** A run has the picture of its scenario. */
+    /** A run has the image of its scenario. */
     void runsHavePictures()
     {
         const QTemporaryDir folder;
@@ -297,7 +297,7 @@ private slots:
         content.readRecent({path}, Theme::light(), 1);
         QTRY_COMPARE_WITH_TIMEOUT(recent.size(), 1, 60000);
         QCOMPARE(recent.front().icebergs.value_or(0), int(scenario.icebergs.size()));
-        QCOMPARE(recent.front().picture.size(), kRecentPicture_px);
+        QCOMPARE(recent.front().image.size(), kRecentImage_px);
     }
 
     void opensAndBegins()

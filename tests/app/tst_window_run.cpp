@@ -40,12 +40,12 @@ MainWindow* mainWindow()
     return nullptr;
 }
 
-/** Runs the window; `look` is asked again and again until it has seen what it waits for. */
-int runUntil(const WindowOptions& options, const std::function<bool()>& look)
+/** Runs the window; `check` is asked again and again until it has seen what it waits for. */
+int runUntil(const WindowOptions& options, const std::function<bool()>& check)
 {
     QTimer hand;
     QObject::connect(&hand, &QTimer::timeout, [&] {
-        if (look())
+        if (check())
             QApplication::exit(0);
     });
     hand.start(20);
@@ -102,20 +102,20 @@ private slots:
         QFETCH(QString, name);
         for (const QString& broken : {u"broken.berg"_s, u"broken.bergstudy"_s})
             writeFileAtomically(path(broken).toStdString(), "{");
-        QString told;
+        QString message;
         const auto closesTheMessage = [&] {
             if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-                told = box->text();
+                message = box->text();
                 box->accept();
             }
             const MainWindow* window = mainWindow();
-            return !told.isEmpty() && window != nullptr && window->isVisible() &&
+            return !message.isEmpty() && window != nullptr && window->isVisible() &&
                    QApplication::activeModalWidget() == nullptr;
         };
         QCOMPARE(
             runUntil({.scenario = path(name), .config = path(u"settings.ini"_s)}, closesTheMessage),
             0);
-        QVERIFY(told.contains(name));
+        QVERIFY(message.contains(name));
     }
 
     /** A window opens as large as it was left; the options go before that. */
@@ -123,14 +123,14 @@ private slots:
     {
         const QString config = path(u"size.ini"_s);
         const QSize left_px(1111, 766);
-        const auto open = [&](const std::optional<QSize>& asked_px, const auto& look) {
+        const auto open = [&](const std::optional<QSize>& asked_px, const auto& check) {
             QSize seen_px;
             runUntil({.config = config, .size_px = asked_px}, [&] {
                 MainWindow* window = mainWindow();
                 if (window == nullptr || !window->isVisible())
                     return false;
                 seen_px = window->size();
-                look(*window);
+                check(*window);
                 return true;
             });
             return seen_px;

@@ -65,7 +65,7 @@ public:
     Bench& operator=(const Bench&) = delete;
 
     /** Flies at `rate`, as in `Workspace::fly`. */
-    void fly(const char* name, double rate)
+    void fly(const char* name, FlightRate rate)
     {
         m_workspace.reset();
         watchTurns(kSettle_ms);
@@ -77,7 +77,7 @@ public:
     void flyADay()
     {
         std::printf("  memory before take-off %.0f MB\n", memory_mb("VmRSS:"));
-        m_workspace.fly(0);
+        m_workspace.fly(kFastestRate);
         QElapsedTimer clock;
         clock.start();
         report("day, first seconds", [this] { return hasEnded(); });
@@ -165,7 +165,7 @@ int main(int argc, char* argv[])
         Bench bench(application, fieldOf(std::atoi(name.c_str())));
         bench.fly("50 x", 50);
         bench.fly("100 x", 100);
-        bench.fly("as fast as possible", 0);
+        bench.fly("as fast as possible", kFastestRate);
     }
     return 0;
 }

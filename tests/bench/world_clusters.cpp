@@ -22,7 +22,7 @@ Row flown(const Scenario& scenario)
     for (const PlanEvent& plan : mission.plans()) {
         solving_s += plan.elapsed_s;
         missed += isCluster && plan.reason == PlanReason::Overdue ? 1 : 0;
-        isCluster = !clusterWith(plan.clusters, plan.target).empty();
+        isCluster = !clusterOfTarget(plan).empty();
         legs += isCluster ? 1 : 0;
     }
     const Metrics metrics = mission.metrics();

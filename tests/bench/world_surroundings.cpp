@@ -96,8 +96,7 @@ void asset(int scenarios)
             int visits = 0;
             for (const MissionEvent& event : mission.events())
                 if (event.kind == EventKind::Reached) {
-                    const Point there_m =
-                        scenario.icebergs[static_cast<std::size_t>(event.iceberg)].position_m;
+                    const Point there_m = scenario.icebergs[toIndex(*event.iceberg)].position_m;
                     visits += (there_m - scenario.asset->position_m).norm() < kRange_m;
                 }
             rows.push_back({mission.metrics().zeta_m2s, weighted,

@@ -353,7 +353,7 @@ private slots:
         row("core/tracking/drift.h", "\"core/plan/solve/tvp.h\"", false);
         row("core/coverage/coverage_model.h", "\"core/vehicle/dubins.h\"", true);
         row("core/coverage/coverage_model.h", "\"core/sim/simulation.h\"", false);
-        row("core/plan/policy/policy.h", "\"core/coverage/flight_picture.h\"", false);
+        row("core/plan/policy/policy.h", "\"core/coverage/prediction_input.h\"", false);
         row("core/scenario/scenario.h", "\"core/tracking/drift.h\"", true);
         row("core/scenario/scenario.h", "\"core/sim/mission.h\"", false);
         row("core/sim/mission.cpp", "\"core/scenario/validate.h\"", true);

@@ -42,7 +42,7 @@ public:
     /** One for each question about an unsaved run: whether it is in progress. */
     std::vector<bool> runQuestions;
     int openQuestions = 0;
-    bool toldOfFlight = false; ///< whether the last of them mentioned the flight
+    bool mentionedFlight = false; ///< whether the last of them mentioned the flight
     int endFlightQuestions = 0;
     std::optional<FlightEnd> flightEnd; ///< flight end of the last of them
     QStringList holders;                ///< one for each question about a file in use
@@ -62,7 +62,7 @@ public:
     [[nodiscard]] Unsaved askUnsaved(QWidget*, const UnsavedWork& work) override
     {
         unsavedNames << work.name;
-        toldOfFlight = work.endsFlight;
+        mentionedFlight = work.endsFlight;
         passTime();
         const auto asked = static_cast<std::size_t>(unsavedNames.size());
         return asked <= unsavedAnswers.size() ? unsavedAnswers[asked - 1] : unsaved;

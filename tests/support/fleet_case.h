@@ -133,7 +133,7 @@ inline FleetOutcome flownFleet(const Scenario& s)
     std::vector<double> tookOff_s(s.uavs.size());
     std::vector<double> due_s(s.uavs.size());
     std::vector<char> wereApart(s.uavs.size() * s.uavs.size());
-    std::size_t told = 0;
+    std::size_t counted = 0;
     const int count = static_cast<int>(s.uavs.size());
     while (!mission.simulation().finished()) {
         mission.advance(mission.simulation().time_s() + s.dt_s);
@@ -141,7 +141,7 @@ inline FleetOutcome flownFleet(const Scenario& s)
         for (int a = 0; a < count; ++a) {
             const Autopilot& uav = world.fleet().autopilot(a);
             const Point& place_m = uav.pose().position_m;
-            if (uav.isOnGround() || (!uav.isHomeward() && uav.target() < 0))
+            if (uav.isOnGround() || (!uav.isHomeward() && !uav.target()))
                 since_s[toIndex(a)] = world.time_s();
             if (uav.isOnGround())
                 continue;
@@ -158,26 +158,26 @@ inline FleetOutcome flownFleet(const Scenario& s)
                     wasApart = wasApart != 0 || apart_m >= s.separation_m ? 1 : 0;
                 }
         }
-        for (; told < mission.events().size(); ++told) {
-            const MissionEvent& event = mission.events()[told];
+        for (; counted < mission.events().size(); ++counted) {
+            const MissionEvent& event = mission.events()[counted];
             flight.landings += event.kind == EventKind::Landed ? 1 : 0;
             flight.late += event.kind == EventKind::LateHome ? 1 : 0;
             if (event.kind == EventKind::HomeBound) {
-                const Autopilot& uav = world.fleet().autopilot(event.uav);
-                due_s[toIndex(event.uav)] = event.time_s + uav.guard().enduranceLeft_s() -
-                                            uav.homeMargin_s(world.observer()).value_or(0);
+                const Autopilot& uav = world.fleet().autopilot(*event.uav);
+                due_s[toIndex(*event.uav)] = event.time_s + uav.guard().enduranceLeft_s() -
+                                             uav.homeMargin_s(world.observer()).value_or(0);
             }
             if (event.kind == EventKind::Landed)
-                flight.waits_s.push_back(event.time_s - due_s[toIndex(event.uav)]);
+                flight.waits_s.push_back(event.time_s - due_s[toIndex(*event.uav)]);
             if (event.kind == EventKind::TookOff)
-                tookOff_s[toIndex(event.uav)] = event.time_s;
+                tookOff_s[toIndex(*event.uav)] = event.time_s;
             if (event.kind == EventKind::Landed)
-                flight.spent += event.time_s - tookOff_s[toIndex(event.uav)] >
-                                        s.uavs[toIndex(event.uav)].spec.endurance_s
+                flight.spent += event.time_s - tookOff_s[toIndex(*event.uav)] >
+                                        s.uavs[toIndex(*event.uav)].spec.endurance_s
                                     ? 1
                                     : 0;
             if (event.kind == EventKind::HomeBound)
-                since_s[toIndex(event.uav)] = event.time_s;
+                since_s[toIndex(*event.uav)] = event.time_s;
         }
         for (int a = 0; a < count; ++a) {
             if (std::exchange(visits[toIndex(a)], mission.visits(a)) != mission.visits(a))

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/angles.h"
-#include "core/coverage/flight_picture.h"
+#include "core/coverage/prediction_input.h"
 #include "core/plan/policy/policy.h"
 #include "core/scenario/scenario.h"
 
@@ -36,8 +36,8 @@ public:
                                 .velocity_mps = iceberg.velocity_mps,
                                 .sigma_m2 = initialSigma_m2(iceberg),
                                 .q_m2ps = iceberg.q_m2ps});
-        m_kept.assign(m_tracks.size(), -1);
-        look();
+        m_assigned.assign(m_tracks.size(), -1);
+        observe();
     }
 
     [[nodiscard]] double time_s() const { return static_cast<double>(m_step) * m_dt_s; }
@@ -46,8 +46,8 @@ public:
     [[nodiscard]] const DubinsState& uav(int uav) const { return m_flyers[at(uav)].state; }
     [[nodiscard]] int target(int uav) const { return m_flyers[at(uav)].target; }
     /** Assigns the iceberg to this UAV alone; −1 lets any UAV visit it. */
-    void keep(int iceberg, int uav) { m_kept[at(iceberg)] = uav; }
-    [[nodiscard]] int assignedUav(int iceberg) const { return m_kept[at(iceberg)]; }
+    void assign(int iceberg, int uav) { m_assigned[at(iceberg)] = uav; }
+    [[nodiscard]] int assignedUav(int iceberg) const { return m_assigned[at(iceberg)]; }
 
     [[nodiscard]] PlanRequest request(std::span<const std::vector<int>> lastRests = {}) const
     {
@@ -92,7 +92,7 @@ public:
                                flyer.motion.wind_mps);
             isOverdue = isOverdue || (flyer.aim && time_s() > flyer.aim->sighting_s + 2);
         }
-        const bool isNew = look();
+        const bool isNew = observe();
         for (Track& track : m_tracks) {
             if (!track.inView)
                 track.grow(m_dt_s);
@@ -166,7 +166,7 @@ private:
         return command.u_radps;
     }
 
-    bool look()
+    bool observe()
     {
         bool isNew = false;
         for (Track& track : m_tracks) {
@@ -188,7 +188,7 @@ private:
     double m_zeta_m2s = 0;
     std::vector<Flyer> m_flyers;
     std::vector<Track> m_tracks;
-    std::vector<int> m_kept;
+    std::vector<int> m_assigned;
 };
 
 /** Returns the scenario with `uavs` copies of its UAV, each a kilometre farther north. */

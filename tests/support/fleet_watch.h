@@ -154,11 +154,11 @@ private:
     [[nodiscard]] bool hasSearcher(int iceberg) const
     {
         const Simulation& now = m_mission.simulation();
-        const int assigned = now.world().parameters(iceberg).assignedUav;
+        const std::optional<int>& assigned = now.world().parameters(iceberg).assignedUav;
         for (int uav = 0; uav < now.uavCount(); ++uav)
             if (const Autopilot& me = now.fleet().autopilot(uav);
                 me.isPlanned() && !now.observer().searches().of(uav) &&
-                (assigned < 0 || assigned == uav) &&
+                (!assigned || assigned == uav) &&
                 thisSortie(me, std::span(&iceberg, 1), now.observer()).value_or(1) == 1)
                 return true;
         return false;
@@ -215,7 +215,7 @@ private:
                     beside = i;
             double& idle_s = m_idle_s[static_cast<std::size_t>(uav)];
             const bool isIdle =
-                me.target() < 0 && me.isPlanned() && me.mode() != FlightMode::Search && beside >= 0;
+                !me.target() && me.isPlanned() && me.mode() != FlightMode::Search && beside >= 0;
             idle_s = isIdle ? idle_s + 1 : 0;
             if (idle_s > 2 * delay_s())
                 m_faults.add(Fault::Idle, std::to_string(uav) + " beside " +
@@ -234,13 +234,13 @@ private:
                 m_faults.add(Fault::Outside, std::to_string(event.time_s));
             m_faults.landings += event.kind == EventKind::Landed ? 1 : 0;
             if (event.kind == EventKind::TookOff)
-                since_s[toIndex(event.uav)] = event.time_s;
+                since_s[toIndex(*event.uav)] = event.time_s;
             if (!m_isSafe || (event.kind != EventKind::LateHome && event.kind != EventKind::Landed))
                 continue;
-            if (event.kind == EventKind::LateHome && isKeptApart(event.uav))
+            if (event.kind == EventKind::LateHome && isKeptApart(*event.uav))
                 ++m_faults.reserves;
             else if (event.kind == EventKind::LateHome ||
-                     event.time_s - since_s[toIndex(event.uav)] > endurance_s(event.uav))
+                     event.time_s - since_s[toIndex(*event.uav)] > endurance_s(*event.uav))
                 m_faults.add(Fault::Late, std::to_string(event.time_s));
         }
     }

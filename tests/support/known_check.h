@@ -86,8 +86,8 @@ private:
     /** A reported doubt about the dates excuses its consequences. */
     ImportFinding wrong(const std::string& fault) const
     {
-        const bool isTold = m_file.isAmbiguous && !m_table.guessedDate.empty();
-        return {.verdict = isTold ? ImportVerdict::Listed : ImportVerdict::Wrong, .why = fault};
+        const bool isReported = m_file.isAmbiguous && !m_table.guessedDate.empty();
+        return {.verdict = isReported ? ImportVerdict::Listed : ImportVerdict::Wrong, .why = fault};
     }
 
     [[nodiscard]] bool isTaken(const KnownPlace& place) const
@@ -223,7 +223,7 @@ private:
             return {}; // the scenario names it by its position
         const auto report = std::ranges::find(m_result.icebergs, id, &ImportedIceberg::id);
         if (report == m_result.icebergs.end())
-            return "iceberg " + id + " is not told of";
+            return "iceberg " + id + " is not reported";
         if (report->outcome == ImportOutcome::LeftOut)
             return {};
         const std::vector<Iceberg>& icebergs = m_result.scenario.icebergs;
@@ -247,7 +247,7 @@ private:
         const bool isKnown =
             std::ranges::find(report.notes, ImportNote::VelocityUnknown) == report.notes.end();
         if (!isKnown || (fixes < 2 && !berg.givesVelocity))
-            return iceberg.velocity_mps.norm() > 0 ? "a velocity that nothing tells" : "";
+            return iceberg.velocity_mps.norm() > 0 ? "a velocity without a source" : "";
         const double off_mps = (iceberg.velocity_mps - Point(berg.east_mps, berg.north_mps)).norm();
         // An estimate leans towards the current if velocities may change, also if a stated drift is
         // included.

@@ -28,7 +28,7 @@ inline std::vector<QLineF> linesOf(const std::vector<QPolygonF>& legs)
 }
 
 /** Returns two paths: from the UAV a quarter circle and a line, then another line. */
-inline std::vector<MapPath> twoWays(const Point& from_m)
+inline std::vector<MapPath> twoPaths(const Point& from_m)
 {
     MapPath first{.path_m = {from_m}, .aim_m = from_m + Point(1500, 2500)};
     for (int i = 1; i <= 10; ++i) {

@@ -41,29 +41,31 @@ public:
 
     void act(int number)
     {
-        static constexpr std::array kPressed{
-            Kind{40, "move", &Monkey::move}, Kind{30, "key", &Monkey::pressKeyInDrag},
-            Kind{18, "release", &Monkey::release}, Kind{12, "wait", &Monkey::wait}};
-        static constexpr std::array kFree{Kind{24, "press", &Monkey::press},
-                                          Kind{10, "click", &Monkey::click},
-                                          Kind{2, "double click", &Monkey::doubleClick},
-                                          Kind{2, "right click", &Monkey::rightClick},
-                                          Kind{3, "wheel", &Monkey::turnWheel},
-                                          Kind{18, "key", &Monkey::pressKey},
-                                          Kind{7, "tool", &Monkey::chooseTool},
-                                          Kind{4, "draw area", &Monkey::drawArea},
-                                          Kind{8, "button", &Monkey::pressButton},
-                                          Kind{5, "widget", &Monkey::pressWidget},
-                                          Kind{4, "type", &Monkey::type},
-                                          Kind{3, "cell", &Monkey::editCell},
-                                          Kind{4, "action", &Monkey::triggerAction},
-                                          Kind{2, "dock", &Monkey::raiseDock},
-                                          Kind{1, "drop", &Monkey::dropFile},
-                                          Kind{5, "wait", &Monkey::wait}};
+        static constexpr std::array kPressed{MonkeyAction{40, "move", &Monkey::move},
+                                             MonkeyAction{30, "key", &Monkey::pressKeyInDrag},
+                                             MonkeyAction{18, "release", &Monkey::release},
+                                             MonkeyAction{12, "wait", &Monkey::wait}};
+        static constexpr std::array kFree{MonkeyAction{24, "press", &Monkey::press},
+                                          MonkeyAction{10, "click", &Monkey::click},
+                                          MonkeyAction{2, "double click", &Monkey::doubleClick},
+                                          MonkeyAction{2, "right click", &Monkey::rightClick},
+                                          MonkeyAction{3, "wheel", &Monkey::turnWheel},
+                                          MonkeyAction{18, "key", &Monkey::pressKey},
+                                          MonkeyAction{7, "tool", &Monkey::chooseTool},
+                                          MonkeyAction{4, "draw area", &Monkey::drawArea},
+                                          MonkeyAction{8, "button", &Monkey::pressButton},
+                                          MonkeyAction{5, "widget", &Monkey::pressWidget},
+                                          MonkeyAction{4, "type", &Monkey::type},
+                                          MonkeyAction{3, "cell", &Monkey::editCell},
+                                          MonkeyAction{4, "action", &Monkey::triggerAction},
+                                          MonkeyAction{2, "dock", &Monkey::raiseDock},
+                                          MonkeyAction{1, "drop", &Monkey::dropFile},
+                                          MonkeyAction{5, "wait", &Monkey::wait}};
         QTest::qWait(0); // handles events posted by the last action, e.g. for another window
         m_random = Random(m_seed, static_cast<std::uint64_t>(number));
         w.window().findChild<QAction*>(u"quitAction"_s)->setEnabled(false);
-        const Kind& kind = m_isPressed ? any<Kind>(kPressed) : any<Kind>(kFree);
+        const MonkeyAction& kind =
+            m_isPressed ? any<MonkeyAction>(kPressed) : any<MonkeyAction>(kFree);
         log(u"%1 %2"_s.arg(number).arg(QLatin1String(kind.name)));
         m_hand.begin(w.window(), m_random.bits());
         (this->*kind.act)();
@@ -87,7 +89,7 @@ public:
     }
 
 private:
-    struct Kind
+    struct MonkeyAction
     {
         std::uint64_t weight;
         const char* name;

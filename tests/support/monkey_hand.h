@@ -22,7 +22,7 @@ public:
     Hand()
     {
         m_clock.start();
-        lookAgain();
+        handleAgain();
     }
 
     /** Begins acting on this window. */
@@ -47,15 +47,15 @@ private:
      * Uses a new timer each time: a repeating one does not fire in the event loop of a dialog that
      * it opened.
      */
-    void lookAgain()
+    void handleAgain()
     {
         QTimer::singleShot(kTurn_ms, &m_alive, [this] {
-            lookAgain();
-            look();
+            handleAgain();
+            handleFront();
         });
     }
 
-    void look()
+    void handleFront()
     {
         QWidget* front = QApplication::activeModalWidget();
         if (m_clock.elapsed() > kMenu_ms && QApplication::activePopupWidget() != nullptr)

@@ -22,7 +22,8 @@ inline std::vector<PlanRow> rowsOf(const std::vector<std::string>& ids)
                         .name = QString::fromStdString(id),
                         .leg_m = 1000,
                         .arrival_s = 60 * static_cast<double>(rows.size() + 1),
-                        .sigma_m2 = 4});
+                        .sigma_m2 = 4,
+                        .number = static_cast<int>(rows.size()) + 1});
     return rows;
 }
 
@@ -40,10 +41,10 @@ inline std::vector<PlanSection> visiting(const std::vector<std::string>& ids)
 /** Returns a and b of uav-1, and c, which is assigned to uav-2. */
 inline std::vector<PlanSection> twoUavSections()
 {
-    std::vector<PlanRow> kept = rowsOf({"c"});
-    kept.front().isAssigned = true;
+    std::vector<PlanRow> assigned = rowsOf({"c"});
+    assigned.front().isAssigned = true;
     return {{.uav = "uav-1", .name = u"West"_s, .place = 0, .rows = rowsOf({"a", "b"})},
-            {.uav = "uav-2", .name = u"uav-2"_s, .place = 1, .rows = std::move(kept)}};
+            {.uav = "uav-2", .name = u"uav-2"_s, .place = 1, .rows = std::move(assigned)}};
 }
 
 inline std::vector<std::string> manyIds()
@@ -77,7 +78,7 @@ inline MissionSnapshot twoIcebergs(const Scenario& scenario)
     }
     now.plan = PlanEvent{.order = {0, 1}};
     now.plans = {*now.plan};
-    now.assigned = {-1, -1};
+    now.assigned = {std::nullopt, std::nullopt};
     return now;
 }
 

@@ -19,28 +19,28 @@ public:
     /** Makes or attempts one edit; returns its name. */
     QString edit()
     {
-        struct Kind
+        struct EditKind
         {
             const char* name;
             void (RandomEdits::*act)();
         };
-        static constexpr std::array kKinds{Kind{"place", &RandomEdits::place},
-                                           Kind{"move", &RandomEdits::move},
-                                           Kind{"drag drift", &RandomEdits::dragDrift},
-                                           Kind{"nudge", &RandomEdits::nudge},
-                                           Kind{"paste", &RandomEdits::paste},
-                                           Kind{"duplicate", &RandomEdits::duplicate},
-                                           Kind{"delete", &RandomEdits::remove},
-                                           Kind{"draw area", &RandomEdits::drawArea},
-                                           Kind{"move corner", &RandomEdits::moveCorner},
-                                           Kind{"tau", &RandomEdits::slideTau},
-                                           Kind{"settings", &RandomEdits::change},
-                                           Kind{"table", &RandomEdits::changeMany},
-                                           Kind{"asset", &RandomEdits::placeAsset},
-                                           Kind{"place UAV", &RandomEdits::placeUav},
-                                           Kind{"type", &RandomEdits::type},
-                                           Kind{"take back", &RandomEdits::takeBack}};
-        const Kind& kind = kKinds[m_random.below(kKinds.size())];
+        static constexpr std::array kKinds{EditKind{"place", &RandomEdits::place},
+                                           EditKind{"move", &RandomEdits::move},
+                                           EditKind{"drag drift", &RandomEdits::dragDrift},
+                                           EditKind{"nudge", &RandomEdits::nudge},
+                                           EditKind{"paste", &RandomEdits::paste},
+                                           EditKind{"duplicate", &RandomEdits::duplicate},
+                                           EditKind{"delete", &RandomEdits::remove},
+                                           EditKind{"draw area", &RandomEdits::drawArea},
+                                           EditKind{"move corner", &RandomEdits::moveCorner},
+                                           EditKind{"tau", &RandomEdits::slideTau},
+                                           EditKind{"settings", &RandomEdits::change},
+                                           EditKind{"table", &RandomEdits::changeMany},
+                                           EditKind{"asset", &RandomEdits::placeAsset},
+                                           EditKind{"place UAV", &RandomEdits::placeUav},
+                                           EditKind{"type", &RandomEdits::type},
+                                           EditKind{"take back", &RandomEdits::takeBack}};
+        const EditKind& kind = kKinds[m_random.below(kKinds.size())];
         const Scenario before = m_map.scenario();
         (this->*kind.act)();
         const QString name = QString::fromLatin1(kind.name);

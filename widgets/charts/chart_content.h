@@ -38,15 +38,15 @@ struct TimeLine
     QList<QPointF> points; ///< x in seconds, ascending; y in the unit of its axis
     LineRole role = LineRole::Momentary;
     bool onRightAxis = false;
-    QString name{}; ///< name in lists and readouts; empty if it equals `label`
-    QString unit{}; ///< unit of the values in readouts
-    QString key{};  ///< identifies the line in every language: id of the iceberg, column
-    int uav = 0;    ///< index in the scenario, for `LineRole::Uav`
+    std::optional<QString> name{}; ///< name in lists and readouts, if it differs from `label`
+    QString unit{};                ///< unit of the values in readouts
+    QString key{}; ///< identifies the line in every language: id of the iceberg, column
+    int uav = 0;   ///< index in the scenario, for `LineRole::Uav`
     LineEmphasis emphasis = LineEmphasis::None;
     bool hidden = false;
 
     /** Name in lists and readouts. */
-    [[nodiscard]] const QString& shownName() const { return name.isEmpty() ? label : name; }
+    [[nodiscard]] const QString& shownName() const { return name ? *name : label; }
     /** Returns whether the line is visible and has points. */
     [[nodiscard]] bool isShown() const { return !hidden && !points.isEmpty(); }
 };

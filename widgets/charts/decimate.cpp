@@ -35,7 +35,7 @@ QList<QPointF> decimate(std::span<const QPointF> points, const DecimationWindow&
     std::optional<QPointF> before;
     std::optional<QPointF> last;
     std::optional<Extremes> column;
-    int columnIndex = -1;
+    std::optional<int> columnIndex;
     for (const QPointF& p : points) {
         if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
             continue;
@@ -61,7 +61,7 @@ QList<QPointF> decimate(std::span<const QPointF> points, const DecimationWindow&
         last = p;
         const int index =
             std::min(window.columns - 1, static_cast<int>((p.x() - window.from) / perColumn));
-        if (column && index == columnIndex) {
+        if (index == columnIndex) {
             column->include(p);
             continue;
         }

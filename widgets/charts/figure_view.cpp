@@ -233,7 +233,7 @@ void FigureView::paintReadout(QPainter& painter, const DrawnItem& item) const
     paintDrawing(painter, texts, m_theme);
 }
 
-void FigureView::paintPicture(QPainter& painter) const
+void FigureView::paintFigure(QPainter& painter) const
 {
     painter.fillRect(rect(), m_theme.chart);
     paintDrawing(painter, m_drawing, m_theme);
@@ -245,7 +245,7 @@ void FigureView::paintPicture(QPainter& painter) const
 void FigureView::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
-    paintPicture(painter);
+    paintFigure(painter);
     if (const DrawnItem* read = itemOf(m_hovered || !hasFocus() ? m_hovered : m_chosen))
         paintReadout(painter, *read);
     if (hasFocus()) {

@@ -28,7 +28,7 @@ public:
     /** Present layout. */
     [[nodiscard]] const Drawing& drawing() const { return m_drawing; }
     /** Paints the figure as on the screen, without focus frame and hover readout. */
-    void paintPicture(QPainter& painter) const;
+    void paintFigure(QPainter& painter) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {480, 240}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 150}; }

@@ -88,7 +88,7 @@ std::optional<TimeLine> boundOfZeta(const FlightRecord& record)
     const bool isUseless =
         bound.whole && record.isOver() &&
         !isUsefulBound(bound.whole->by_m2s(time_s), record.shown().metrics.zeta_m2s);
-    if (!bound.whole || bound.zeta_m2s <= 0 || isUseless)
+    if (!bound.whole || !bound.zeta_m2s || isUseless)
         return std::nullopt;
     TimeLine line{.label = MissionCharts::tr("Lower bound on ζ"),
                   .points = {},

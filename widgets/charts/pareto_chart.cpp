@@ -78,7 +78,8 @@ Figure ParetoChart::figure() const
 void ParetoChart::addPlans(Figure& figure) const
 {
     // The plans of an incomplete curve are not yet used in flight.
-    const int present = m_curve.complete ? presentInterval(m_curve, m_tau) : -1;
+    const std::optional<int> present =
+        m_curve.complete ? presentInterval(m_curve, m_tau) : std::nullopt;
     PlotLine front{.points = {}, .ink = {.of = InkOf::Plan, .strength = 0.6}, .width_px = 1.2};
     for (const CurveInterval& plan : m_curve.intervals) {
         const std::size_t id = figure.items.size();

@@ -212,8 +212,8 @@ std::vector<std::string> SolveTimeChart::readout(const SolveTimeLine& line,
         tr("%1, %n icebergs", nullptr, point.icebergs).arg(lineName(line)),
         (line.solver ? tr("median %1, worst %2") : tr("average %1, worst %2"))
             .arg(timeText(point.middle_s, locale()), timeText(point.worst_s, locale()))};
-    if (line.solver)
-        lines << tr("proven: %1 of %2").arg(point.proven).arg(point.instances);
+    if (point.instances)
+        lines << tr("proven: %1 of %2").arg(point.proven).arg(*point.instances);
     return utf8(lines);
 }
 

@@ -14,7 +14,7 @@ struct SolveTimePoint
     int icebergs = 0;
     double middle_s = 0; ///< median; the paper's values are averages
     double worst_s = 0;
-    int instances = 0; ///< zero if unknown (the paper)
+    std::optional<int> instances{}; ///< nullopt for the paper, which does not state it
     int proven = 0;
     bool complete = true; ///< no run was stopped by the time budget
 };

@@ -29,19 +29,19 @@ DifferenceRow rowOf(const StudySummary& summary, std::size_t setting, const QLoc
             .isReference = setting == summary.reference};
 }
 
-/** Thins `all` evenly to at most `most` rows; rows accepted by `kept` always remain. */
-template <class Kept>
+/** Thins `all` evenly to at most `most` rows; rows accepted by `isNeeded` always remain. */
+template <class IsNeeded>
 std::vector<DifferenceRow> thinned(const std::vector<DifferenceRow>& all, std::size_t most,
-                                   const Kept& kept)
+                                   const IsNeeded& isNeeded)
 {
-    const auto always = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), kept));
+    const auto always = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), isNeeded));
     std::size_t step = 1;
     while ((all.size() + step - 1) / step + always > std::max(most, always + 1) &&
            step < all.size())
         ++step;
     std::vector<DifferenceRow> out;
     for (std::size_t k = 0; k < all.size(); ++k)
-        if (k % step == 0 || kept(all[k]))
+        if (k % step == 0 || isNeeded(all[k]))
             out.push_back(all[k]);
     return out;
 }

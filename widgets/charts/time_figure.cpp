@@ -175,7 +175,7 @@ void addNames(TimeFigure& time, const TimeChartContent& content)
     for (const std::size_t i : order) {
         const TimeLine& line = content.lines[i];
         time.figure.labels.push_back({.text = utf8(line.label),
-                                      .shortText = utf8(line.name),
+                                      .shortText = utf8(line.name.value_or(QString())),
                                       .end = {ends[i]->x(), ends[i]->y()},
                                       .ink = lineInk(line, content.sigmaFull_m2),
                                       .place = areMany ? LabelPlace::AtEnd : LabelPlace::Inside,

@@ -27,10 +27,10 @@ QStringList linesOf(const MarkdownBlock& block)
     for (const QStringList& row : block.rows)
         lines << plainText(row.join(u" · "_s));
     const QStringList written =
-        block.kind == MarkdownBlock::Kind::Code ? block.text.split(u'\n') : QStringList{block.text};
+        block.kind == MarkdownKind::Code ? block.text.split(u'\n') : QStringList{block.text};
     for (const QString& line : written)
         if (!line.isEmpty())
-            lines << (block.kind == MarkdownBlock::Kind::Code ? line : plainText(line));
+            lines << (block.kind == MarkdownKind::Code ? line : plainText(line));
     return lines;
 }
 
@@ -119,9 +119,9 @@ QString ManualChapter::html(const QString& pictureFolder, bool anchors) const
 {
     std::vector<MarkdownBlock> shown = blocks;
     for (MarkdownBlock& block : shown) // blocks are not removed: anchors use their numbers
-        if (block.kind == MarkdownBlock::Kind::Picture &&
+        if (block.kind == MarkdownKind::Picture &&
             !QFile::exists(QDir(pictureFolder).filePath(block.info)))
-            block = {.kind = MarkdownBlock::Kind::Text};
+            block = {.kind = MarkdownKind::Text};
     return markdownHtml(shown, anchors);
 }
 
@@ -143,7 +143,7 @@ std::vector<ManualHit> Manual::search(const QString& words) const
         QString heading;
         for (std::size_t i = 0; i < chapter.blocks.size(); ++i) {
             const MarkdownBlock& block = chapter.blocks[i];
-            if (block.kind == MarkdownBlock::Kind::Heading)
+            if (block.kind == MarkdownKind::Heading)
                 heading = plainText(block.text);
             for (const QString& line : linesOf(block))
                 if (std::all_of(wanted.begin(), wanted.end(), [&](const QString& word) {

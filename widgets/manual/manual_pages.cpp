@@ -26,8 +26,6 @@ struct ManualPages
     Q_DECLARE_TR_FUNCTIONS(ManualPages)
 };
 
-using Kind = MarkdownBlock::Kind;
-
 const QString kIndex = u"index.html"_s;
 const QString kPdf = u"manual.pdf"_s;
 
@@ -86,7 +84,7 @@ QString webContents(const Manual& manual)
     for (const ManualChapter& chapter : manual.chapters) {
         html += u"<h2>%1</h2>\n<ul>\n"_s.arg(linkTo(pageOf(chapter), chapter.title(), false));
         for (const MarkdownBlock& block : chapter.blocks)
-            if (block.kind == Kind::Heading && block.level == 2)
+            if (block.kind == MarkdownKind::Heading && block.level == 2)
                 html += u"<li>%1</li>\n"_s.arg(
                     linkTo(pageOf(chapter) + u'#' + block.id, plainText(block.text), false));
         html += u"</ul>\n"_s;

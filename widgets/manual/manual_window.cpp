@@ -178,7 +178,7 @@ void ManualWindow::showContents()
         QTreeWidgetItem* top = newItem(chapter.title(), chapter.name);
         m_list->addTopLevelItem(top);
         for (const MarkdownBlock& block : chapter.blocks)
-            if (block.kind == MarkdownBlock::Kind::Heading && block.level == 2)
+            if (block.kind == MarkdownKind::Heading && block.level == 2)
                 top->addChild(newItem(plainText(block.text), chapter.name + u'#' + block.id));
     }
     m_found->clear();

@@ -7,8 +7,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-using Kind = MarkdownBlock::Kind;
-
 const QRegularExpression& linkPattern()
 {
     static const QRegularExpression pattern(u"\\[([^\\]]+)\\]\\(([^)]+)\\)"_s);
@@ -19,7 +17,7 @@ MarkdownBlock headingOf(const QString& line)
 {
     static const QRegularExpression pattern(u"^(#+) (.*?)(?: \\{#([a-z0-9-]+)\\})?$"_s);
     const QRegularExpressionMatch match = pattern.match(line);
-    return {.kind = Kind::Heading,
+    return {.kind = MarkdownKind::Heading,
             .level = static_cast<int>(match.capturedLength(1)),
             .id = match.captured(3),
             .text = match.captured(2)};
@@ -41,29 +39,31 @@ MarkdownBlock beginningOf(const QString& line)
     if (line.startsWith(u'#'))
         return headingOf(line);
     if (const QRegularExpressionMatch match = picture.match(line); match.hasMatch())
-        return {.kind = Kind::Picture, .text = match.captured(1), .info = match.captured(2)};
+        return {
+            .kind = MarkdownKind::Picture, .text = match.captured(1), .info = match.captured(2)};
     if (line.startsWith(u"- "_s))
-        return {.kind = Kind::Bullet, .text = line.mid(2)};
+        return {.kind = MarkdownKind::Bullet, .text = line.mid(2)};
     if (line.startsWith(u"> "_s))
-        return {.kind = Kind::Formula, .text = line.mid(2)};
+        return {.kind = MarkdownKind::Formula, .text = line.mid(2)};
     if (const QRegularExpressionMatch match = numbered.match(line); match.hasMatch())
-        return {.kind = Kind::Numbered, .text = line.mid(match.capturedLength())};
-    return {.kind = Kind::Text, .text = line};
+        return {.kind = MarkdownKind::Numbered, .text = line.mid(match.capturedLength())};
+    return {.kind = MarkdownKind::Text, .text = line};
 }
 
 bool canContinue(const MarkdownBlock& block)
 {
-    return block.kind == Kind::Text || block.kind == Kind::Bullet || block.kind == Kind::Numbered;
+    return block.kind == MarkdownKind::Text || block.kind == MarkdownKind::Bullet ||
+           block.kind == MarkdownKind::Numbered;
 }
 
 /** Converts `**bold**`, `*italic*` and links; keeps `<sub>` and `<sup>`. */
 QString styled(const QString& text)
 {
-    static const QRegularExpression kept(u"&lt;(/?su[bp])&gt;"_s);
+    static const QRegularExpression escapedTags(u"&lt;(/?su[bp])&gt;"_s);
     static const QRegularExpression bold(u"\\*\\*(.+?)\\*\\*"_s);
     static const QRegularExpression italic(u"\\*([^ *][^*]*)\\*"_s);
     QString html = text.toHtmlEscaped();
-    html.replace(kept, u"<\\1>"_s);
+    html.replace(escapedTags, u"<\\1>"_s);
     html.replace(bold, u"<b>\\1</b>"_s);
     html.replace(italic, u"<i>\\1</i>"_s);
     html.replace(linkPattern(), u"<a href=\"\\2\">\\1</a>"_s);
@@ -98,23 +98,23 @@ QString tableHtml(const MarkdownBlock& block)
 QString blockHtml(const MarkdownBlock& block, const QString& anchor)
 {
     switch (block.kind) {
-    case Kind::Heading: {
+    case MarkdownKind::Heading: {
         const QString id = block.id.isEmpty() ? QString() : u"<a name=\"%1\"></a>"_s.arg(block.id);
         return u"<h%1>%2%3%4</h%1>\n"_s.arg(block.level).arg(anchor, id, inlineHtml(block.text));
     }
-    case Kind::Text:
+    case MarkdownKind::Text:
         return u"<p>%1%2</p>\n"_s.arg(anchor, inlineHtml(block.text));
-    case Kind::Formula:
+    case MarkdownKind::Formula:
         return u"<p class=\"formula\" style=\"margin-left:24px\">%1%2</p>\n"_s.arg(
             anchor, inlineHtml(block.text));
-    case Kind::Bullet:
-    case Kind::Numbered:
+    case MarkdownKind::Bullet:
+    case MarkdownKind::Numbered:
         return u"<li>%1%2</li>\n"_s.arg(anchor, inlineHtml(block.text));
-    case Kind::Table:
+    case MarkdownKind::Table:
         return (anchor.isEmpty() ? QString() : u"<p>%1</p>\n"_s.arg(anchor)) + tableHtml(block);
-    case Kind::Code:
+    case MarkdownKind::Code:
         return u"<pre>%1%2</pre>\n"_s.arg(anchor, block.text.toHtmlEscaped());
-    case Kind::Picture:
+    case MarkdownKind::Picture:
         return u"<p class=\"picture\">%1<img src=\"%2\" width=\"640\" alt=\"%3\"></p>\n"
                "<p class=\"caption\"><i>%4</i></p>\n"_s.arg(
                    anchor, block.info, block.text.toHtmlEscaped(), inlineHtml(block.text));
@@ -124,9 +124,9 @@ QString blockHtml(const MarkdownBlock& block, const QString& anchor)
 
 QString listTag(const MarkdownBlock& block)
 {
-    return block.kind == Kind::Bullet     ? u"ul"_s
-           : block.kind == Kind::Numbered ? u"ol"_s
-                                          : QString();
+    return block.kind == MarkdownKind::Bullet     ? u"ul"_s
+           : block.kind == MarkdownKind::Numbered ? u"ol"_s
+                                                  : QString();
 }
 
 } // namespace
@@ -140,21 +140,21 @@ std::vector<MarkdownBlock> markdownBlocks(const QString& text)
         if (line.startsWith(u"```"_s)) {
             inCode = !inCode;
             if (inCode)
-                blocks.push_back({.kind = Kind::Code, .info = line.mid(3).trimmed()});
+                blocks.push_back({.kind = MarkdownKind::Code, .info = line.mid(3).trimmed()});
             afterBlank = true;
         } else if (inCode) {
             blocks.back().text += line + u'\n';
         } else if (line.trimmed().isEmpty()) {
             afterBlank = true;
         } else if (line.startsWith(u'|')) {
-            if (afterBlank || blocks.back().kind != Kind::Table)
-                blocks.push_back({.kind = Kind::Table});
+            if (afterBlank || blocks.back().kind != MarkdownKind::Table)
+                blocks.push_back({.kind = MarkdownKind::Table});
             if (!line.startsWith(u"|--"_s) && !line.startsWith(u"| --"_s))
                 blocks.back().rows.push_back(cellsOf(line));
             afterBlank = false;
         } else {
             const MarkdownBlock begun = beginningOf(line);
-            if (begun.kind == Kind::Text && !afterBlank && canContinue(blocks.back()))
+            if (begun.kind == MarkdownKind::Text && !afterBlank && canContinue(blocks.back()))
                 blocks.back().text += u' ' + line.trimmed();
             else
                 blocks.push_back(begun);

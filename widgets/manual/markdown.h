@@ -7,21 +7,22 @@
 
 namespace berg {
 
+enum class MarkdownKind
+{
+    Heading, ///< `## Title {#id}`
+    Text,
+    Formula,  ///< `> ...`: displayed
+    Bullet,   ///< `- ...`
+    Numbered, ///< `1. ...`
+    Table,    ///< `| a | b |`, with column names in the first row
+    Code,     ///< between lines of ```
+    Picture   ///< `![caption](file)` alone on a line
+};
+
 /** A paragraph, heading, list item or similar element of a chapter. */
 struct MarkdownBlock
 {
-    enum class Kind
-    {
-        Heading, ///< `## Title {#id}`
-        Text,
-        Formula,  ///< `> ...`: displayed
-        Bullet,   ///< `- ...`
-        Numbered, ///< `1. ...`
-        Table,    ///< `| a | b |`, with column names in the first row
-        Code,     ///< between lines of ```
-        Picture   ///< `![caption](file)` alone on a line
-    };
-    Kind kind = Kind::Text;
+    MarkdownKind kind = MarkdownKind::Text;
     int level = 0;                      ///< level of a heading, from 1
     QString id = {};                    ///< anchor of a heading, the target of links
     QString text = {};                  ///< title, text, caption, or the code

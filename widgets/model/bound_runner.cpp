@@ -3,6 +3,7 @@
 #include "core/scenario/validate.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -29,6 +30,12 @@ Scenario boundedPart(const ScenarioPhysics& motion)
     return part;
 }
 
+/** Returns the bound if it is of use: zeta is never below zero. */
+std::optional<double> usefulBound_m2s(double zeta_m2s)
+{
+    return zeta_m2s > 0 ? std::optional(zeta_m2s) : std::nullopt;
+}
+
 /** Returns the work of the task, which reports the bound of a scenario as it grows. */
 auto boundWork(std::int64_t workLimit)
 {
@@ -37,11 +44,11 @@ auto boundWork(std::int64_t workLimit)
         ReportPace pace(kBetweenReports_ms);
         const auto report = [&](const BoundProgress& progress) {
             if (pace.isDue())
-                deliver({.zeta_m2s = progress.zeta_m2s, .share = progress.share});
+                deliver({.zeta_m2s = usefulBound_m2s(progress.zeta_m2s), .share = progress.share});
         };
         const auto bound = std::make_shared<const ZetaBound>(
             zetaLowerBound(scenario, {.workLimit = workLimit, .stop = stop, .onProgress = report}));
-        deliver({.zeta_m2s = bound->zeta_m2s, .share = 1, .whole = bound});
+        deliver({.zeta_m2s = usefulBound_m2s(bound->zeta_m2s), .share = 1, .whole = bound});
     };
 }
 

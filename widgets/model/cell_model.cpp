@@ -120,10 +120,12 @@ std::vector<int> CellModel::orderOf(const CellSheet& sheet) const
     return order;
 }
 
-int CellModel::shownRow(int sourceRow) const
+std::optional<int> CellModel::shownRow(int sourceRow) const
 {
     const auto found = std::ranges::find(m_order, sourceRow);
-    return found == m_order.end() ? -1 : static_cast<int>(found - m_order.begin());
+    if (found == m_order.end())
+        return std::nullopt;
+    return static_cast<int>(found - m_order.begin());
 }
 
 void CellModel::sort(int column, Qt::SortOrder order)

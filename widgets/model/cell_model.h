@@ -70,8 +70,8 @@ public:
 
     /** Returns the row of the sheet that is shown in `row`. */
     [[nodiscard]] int sourceRow(int row) const { return m_order.at(static_cast<std::size_t>(row)); }
-    /** Returns the row in which a row of the sheet is shown, or −1 if it is not shown. */
-    [[nodiscard]] int shownRow(int sourceRow) const;
+    /** Returns the row in which a row of the sheet is shown; nullopt if it is not shown. */
+    [[nodiscard]] std::optional<int> shownRow(int sourceRow) const;
 
     /** Sorts by a column; −1 restores the order of the sheet. The sort is stable. */
     void sort(int column, Qt::SortOrder order) override;

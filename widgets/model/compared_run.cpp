@@ -72,8 +72,8 @@ ComparedRun comparedRun(const FlightRecord& record)
     for (const MissionEvent& event : record.history.events) {
         if (event.kind == EventKind::Reached) {
             run.visits_s.push_back(event.time_s);
-            if (event.uav >= 0)
-                run.uavVisits_s[static_cast<std::size_t>(event.uav)].push_back(event.time_s);
+            if (event.uav)
+                run.uavVisits_s[static_cast<std::size_t>(*event.uav)].push_back(event.time_s);
         } else if (event.kind == EventKind::Intervention) {
             run.wasChanged = run.wasChanged || (event.changed != ChangedPart::Wind &&
                                                 event.changed != ChangedPart::Asset &&
@@ -151,7 +151,7 @@ RunFigures figuresAt(const ComparedRun& run, double until_s)
         figures.unseen.begin(), figures.unseen.end(),
         [](const UnseenTime& a, const UnseenTime& b) { return a.longest_s < b.longest_s; });
     if (longest != figures.unseen.end() && longest->longest_s > 0)
-        figures.longestUnseen = static_cast<int>(longest - figures.unseen.begin());
+        figures.longestUnseen = static_cast<std::size_t>(longest - figures.unseen.begin());
     return figures;
 }
 

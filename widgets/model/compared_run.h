@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <QString>
 
+#include <optional>
+
 namespace berg {
 
 /** Stored result of a flown run, for comparison with others. */
@@ -71,7 +73,8 @@ struct RunFigures
     double flown_m = 0;
     std::vector<UavTotals> uavs;    ///< totals of each UAV
     std::vector<UnseenTime> unseen; ///< time out of view of each iceberg
-    int longestUnseen = -1;         ///< index of the iceberg that was out of view longest, or −1
+    /** Index of the iceberg that was out of view longest; nullopt if all were always in view. */
+    std::optional<std::size_t> longestUnseen;
 };
 
 /**

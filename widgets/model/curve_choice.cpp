@@ -38,10 +38,10 @@ QString tauRangeText(const CurveInterval& interval, const QLocale& locale)
 
 } // namespace
 
-int presentInterval(const TauCurve& curve, double tau)
+std::optional<int> presentInterval(const TauCurve& curve, double tau)
 {
     if (curve.intervals.empty() || !(tau >= 0 && tau <= curve.intervals.back().tauTo))
-        return -1;
+        return std::nullopt;
     return intervalAt(curve, tau);
 }
 
@@ -58,14 +58,15 @@ double shortTau(const CurveInterval& interval)
 
 std::optional<double> tauOfNextPlan(const TauCurve& curve, double tau)
 {
-    const int present = presentInterval(curve, tau);
-    return present < 0 ? std::nullopt : tauAt(curve, present + 1);
+    const std::optional<int> present = presentInterval(curve, tau);
+    return present ? tauAt(curve, *present + 1) : std::nullopt;
 }
 
 std::optional<double> tauOfPreviousPlan(const TauCurve& curve, double tau)
 {
-    const int present = presentInterval(curve, tau);
-    return tauAt(curve, present < 0 ? static_cast<int>(curve.intervals.size()) - 1 : present - 1);
+    const int present =
+        presentInterval(curve, tau).value_or(static_cast<int>(curve.intervals.size()));
+    return tauAt(curve, present - 1);
 }
 
 QString intervalText(const CurveInterval& interval, const QLocale& locale)

@@ -11,8 +11,8 @@ namespace berg {
 
 // Texts about a trade-off curve, and the tau values that the widgets jump to.
 
-/** Returns the index of the interval that contains tau, or −1 if the curve does not reach it. */
-[[nodiscard]] int presentInterval(const TauCurve& curve, double tau);
+/** Returns the index of the interval with tau, or nullopt if the curve does not reach it. */
+[[nodiscard]] std::optional<int> presentInterval(const TauCurve& curve, double tau);
 
 /**
  * Returns a tau strictly inside the interval with few digits, as near to its middle as they allow.

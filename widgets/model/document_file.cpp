@@ -128,10 +128,11 @@ bool DocumentFile::isChangedOutside()
 bool DocumentFile::save(const QString& path, bool keepOld)
 {
     const bool first = !m_written.contains(canonicalPath(path));
-    const bool kept = !keepOld || !first || !QFileInfo::exists(path) || copyTo(path, path + u'~');
+    const bool isBackedUp =
+        !keepOld || !first || !QFileInfo::exists(path) || copyTo(path, path + u'~');
     m_document.save(path);
     m_written.insert(canonicalPath(path));
-    return kept;
+    return isBackedUp;
 }
 
 } // namespace berg

@@ -89,7 +89,7 @@ std::optional<ExportPreview> exportPreview(const PreparedExport& prepared,
         preview.bytes += file.content.size();
     }
     if (prepared.painting)
-        preview.picture = prepared.painting->image();
+        preview.image = prepared.painting->image();
     else
         addHead(preview, format.id == "kmz" ? findExportFormat("kml")->text(preview.content)
                                             : files.front().content);

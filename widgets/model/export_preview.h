@@ -62,7 +62,7 @@ struct ExportPreview
     QString head;          ///< beginning of the first file; contents of a packed one
     bool isWhole = false;  ///< whether `head` is the whole file
     std::size_t bytes = 0; ///< size of all files
-    QImage picture;        ///< image of the first file, if it is painted
+    QImage image;          ///< image of the first file, if it is painted
 };
 
 /**

@@ -92,7 +92,9 @@ LockHolder lockHolder(const QString& path)
     if (!file.open(QIODevice::ReadOnly))
         return {};
     const QList<QByteArray> lines = file.read(4096).split('\n');
-    return {.pid = lines.value(0).toLongLong(), .host = QString::fromUtf8(lines.value(1))};
+    const qint64 pid = lines.value(0).toLongLong();
+    return {.pid = pid > 0 ? std::optional(pid) : std::nullopt,
+            .host = QString::fromUtf8(lines.value(1))};
 }
 
 } // namespace berg

@@ -2,12 +2,14 @@
 
 #include <QString>
 
+#include <optional>
+
 namespace berg {
 
 /** Holder of a lock, as stated in the lock file. */
 struct LockHolder
 {
-    qint64 pid = 0; ///< process id; 0 if unknown
+    std::optional<qint64> pid; ///< process id, if the file states one
     QString host;
 };
 
@@ -46,8 +48,8 @@ private:
 };
 
 /**
- * Returns the holder stated in the lock file, or an empty one if it cannot be read; meaningful
- * while the lock is busy.
+ * Returns the holder stated in the lock file as far as it can be read; meaningful while the lock is
+ * busy.
  */
 [[nodiscard]] LockHolder lockHolder(const QString& path);
 

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 
 namespace berg {
 
@@ -38,8 +39,8 @@ struct ShownChange
 /** The lower bound on zeta of any flight of a scenario, as far as it is known. */
 struct KnownBound
 {
-    double zeta_m2s = 0; ///< best bound so far at the end of the run; 0 if unknown
-    double share = 0;    ///< share of the work that is done, 0 to 1
+    std::optional<double> zeta_m2s;         ///< best bound so far at the end of the run, > 0
+    double share = 0;                       ///< share of the work that is done, 0 to 1
     std::shared_ptr<const ZetaBound> whole; ///< the complete bound; null until it is finished
 };
 

@@ -40,9 +40,9 @@ struct SightingSummary
     QStringList columns;
     ColumnMapping mapping; ///< mapping in use
     std::size_t sightings = 0;
-    std::size_t headerLine = 0;  ///< as in `SightingTable`
-    std::string guessedDate;     ///< as in `SightingTable`
-    std::size_t guessedLine = 0; ///< line of the guessed date
+    std::optional<std::size_t> headerLine; ///< as in `SightingTable`
+    std::string guessedDate;               ///< as in `SightingTable`
+    std::size_t guessedLine = 0;           ///< line of the guessed date
     /** Choices of iceberg identity if the file leaves it open; else empty. */
     std::vector<IdentityChoice> choices;
     bool isUnclear = false;       ///< whether a choice is needed and none is made

@@ -1,5 +1,6 @@
 #include "widgets/model/mission_runner.h"
 
+#include "core/base/error.h"
 #include "widgets/model/flight_record.h"
 #include "widgets/model/mission_worker.h"
 
@@ -168,8 +169,9 @@ void MissionRunner::begin(RestartOptions restartOptions, std::shared_ptr<const R
     emit begun();
 }
 
-void MissionRunner::fly(double rate)
+void MissionRunner::fly(FlightRate rate)
 {
+    require(!rate || *rate > 0, "rate of a flight is not positive");
     postToFlight([rate](MissionWorker& worker) { worker.fly(rate); });
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/io/files/run_json.h"
 #include "widgets/model/export_worker.h"
+#include "widgets/model/flight_rate.h"
 #include "widgets/model/mailbox.h"
 #include "widgets/model/mission_snapshot.h"
 
@@ -82,8 +83,7 @@ public:
     void setRun(std::shared_ptr<const RunFile> run);
     [[nodiscard]] std::uint64_t generation() const { return m_generation; }
 
-    /** Flies `rate` simulated seconds a second; a rate of 0 flies as fast as possible. */
-    void fly(double rate);
+    void fly(FlightRate rate);
     void pause();
     /** Pauses and advances by `seconds` of simulated time. */
     void stepBy(double seconds);

@@ -12,8 +12,8 @@ namespace berg {
 
 namespace {
 
-template <class Entry>
-void join(std::vector<Entry>& known, std::size_t first, std::vector<Entry> news)
+template <class Record>
+void join(std::vector<Record>& known, std::size_t first, std::vector<Record> news)
 {
     known.resize(std::min(known.size(), first));
     std::move(news.begin(), news.end(), std::back_inserter(known));
@@ -52,8 +52,9 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
     for (int i = 0; i < simulation.icebergCount(); ++i) {
         snapshot.truth_m.push_back(simulation.truth_m(i));
         snapshot.active.push_back(simulation.active(i));
-        const int assigned = simulation.world().parameters(i).assignedUav;
-        snapshot.assigned.push_back(areDistinguished(snapshot.world.uavs) ? assigned : -1);
+        const std::optional<int>& assigned = simulation.world().parameters(i).assignedUav;
+        snapshot.assigned.push_back(areDistinguished(snapshot.world.uavs) ? assigned
+                                                                          : std::nullopt);
     }
     return snapshot;
 }

@@ -59,8 +59,11 @@ struct MissionSnapshot
     std::vector<std::shared_ptr<const Geofence>> fences;
     /** By UAV, `Autopilot::homeMargin_s`. */
     std::vector<std::optional<double>> homeMargins_s;
-    /** By iceberg, index of the only UAV that may visit it; −1 means any UAV or the only one. */
-    std::vector<int> assigned;
+    /**
+     * By iceberg, index of the only UAV that may visit it; nullopt if every UAV may, or if there is
+     * only one.
+     */
+    std::vector<std::optional<int>> assigned;
     /**
      * Changes of the world so far: wind, asset and icebergs, without other changes made with them.
      */

@@ -18,9 +18,9 @@ constexpr int kSlice_ms = 16;
 constexpr int kWork_ms = 8;
 
 /** Joins a waiting update of one type and the next one; indices refer to the whole record. */
-template <class Entry>
-void join(std::size_t waitingFirst, std::vector<Entry>& waiting, std::size_t nextFirst,
-          std::vector<Entry>& next)
+template <class Record>
+void join(std::size_t waitingFirst, std::vector<Record>& waiting, std::size_t nextFirst,
+          std::vector<Record>& next)
 {
     if (nextFirst <= waitingFirst)
         return; // the new update repeats everything that waits
@@ -131,7 +131,7 @@ void MissionWorker::listenToIncumbents()
     m_mission->setIncumbentListener([this](const PlanEvent& plan) { publishIncumbent(plan); });
 }
 
-void MissionWorker::fly(double rate)
+void MissionWorker::fly(FlightRate rate)
 {
     m_rate = rate;
     if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
@@ -139,7 +139,7 @@ void MissionWorker::fly(double rate)
     m_phase = RunPhase::Flying;
     m_target_s = m_mission->simulation().time_s();
     m_clock.start();
-    m_timer.start(rate > 0 ? kSlice_ms : 0);
+    m_timer.start(rate ? kSlice_ms : 0);
     publish();
 }
 
@@ -165,10 +165,10 @@ void MissionWorker::stepBy(double seconds)
 
 void MissionWorker::slice()
 {
-    if (m_rate <= 0) {
+    if (!m_rate) {
         sliceAsFastAsPossible();
     } else {
-        m_target_s += m_rate * static_cast<double>(m_clock.restart()) / 1000;
+        m_target_s += *m_rate * static_cast<double>(m_clock.restart()) / 1000;
         const double before_s = m_mission->simulation().time_s();
         // Flies at most for the work time of one slice: a slow machine slows the flight, not the
         // window.

@@ -37,7 +37,7 @@ public:
     void start();
     /** Returns the generation of the last request taken. */
     [[nodiscard]] std::uint64_t generation() const { return m_request.generation; }
-    void fly(double rate);
+    void fly(FlightRate rate);
     void pause();
     void stepBy(double seconds);
     /** Applies the waiting interventions at the present instant. */
@@ -101,7 +101,7 @@ private:
     bool m_hasContinued = false;
     QTimer m_timer;
     QElapsedTimer m_clock;
-    double m_rate = 1;
+    FlightRate m_rate = 1;
     double m_target_s = 0;               ///< simulated time that is due by the wall clock, s
     std::vector<PlanEvent> m_incumbents; ///< of the current solve, by UAV
     HistoryUpdate m_published;           ///< number of records already sent; its part stays empty

@@ -81,9 +81,9 @@ void Selection::keepExisting(const Scenario& scenario)
             return !isAnotherList && *place < areas;
         return known.contains(id);
     };
-    std::vector<std::string> kept;
-    std::copy_if(m_ids.begin(), m_ids.end(), std::back_inserter(kept), isThere);
-    set(std::move(kept));
+    std::vector<std::string> remaining;
+    std::copy_if(m_ids.begin(), m_ids.end(), std::back_inserter(remaining), isThere);
+    set(std::move(remaining));
 }
 
 } // namespace berg

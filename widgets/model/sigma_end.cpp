@@ -13,7 +13,7 @@ namespace {
 constexpr double kFar = 8; // multiple of the median from which an iceberg counts as good as lost
 constexpr double kLargest_m2 = 1e12;
 
-std::atomic<double> chosenEnd_m2{0};
+std::atomic<double> chosenEnd_m2{0}; // 0 without a choice: an atomic optional would need a lock
 
 /**
  * Returns the time of a round tour of all icebergs, s: about 0.7124 sqrt(n A) for many of them
@@ -72,24 +72,25 @@ double ownSigmaEnd_m2(const Scenario& scenario)
 
 double sigmaEnd_m2(const Scenario& scenario)
 {
-    const double chosen_m2 = chosenSigmaEnd_m2();
-    return chosen_m2 > 0 ? chosen_m2 : ownSigmaEnd_m2(scenario);
+    const std::optional<double> chosen_m2 = chosenSigmaEnd_m2();
+    return chosen_m2 ? *chosen_m2 : ownSigmaEnd_m2(scenario);
 }
 
-double chosenSigmaEnd_m2()
+std::optional<double> chosenSigmaEnd_m2()
 {
-    return chosenEnd_m2.load();
+    const double chosen_m2 = chosenEnd_m2.load();
+    return chosen_m2 > 0 ? std::optional(chosen_m2) : std::nullopt;
 }
 
-void chooseSigmaEnd(double end_m2)
+void chooseSigmaEnd(std::optional<double> end_m2)
 {
-    chosenEnd_m2.store(end_m2);
+    chosenEnd_m2.store(end_m2.value_or(0));
 }
 
-double readSigmaEnd_m2(const QSettings& settings)
+std::optional<double> readSigmaEnd_m2(const QSettings& settings)
 {
-    const double end_m2 = settings.value(kSigmaEndKey, 0).toDouble();
-    return end_m2 > 0 && end_m2 <= kLargest_m2 ? end_m2 : 0;
+    const double end_m2 = settings.value(kSigmaEndKey).toDouble();
+    return end_m2 > 0 && end_m2 <= kLargest_m2 ? std::optional(end_m2) : std::nullopt;
 }
 
 } // namespace berg

@@ -2,6 +2,8 @@
 
 #include <QSettings>
 
+#include <optional>
+
 namespace berg {
 
 struct Scenario;
@@ -27,14 +29,17 @@ struct Scenario;
  */
 [[nodiscard]] double ownSigmaEnd_m2(const Scenario& scenario);
 
-/** Returns the end chosen by the user for this process, m^2, or 0 if each scenario uses its own. */
-[[nodiscard]] double chosenSigmaEnd_m2();
-/** Sets the end for this process, m^2; 0 lets each scenario use its own. */
-void chooseSigmaEnd(double end_m2);
+/**
+ * Returns the end chosen by the user for this process, m^2, or nullopt if each scenario uses its
+ * own.
+ */
+[[nodiscard]] std::optional<double> chosenSigmaEnd_m2();
+/** Sets the end for this process, m^2; nullopt lets each scenario use its own. */
+void chooseSigmaEnd(std::optional<double> end_m2);
 
 /** Key of the setting: 0 or the end in m^2. */
 inline constexpr const char* kSigmaEndKey = "view/sigmaEnd";
-/** Returns the setting, or 0 if it is missing, not a number or outside (0, 10^12]. */
-[[nodiscard]] double readSigmaEnd_m2(const QSettings& settings);
+/** Returns the setting, or nullopt if it is missing, not a number or outside (0, 10^12]. */
+[[nodiscard]] std::optional<double> readSigmaEnd_m2(const QSettings& settings);
 
 } // namespace berg

@@ -102,7 +102,7 @@ void StudyAutosaver::discard()
     m_thread.waitForDone();
 }
 
-void StudyAutosaver::lookForAbandoned()
+void StudyAutosaver::findAbandoned()
 {
     if (m_folder.isEmpty() || m_held)
         return;

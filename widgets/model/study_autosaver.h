@@ -26,8 +26,8 @@ public:
 
     /** Begins saving into `folder`, at most `interval_ms` after new results. */
     void start(const QString& folder, int interval_ms = 4000);
-    /** Looks for recoveries of programs that no longer run; `found` may follow. */
-    void lookForAbandoned();
+    /** Finds for recoveries of programs that no longer run; `found` may follow. */
+    void findAbandoned();
     /** Updates the recovery after the study was saved. */
     void follow();
     /**

@@ -98,8 +98,9 @@ std::string Workspace::assignedUavOf(const std::string& iceberg) const
     const auto it = std::ranges::find(shown.icebergs, iceberg, &Iceberg::id);
     if (it == shown.icebergs.end())
         return {};
-    const int uav = shown.assigned[static_cast<std::size_t>(it - shown.icebergs.begin())];
-    return uav < 0 ? std::string() : m_record.scenario.uavs[static_cast<std::size_t>(uav)].id;
+    const std::optional<int>& uav =
+        shown.assigned[static_cast<std::size_t>(it - shown.icebergs.begin())];
+    return uav ? m_record.scenario.uavs[toIndex(*uav)].id : std::string();
 }
 
 std::optional<ZetaPrediction> Workspace::predicted() const
@@ -269,14 +270,14 @@ void Workspace::flyScenario(const Scenario& scenario, const QString& text)
         m_document.edit(text, [&scenario](Scenario& present) { present = scenario; });
     else
         m_document.reset(scenario);
-    fly(0);
+    fly(kFastestRate);
     m_studyGeneration = m_runner.generation();
 }
 
-void Workspace::fly(double rate)
+void Workspace::fly(FlightRate rate)
 {
     m_rate = rate;
-    if (m_lookedAt_s && rate > 0) {
+    if (m_lookedAt_s && rate) {
         m_playClock.start();
         m_playBack.start();
         emit flightChanged();
@@ -288,7 +289,7 @@ void Workspace::fly(double rate)
     m_runner.fly(rate);
 }
 
-void Workspace::setRate(double rate)
+void Workspace::setRate(FlightRate rate)
 {
     if (isPlaying())
         fly(rate);

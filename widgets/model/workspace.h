@@ -134,8 +134,8 @@ public:
     void openRun(std::shared_ptr<const RunFile> run);
     /** Takes over the recovery of a program that no longer runs. */
     void restore(FoundRecovery found);
-    /** Takes off or continues at `rate` simulated seconds a second; 0 flies as fast as possible. */
-    void fly(double rate);
+    /** Takes off or continues. */
+    void fly(FlightRate rate);
     /** Pauses the flight, or the playing of its record. */
     void pause();
     /** Flies one second, or shows the instant one second later if an earlier one is shown. */
@@ -147,7 +147,7 @@ public:
     /** Restores the flight discarded last; if its scenario differs, that is an edit as well. */
     void restoreFlight();
     /** Sets a new rate for a flight in progress. */
-    void setRate(double rate);
+    void setRate(FlightRate rate);
 
     /** Pauses and shows this instant of the flight; at its end, the newest instant. */
     void seek(double time_s);
@@ -222,7 +222,7 @@ private:
     std::optional<double> m_lookedAt_s; ///< requested instant; the record's instant follows
     QTimer m_playBack;                  ///< runs while the record is played
     QElapsedTimer m_playClock;
-    double m_rate = 1;
+    FlightRate m_rate = 1;
     std::optional<SavedRun> m_savedRun;  ///< the run saved or opened last
     std::uint64_t m_studyGeneration = 0; ///< generation of the last flight that is also in a study
     std::optional<DiscardedFlight> m_discarded; ///< its mission is held by the mission thread

@@ -10,7 +10,7 @@ namespace berg {
 void Workspace::playBack()
 {
     const double time_s =
-        *m_lookedAt_s + m_rate * static_cast<double>(m_playClock.restart()) / 1000;
+        *m_lookedAt_s + m_rate.value() * static_cast<double>(m_playClock.restart()) / 1000;
     if (time_s < m_record.now.time_s) {
         m_lookedAt_s = time_s;
         m_runner.requestInstant(time_s);

@@ -159,10 +159,11 @@ std::vector<UavColumn> commonColumns(const ExportContent& content, const QLocale
 
 void addOwnTotals(std::vector<UavColumn>& columns, ExportScope what, const QLocale& locale)
 {
-    columns.push_back({FlightBrief::tr("Icebergs"), [](const ExportUav& uav) {
-                           return QString::number(std::ranges::count_if(
-                               uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
-                       }});
+    columns.push_back(
+        {FlightBrief::tr("Icebergs"), [](const ExportUav& uav) {
+             return QString::number(std::ranges::count_if(
+                 uav.visits, [](const Visit& visit) { return visit.iceberg.has_value(); }));
+         }});
     columns.push_back(
         {what == ExportScope::Track ? FlightBrief::tr("Distance") : FlightBrief::tr("This sortie"),
          [&locale](const ExportUav& uav) {

@@ -112,7 +112,7 @@ public:
     void add(const Visit& visit)
     {
         BriefCells cells;
-        if (visit.iceberg < 0) {
+        if (!visit.iceberg) {
             cells[placeOf(BriefColumn::Name)] = FlightBrief::tr("Home");
         } else {
             const double sigma_m2 = sigmaAt_m2(m_content, visit);
@@ -205,7 +205,7 @@ BriefRoute briefRoute(const ExportContent& content, std::size_t uav, const QLoca
     RouteRows rows(content, path, locale);
     const bool isTrack = content.what == ExportScope::Track;
     for (const Visit& visit : flown.visits)
-        if (visit.iceberg >= 0 || !isTrack) // a track contains no planned flight home
+        if (visit.iceberg || !isTrack) // a track contains no planned flight home
             rows.add(visit);
     if (isTrack)
         rows.addEnd();

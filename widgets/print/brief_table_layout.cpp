@@ -60,9 +60,9 @@ BriefTable::BriefTable(const BriefContent& content) : m_content(content)
     name = std::min(name, kWidestName);
 }
 
-std::vector<BriefTable::Line> BriefTable::linesWith(std::size_t rowsEach) const
+std::vector<BriefTable::TableLine> BriefTable::linesWith(std::size_t rowsEach) const
 {
-    std::vector<Line> lines;
+    std::vector<TableLine> lines;
     for (std::size_t route = 0; route < m_content.routes.size(); ++route) {
         const std::size_t rows = m_content.routes[route].rows.size();
         if (!m_content.routes[route].name.isEmpty())
@@ -75,12 +75,12 @@ std::vector<BriefTable::Line> BriefTable::linesWith(std::size_t rowsEach) const
     return lines;
 }
 
-std::vector<std::vector<BriefTable::Line>> BriefTable::inColumns(const std::vector<Line>& lines,
-                                                                 int columns)
+std::vector<std::vector<BriefTable::TableLine>>
+BriefTable::inColumns(const std::vector<TableLine>& lines, int columns)
 {
     const auto count = static_cast<std::size_t>(columns);
     const std::size_t each = (lines.size() + count - 1) / count;
-    std::vector<std::vector<Line>> parts;
+    std::vector<std::vector<TableLine>> parts;
     std::size_t next = 0;
     while (next < lines.size()) {
         std::size_t end = std::min(lines.size(), next + each);
@@ -96,7 +96,7 @@ std::vector<std::vector<BriefTable::Line>> BriefTable::inColumns(const std::vect
     return parts;
 }
 
-double BriefTable::heightOf_px(const std::vector<Line>& lines, const BriefTableStyle& style)
+double BriefTable::heightOf_px(const std::vector<TableLine>& lines, const BriefTableStyle& style)
 {
     std::size_t longest = 0;
     for (const auto& part : inColumns(lines, style.columns))
@@ -107,22 +107,22 @@ double BriefTable::heightOf_px(const std::vector<Line>& lines, const BriefTableS
 
 /** Lines that fit: an equal number of rows for each UAV, as many as possible. If even one row each
  * is too much, the first row of the first UAVs. */
-std::vector<BriefTable::Line> BriefTable::linesFor(double room_px,
-                                                   const BriefTableStyle& style) const
+std::vector<BriefTable::TableLine> BriefTable::linesFor(double room_px,
+                                                        const BriefTableStyle& style) const
 {
     constexpr double kRounding_px = 1e-6;
-    const auto fits = [&](const std::vector<Line>& lines) {
+    const auto fits = [&](const std::vector<TableLine>& lines) {
         return heightOf_px(lines, style) <= room_px + kRounding_px;
     };
     for (std::size_t rowsEach = m_mostRows; rowsEach > 0; --rowsEach)
-        if (std::vector<Line> lines = linesWith(rowsEach); fits(lines))
+        if (std::vector<TableLine> lines = linesWith(rowsEach); fits(lines))
             return lines;
-    const std::vector<Line> firstRows = linesWith(1);
-    std::vector<Line> lines;
+    const std::vector<TableLine> firstRows = linesWith(1);
+    std::vector<TableLine> lines;
     for (std::size_t uavs = m_content.routes.size(); uavs-- > 0;) {
         lines.clear();
         std::ranges::copy_if(firstRows, std::back_inserter(lines),
-                             [uavs](const Line& line) { return line.route < uavs; });
+                             [uavs](const TableLine& line) { return line.route < uavs; });
         lines.push_back({.kind = LineKind::MoreUavs, .row = m_content.routes.size() - uavs});
         if (fits(lines))
             break;
@@ -207,7 +207,7 @@ void BriefTable::setCells(BriefLayout& layout, const BriefCells& texts,
     }
 }
 
-void BriefTable::setLine(BriefLayout& layout, const Line& line, const std::vector<Cell>& cells,
+void BriefTable::setLine(BriefLayout& layout, const TableLine& line, const std::vector<Cell>& cells,
                          const QRectF& strip, int size_px) const
 {
     const double sign_px = 0.62 * size_px;
@@ -244,11 +244,12 @@ void BriefTable::setInto(BriefLayout& layout, const QRectF& room,
     const double width_px = columnWidth_px(room.width(), style.columns);
     const std::vector<Cell> cells = cellsFor(width_px, style.size_px);
     double left_px = room.left();
-    for (const std::vector<Line>& part : inColumns(linesFor(room.height(), style), style.columns)) {
+    for (const std::vector<TableLine>& part :
+         inColumns(linesFor(room.height(), style), style.columns)) {
         QRectF strip(left_px, room.top(), width_px, captions_px);
         setCaptions(layout, cells, strip, style.size_px);
         strip = QRectF(left_px, strip.bottom() - pitch_px, width_px, pitch_px);
-        for (const Line& line : part) {
+        for (const TableLine& line : part) {
             strip.translate(0, pitch_px);
             setLine(layout, line, cells, strip, style.size_px);
             layout.rules.push_back({QLineF(strip.bottomLeft(), strip.bottomRight())});

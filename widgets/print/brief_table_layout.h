@@ -35,7 +35,7 @@ private:
         More, ///< number of rows left out
         MoreUavs
     };
-    struct Line
+    struct TableLine
     {
         LineKind kind = LineKind::Row;
         std::size_t route = 0;
@@ -49,17 +49,18 @@ private:
         double width_px = 0;
     };
 
-    [[nodiscard]] std::vector<Line> linesWith(std::size_t rowsEach) const;
-    [[nodiscard]] std::vector<Line> linesFor(double room_px, const BriefTableStyle& style) const;
-    [[nodiscard]] static double heightOf_px(const std::vector<Line>& lines,
+    [[nodiscard]] std::vector<TableLine> linesWith(std::size_t rowsEach) const;
+    [[nodiscard]] std::vector<TableLine> linesFor(double room_px,
+                                                  const BriefTableStyle& style) const;
+    [[nodiscard]] static double heightOf_px(const std::vector<TableLine>& lines,
                                             const BriefTableStyle& style);
-    [[nodiscard]] static std::vector<std::vector<Line>> inColumns(const std::vector<Line>& lines,
-                                                                  int columns);
+    [[nodiscard]] static std::vector<std::vector<TableLine>>
+    inColumns(const std::vector<TableLine>& lines, int columns);
     [[nodiscard]] std::array<double, kBriefColumns> widthsIn(double width_px, int size_px) const;
     [[nodiscard]] std::vector<Cell> cellsFor(double width_px, int size_px) const;
     void setCaptions(BriefLayout& layout, const std::vector<Cell>& cells, const QRectF& strip,
                      int size_px) const;
-    void setLine(BriefLayout& layout, const Line& line, const std::vector<Cell>& cells,
+    void setLine(BriefLayout& layout, const TableLine& line, const std::vector<Cell>& cells,
                  const QRectF& strip, int size_px) const;
     void setCells(BriefLayout& layout, const BriefCells& texts, const std::vector<Cell>& cells,
                   const QRectF& strip, const BriefType& type) const;

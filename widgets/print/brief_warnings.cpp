@@ -77,7 +77,7 @@ QStringList issueLines(const Scenario& scenario, const std::vector<Issue>& issue
 
 bool isIdle(const ExportUav& uav)
 {
-    return std::ranges::all_of(uav.visits, [](const Visit& visit) { return visit.iceberg < 0; });
+    return std::ranges::all_of(uav.visits, [](const Visit& visit) { return !visit.iceberg; });
 }
 
 bool visitsNothing(const ExportContent& content)
@@ -148,7 +148,7 @@ QStringList missLines(const ExportContent& content, const QLocale& locale)
     QStringList names;
     for (const ExportUav& uav : content.uavs)
         for (const Visit& visit : uav.visits) {
-            if (visit.iceberg < 0)
+            if (!visit.iceberg)
                 continue;
             double chance = 1;
             for (const int iceberg : icebergsOf(visit))
@@ -250,7 +250,7 @@ QStringList loiterLines(const ExportContent& content, const QLocale& locale)
         const double turns_s = content.options.loiterTurns * 2 * std::numbers::pi * uav.circle_m /
                                uav.uav.spec.airspeed_mps;
         const auto visits = std::ranges::count_if(
-            uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; });
+            uav.visits, [](const Visit& visit) { return visit.iceberg.has_value(); });
         const double own_s = turns_s * static_cast<double>(visits);
         each_s = std::max(each_s, turns_s);
         all_s = std::max(all_s, own_s);
@@ -275,7 +275,7 @@ std::vector<bool> visitedIcebergs(const ExportContent& content)
     std::vector<bool> visited(content.icebergs.size());
     for (const ExportUav& uav : content.uavs)
         for (const Visit& visit : uav.visits)
-            if (visit.iceberg >= 0)
+            if (visit.iceberg)
                 for (const int index : icebergsOf(visit))
                     visited.at(static_cast<std::size_t>(index)) = true;
     return visited;
@@ -286,7 +286,7 @@ PlannedPath plannedPath(const ExportContent& content, const ExportUav& uav)
     const UavSpec& spec = uav.uav.spec;
     PlannedPath path{.places_m = {uav.uav.position_m}, .wind_mps = content.wind_mps};
     for (const Visit& visit : uav.visits)
-        if (visit.iceberg >= 0)
+        if (visit.iceberg)
             path.places_m.push_back(visit.position_m);
     path.thisSortie = path.places_m.size();
     path.fence = fenceOf(*content.scenario, spec.altitude_m,

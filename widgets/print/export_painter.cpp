@@ -10,7 +10,7 @@
 namespace berg {
 namespace {
 
-constexpr double kLookScale = 1.5; // sharp when most of a page is visible
+constexpr double kPreviewScale = 1.5; // sharp when most of a page is visible
 
 } // namespace
 
@@ -44,7 +44,7 @@ ExportPaint exportPaint(const QLocale& locale)
                     return ExportPainting{
                         .file = [page,
                                  ending = endingOf(format)] { return pictureFile(*page, ending); },
-                        .image = [page] { return pictureImage(*page, kLookScale); }};
+                        .image = [page] { return pictureImage(*page, kPreviewScale); }};
                 }};
 }
 

@@ -53,19 +53,19 @@ std::vector<Point> cornersOf(const ExportUav& uav, double from_s, const Visit& v
     return corners;
 }
 
-/** `places` maps icebergs of the content to indices in the picture; -1 means not shown. */
-MapRoute plannedRoute(const ExportUav& uav, const std::vector<int>& places)
+MapRoute plannedRoute(const ExportUav& uav, const ShownPlaces& places)
 {
     MapRoute route;
     double from_s = uav.start_s;
     for (const Visit& visit : uav.visits) {
-        const int place = visit.iceberg < 0 ? -1 : places[static_cast<std::size_t>(visit.iceberg)];
-        if (place < 0 && visit.iceberg >= 0)
+        const std::optional<int> place =
+            visit.iceberg ? places[static_cast<std::size_t>(*visit.iceberg)] : std::nullopt;
+        if (!place && visit.iceberg)
             continue;
         route.planCorners.push_back(cornersOf(uav, from_s, visit));
         from_s = visit.time_s;
-        if (place >= 0)
-            route.plan.push_back(place);
+        if (place)
+            route.plan.push_back(*place);
         else
             route.thisSortie = static_cast<int>(route.plan.size()); // followed by the flight home
     }
@@ -96,21 +96,24 @@ MapIceberg mapIcebergOf(const ExportIceberg& iceberg, const ExportContent& conte
     drawn.status = statusOf(iceberg.state);
     if (iceberg.state != IcebergState::Expected)
         drawn.appears_s = 0;
-    if (drawn.circle_m > 0) // circles belong to estimates, which a track lacks
-        drawn.circle_m = content.what == ExportScope::Track ? 0 : radius95_m(iceberg.sigma_m2);
+    if (drawn.circle_m > 0.0) // circles belong to estimates, which a track lacks
+        drawn.circle_m = content.what == ExportScope::Track
+                             ? std::nullopt
+                             : std::optional(radius95_m(iceberg.sigma_m2));
     drawn.ringEntry_s = ringEntry_s(content, iceberg);
     drawn.id = printable(drawn.id);
     return drawn;
 }
 
-/** Adds the listed icebergs; returns the index in the picture for each iceberg, or -1. */
-std::vector<int> addIcebergs(MapPicture& picture, const ExportContent& content)
+/** Adds the listed icebergs and returns the places of all. */
+ShownPlaces addIcebergs(MapPicture& picture, const ExportContent& content)
 {
-    std::vector<int> places;
+    ShownPlaces places;
     for (const ExportIceberg& iceberg : content.icebergs) {
-        places.push_back(iceberg.isListed ? static_cast<int>(picture.icebergs.size()) : -1);
+        std::optional<int>& place = places.emplace_back();
         if (!iceberg.isListed)
             continue;
+        place = static_cast<int>(picture.icebergs.size());
         picture.icebergs.push_back(mapIcebergOf(iceberg, content));
     }
     picture.sigmaFull_m2 = sigmaEnd_m2(*content.scenario);
@@ -118,7 +121,7 @@ std::vector<int> addIcebergs(MapPicture& picture, const ExportContent& content)
 }
 
 void addUav(MapPicture& picture, const ExportContent& content, const ExportUav& uav,
-            const std::vector<int>& places)
+            const ShownPlaces& places)
 {
     const bool isFlown = content.what == ExportScope::Track;
     picture.uavs.push_back(mapUavOf(uav, content));
@@ -155,7 +158,7 @@ MapPicture exportPicture(const ExportContent& content)
 {
     MapPicture picture;
     picture.origin = content.frame.origin();
-    const std::vector<int> places = addIcebergs(picture, content);
+    const ShownPlaces places = addIcebergs(picture, content);
     for (const ExportUav& uav : content.uavs)
         addUav(picture, content, uav, places);
     picture.area_m = content.area_m;

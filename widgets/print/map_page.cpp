@@ -57,7 +57,7 @@ struct MapSheet
 
 bool isOfIceberg(const Visit& visit)
 {
-    return visit.iceberg >= 0;
+    return visit.iceberg.has_value();
 }
 
 int visitCount(const ExportContent& content)

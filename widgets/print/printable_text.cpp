@@ -37,16 +37,16 @@ bool isRightToLeft(char32_t c)
 
 QString printable(const QString& text)
 {
-    QList<uint> kept;
+    QList<uint> codes;
     int marks = 0;
     for (const uint c : text.toUcs4()) {
         marks = QChar::isMark(c) ? marks + 1 : 0;
         if (marks <= kMostMarks)
-            kept.push_back(isUnseen(c) ? u' ' : c);
+            codes.push_back(isUnseen(c) ? u' ' : c);
     }
-    const bool turns = std::any_of(kept.cbegin(), kept.cend(), isRightToLeft);
+    const bool turns = std::any_of(codes.cbegin(), codes.cend(), isRightToLeft);
     QString line;
-    for (const uint c : kept)
+    for (const uint c : codes)
         line += QChar::fromUcs4(c);
     line = line.simplified();
     return turns ? kIsolate + line + kEndOfIsolate : line;

@@ -60,9 +60,9 @@ void drawFieldOutline(const QStyleOption& option, QPainter& painter)
 }
 
 /** Redraws an image in shades of one colour. */
-QPixmap inShadesOf(const QColor& colour, const QPixmap& picture)
+QPixmap inShadesOf(const QColor& colour, const QPixmap& pixmap)
 {
-    QImage image = picture.toImage().convertToFormat(QImage::Format_ARGB32);
+    QImage image = pixmap.toImage().convertToFormat(QImage::Format_ARGB32);
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
             const QColor was = image.pixelColor(x, y);
@@ -71,7 +71,7 @@ QPixmap inShadesOf(const QColor& colour, const QPixmap& picture)
             image.setPixelColor(x, y, shade);
         }
     QPixmap shaded = QPixmap::fromImage(image);
-    shaded.setDevicePixelRatio(picture.devicePixelRatio());
+    shaded.setDevicePixelRatio(pixmap.devicePixelRatio());
     return shaded;
 }
 

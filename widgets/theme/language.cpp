@@ -11,13 +11,17 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/** Locale for a language: with the user's country if the languages agree; otherwise English is
- * British, which writes the day before the month and uses 24 hours. */
-QLocale localeOf(const QString& language)
+/**
+ * Returns the locale for a language: with the user's country if the languages agree; otherwise
+ * English is British, which writes the day before the month and uses 24 hours.
+ */
+QLocale localeOf(const std::optional<QString>& language)
 {
     const QLocale system = QLocale::system();
-    const QLocale chosen(language);
-    if (language.isEmpty() || chosen.language() == system.language())
+    if (!language)
+        return system;
+    const QLocale chosen(*language);
+    if (chosen.language() == system.language())
         return system;
     return chosen.language() == QLocale::English ? QLocale(QLocale::English, QLocale::UnitedKingdom)
                                                  : chosen;
@@ -25,7 +29,7 @@ QLocale localeOf(const QString& language)
 
 } // namespace
 
-void installLanguage(const QString& language)
+void installLanguage(const std::optional<QString>& language)
 {
     static QTranslator own;
     static QTranslator qt;

@@ -37,7 +37,7 @@ QString feetText(double height_m, const QLocale& locale)
 }
 
 /** An angle >= 0 in the selected form. */
-QString shownAngle(double angle_deg, int decimals, const QLocale& locale)
+QString shownAngle(double angle_deg, std::optional<int> decimals, const QLocale& locale)
 {
     QString text = QString::fromStdString(angleText(angle_deg, shownUnits().coordinates, decimals));
     return text.replace(u'.', locale.decimalPoint());
@@ -276,7 +276,7 @@ QString durationText(double time_s, const QLocale& locale)
     return QuantityText::tr("%1 s").arg(whole(1));
 }
 
-QString latitudeText(double latitude_deg, int decimals, const QLocale& locale)
+QString latitudeText(double latitude_deg, std::optional<int> decimals, const QLocale& locale)
 {
     QString angle = shownAngle(std::abs(latitude_deg), decimals, locale);
     if (std::abs(latitude_deg) < kNoAngle_deg)
@@ -285,7 +285,7 @@ QString latitudeText(double latitude_deg, int decimals, const QLocale& locale)
                             : QuantityText::tr("%1 N", "latitude").arg(angle);
 }
 
-QString longitudeText(double longitude_deg, int decimals, const QLocale& locale)
+QString longitudeText(double longitude_deg, std::optional<int> decimals, const QLocale& locale)
 {
     QString angle = shownAngle(std::abs(longitude_deg), decimals, locale);
     if (std::abs(std::remainder(longitude_deg, 180.0)) < kNoAngle_deg)

@@ -100,12 +100,14 @@ inline constexpr int kPlaceDecimals = 3;
 
 /**
  * Latitude with hemisphere in the selected form: 47° 03.2′ N, 47.053° N or 47° 03′ 12″ N; the
- * equator has no hemisphere. `decimals` of the minutes (0 to 4) set the precision in every form; -1
- * means whole degrees.
+ * equator has no hemisphere. `decimals` of the minutes (0 to 4) set the precision in every form;
+ * nullopt means whole degrees.
  */
-[[nodiscard]] QString latitudeText(double latitude_deg, int decimals, const QLocale& locale);
+[[nodiscard]] QString latitudeText(double latitude_deg, std::optional<int> decimals,
+                                   const QLocale& locale);
 /** Longitude in the same form; the meridians of 0 and 180 degrees have no hemisphere. */
-[[nodiscard]] QString longitudeText(double longitude_deg, int decimals, const QLocale& locale);
+[[nodiscard]] QString longitudeText(double longitude_deg, std::optional<int> decimals,
+                                    const QLocale& locale);
 /**
  * Replaces the hemisphere letters of the window's language in a typed place (such as O for west) by
  * N, S, E and W, which all readers accept.

@@ -82,20 +82,20 @@ std::optional<double> numberOf(QString text, const QLocale& locale)
 }
 
 /** A number with its unit. */
-struct Part
+struct QuantityPart
 {
     QString number;
     QString unit;
 };
 
-std::vector<Part> partsOf(QString text)
+std::vector<QuantityPart> partsOf(QString text)
 {
     for (QChar& c : text)
         if (c.isSpace()) // includes no-break spaces between thousands
             c = u' ';
     static const QRegularExpression kPart(
         u"\\G\\s*([+−-]?[.,]?\\d(?:[.,\\d]|\\s(?=\\d{3}(?!\\d)))*)\\s*([^\\d\\s:+−.,-][^\\d:+]*)?"_s);
-    std::vector<Part> parts;
+    std::vector<QuantityPart> parts;
     qsizetype at = 0;
     while (at < text.size()) {
         const QRegularExpressionMatch match = kPart.match(text, at);
@@ -124,13 +124,13 @@ std::optional<double> colonTime(const QStringList& parts, double last_s)
 }
 
 /** Sum of numbers with units in SI; several numbers are allowed for times only. */
-std::optional<double> sumOf(const std::vector<Part>& parts, Dimension dimension, double plain,
-                            const QLocale& locale)
+std::optional<double> sumOf(const std::vector<QuantityPart>& parts, Dimension dimension,
+                            double plain, const QLocale& locale)
 {
     if (parts.empty() || (parts.size() > 1 && dimension != Dimension::Time))
         return std::nullopt;
     double sum = 0;
-    for (const Part& part : parts) {
+    for (const QuantityPart& part : parts) {
         const std::optional<double> number = numberOf(part.number, locale);
         const std::optional<double> unit = part.unit.isEmpty() && parts.size() == 1
                                                ? std::optional(plain)
@@ -175,7 +175,7 @@ std::optional<double> typedNumber(const QString& text, const QString& unit, cons
         const std::optional<double> time_s = durationValue(trimmed, 1, locale);
         return time_s ? std::optional(*time_s / own->inSi) : std::nullopt;
     }
-    const std::vector<Part> parts = partsOf(trimmed);
+    const std::vector<QuantityPart> parts = partsOf(trimmed);
     if (parts.size() == 1 && parts.front().unit.isEmpty())
         return numberOf(parts.front().number, locale); // conversion via SI would round it
     const std::optional<double> value = sumOf(parts, own->dimension, own->inSi, locale);

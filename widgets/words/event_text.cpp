@@ -40,11 +40,11 @@ public:
 // All reasons except None.
 static_assert(std::size(EventText::kReasons) == std::size_t(PlanReason::Fleet));
 
-QString nameOf(int index, const std::vector<Iceberg>& icebergs)
+QString icebergName(const std::optional<int>& index, const std::vector<Iceberg>& icebergs)
 {
-    if (index < 0 || static_cast<std::size_t>(index) >= icebergs.size())
+    if (!index || toIndex(*index) >= icebergs.size())
         return {};
-    return shownName(icebergs[static_cast<std::size_t>(index)]);
+    return shownName(icebergs[toIndex(*index)]);
 }
 
 } // namespace
@@ -53,7 +53,7 @@ QString eventSentence(const MissionEvent& event, const std::vector<Iceberg>& ice
                       const std::vector<Uav>& uavs, const QLocale& locale)
 {
     const EventNames names{
-        .iceberg = nameOf(event.iceberg, icebergs).toStdString(),
+        .iceberg = icebergName(event.iceberg, icebergs).toStdString(),
         .uav = nameInFleet(uavs, event.uav).toStdString(),
         .otherUav = nameInFleet(uavs, event.otherUav).toStdString(),
         .distance = distanceText(event.distance_m, locale).toStdString(),
@@ -81,7 +81,7 @@ QString planOrderText(const PlanEvent& plan, const std::vector<Iceberg>& iceberg
 {
     QStringList names;
     for (const int iceberg : plan.order)
-        names << nameOf(iceberg, icebergs);
+        names << icebergName(iceberg, icebergs);
     return names.join(u", "_s);
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -73,15 +74,15 @@ bool isRefusal(IssueId id)
     return id == IssueId::CannotOpen || id == IssueId::CannotRead || id == IssueId::CannotWrite;
 }
 
-/** K of a path that begins with `list[K]`; -1 of any other. */
-int entryIn(std::string_view path, std::string_view list)
+/** Returns K of a path that begins with `list[K]`; nullopt for other paths. */
+std::optional<std::size_t> entryIn(std::string_view path, std::string_view list)
 {
     if (!path.starts_with(list) || path.substr(list.size()).substr(0, 1) != "[")
-        return -1;
+        return std::nullopt;
     const std::string_view number = path.substr(list.size() + 1);
-    int index = -1;
-    std::from_chars(number.data(), number.data() + number.size(), index);
-    return index;
+    std::size_t index = 0;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), index);
+    return read.ec == std::errc() ? std::optional(index) : std::nullopt;
 }
 
 /** The label of a field in quotes; of an object its place in the list as people count. */
@@ -89,10 +90,10 @@ QString pathText(const std::string& path)
 {
     if (const QString label = fieldName(path); !label.isEmpty())
         return u'"' + label + u'"';
-    if (const int iceberg = entryIn(path, "icebergs"); iceberg >= 0)
-        return IssueText::tr("iceberg %1").arg(iceberg + 1);
-    if (const int uav = entryIn(path, "uavs"); uav >= 0)
-        return IssueText::tr("UAV %1").arg(uav + 1);
+    if (const auto iceberg = entryIn(path, "icebergs"))
+        return IssueText::tr("iceberg %1").arg(*iceberg + 1);
+    if (const auto uav = entryIn(path, "uavs"))
+        return IssueText::tr("UAV %1").arg(*uav + 1);
     return QString::fromStdString(path);
 }
 
@@ -143,10 +144,10 @@ QString findingWords(const Issue& issue, const QLocale& locale)
 template <class Object>
 QString nameOfEntry(const Issue& issue, std::string_view list, const std::vector<Object>& objects)
 {
-    const int index = issueIndex(issue, list);
-    if (index < 0 || index >= static_cast<int>(objects.size()))
+    const std::optional<std::size_t> index = issueIndex(issue, list);
+    if (!index || *index >= objects.size())
         return {};
-    const Object& object = objects[static_cast<std::size_t>(index)];
+    const Object& object = objects[*index];
     return QString::fromStdString(object.name.empty() ? object.id : object.name);
 }
 
@@ -261,7 +262,7 @@ QString countsText(const IssueCounts& counts)
     return parts.join(u", "_s);
 }
 
-int issueIndex(const Issue& issue, std::string_view list)
+std::optional<std::size_t> issueIndex(const Issue& issue, std::string_view list)
 {
     return entryIn(issue.field, list);
 }

@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <optional>
+
 namespace berg {
 
 /**
@@ -57,8 +59,8 @@ struct IssueCounts
 
 /**
  * Returns the index K of a field `icebergs[K]...` or `uavs[K]...`, with `list` the name before it,
- * or −1 for other fields.
+ * or nullopt for other fields.
  */
-[[nodiscard]] int issueIndex(const Issue& issue, std::string_view list);
+[[nodiscard]] std::optional<std::size_t> issueIndex(const Issue& issue, std::string_view list);
 
 } // namespace berg

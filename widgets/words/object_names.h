@@ -4,6 +4,8 @@
 
 #include <QString>
 
+#include <optional>
+
 namespace berg {
 
 /** Returns the name of an iceberg or UAV on screen: its name, or its id if it has none. */
@@ -23,12 +25,12 @@ template <class Uav>
     return uavs.size() > 1;
 }
 
-/** Returns the name of the UAV with this index; empty for an invalid index or a single UAV. */
-[[nodiscard]] inline QString nameInFleet(const std::vector<Uav>& uavs, int uav)
+/** Returns the name of the UAV with this index; empty without a valid index or for a single UAV. */
+[[nodiscard]] inline QString nameInFleet(const std::vector<Uav>& uavs, std::optional<int> uav)
 {
-    const auto place = static_cast<std::size_t>(uav);
-    return areDistinguished(uavs) && uav >= 0 && place < uavs.size() ? shownName(uavs[place])
-                                                                     : QString();
+    const auto place = static_cast<std::size_t>(uav.value_or(0));
+    return areDistinguished(uavs) && uav && place < uavs.size() ? shownName(uavs[place])
+                                                                : QString();
 }
 
 } // namespace berg

@@ -142,8 +142,8 @@ QString routeName(Route route)
 
 QColor policyColour(PolicyKind policy, const Theme& theme)
 {
-    const PolicyStyle& look = styleOf(policy);
-    const std::string_view colour = theme.isDark ? look.dark : look.light;
+    const PolicyStyle& style = styleOf(policy);
+    const std::string_view colour = theme.isDark ? style.dark : style.light;
     return colour.empty() ? theme.plan
                           : theme.toned(QLatin1String(colour.data(), qsizetype(colour.size())));
 }

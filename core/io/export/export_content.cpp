@@ -84,7 +84,7 @@ ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportScop
 /** Adds or removes the leg home, as the user chose. */
 void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& wind_mps)
 {
-    const bool ends = !uav.visits.empty() && uav.visits.back().iceberg < 0;
+    const bool ends = !uav.visits.empty() && !uav.visits.back().iceberg;
     if (!wanted || *wanted == ends)
         return;
     if (ends) {
@@ -102,16 +102,15 @@ std::size_t leftOf(const UavOrder& order, const std::vector<Visit>& visits)
 {
     std::set<int> left(order.icebergs.begin(), order.icebergs.end());
     for (const Visit& visit : visits)
-        if (visit.iceberg >= 0)
-            for (const int iceberg : icebergsOf(visit))
-                left.erase(iceberg);
+        for (const int iceberg : icebergsOf(visit))
+            left.erase(iceberg);
     return left.size();
 }
 
 /** Removes the leg home, which a limited endurance adds at the end of a path. */
 void endOverTheLastIceberg(FlyablePath& path)
 {
-    if (path.visits.empty() || path.visits.back().iceberg >= 0)
+    if (path.visits.empty() || path.visits.back().iceberg)
         return;
     path.visits.pop_back();
     const double end_s =
@@ -124,8 +123,8 @@ void addSearches(ExportUav& uav, double now_s)
 {
     for (const PlannedSearch& search : uav.searches) {
         const double time_s = search.time_s - now_s;
-        const bool isKnown =
-            std::ranges::find(uav.visits, search.iceberg, &Visit::iceberg) != uav.visits.end();
+        const bool isKnown = std::ranges::any_of(
+            uav.visits, [&search](const Visit& visit) { return visit.iceberg == search.iceberg; });
         if (isKnown || time_s <= 0 || uav.track.empty() || search.time_s > uav.track.back().time_s)
             continue;
         const auto after = std::ranges::upper_bound(uav.visits, time_s, {}, &Visit::time_s);
@@ -152,7 +151,7 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
         uav.visits.resize(1);
     endAtHome(uav, content.options.returnHome, scene.wind_mps);
     if (content.what == ExportScope::Path) {
-        const bool home = !uav.visits.empty() && uav.visits.back().iceberg < 0;
+        const bool home = !uav.visits.empty() && !uav.visits.back().iceberg;
         FlyablePath path = flyOrder(scene, order, home);
         uav.isAimed = !order.legs.empty();
         if (uav.isAimed)
@@ -296,8 +295,8 @@ void checkExportOptions(const ExportSource& source, const ExportOptions& options
     if (options.airspeed_mps && *options.airspeed_mps <= wind_mps.norm())
         refuse("speed", {IssueId::SlowerThanWind});
     const auto& uavs = source.scenario.uavs;
-    if (!options.uav.empty() && std::ranges::find(uavs, options.uav, &Uav::id) == uavs.end())
-        refuse("uav", {IssueId::NoSuchUav, {options.uav}});
+    if (options.uav && std::ranges::find(uavs, *options.uav, &Uav::id) == uavs.end())
+        refuse("uav", {IssueId::NoSuchUav, {*options.uav}});
 }
 
 ExportContent exportContent(const ExportSource& source, const ExportOptions& options)
@@ -339,7 +338,7 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         for (const Iceberg& iceberg : scenario.icebergs)
             content.icebergs.push_back(enteredIceberg(scenario, iceberg));
     for (std::size_t row = 0; row < scenario.uavs.size(); ++row)
-        if (options.uav.empty() || options.uav == scenario.uavs[row].id)
+        if (!options.uav || options.uav == scenario.uavs[row].id)
             content.uavs.push_back(exportUav(source, content, row));
     checkContent(content);
     return content;
@@ -374,9 +373,8 @@ std::optional<double> chanceInView(const ExportContent& content, const ExportUav
 std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit)
 {
     std::vector<std::string> ids;
-    if (visit.iceberg >= 0)
-        for (const int index : icebergsOf(visit))
-            ids.push_back(content.icebergs.at(static_cast<std::size_t>(index)).iceberg.id);
+    for (const int index : icebergsOf(visit))
+        ids.push_back(content.icebergs.at(static_cast<std::size_t>(index)).iceberg.id);
     return ids;
 }
 
@@ -400,10 +398,10 @@ std::vector<std::pair<std::string_view, double>> driftData(const ExportContent& 
 
 std::string titleOf(const ExportContent& content, const Visit& visit)
 {
-    if (visit.iceberg < 0)
+    if (!visit.iceberg)
         return "Home";
     if (visit.members.empty())
-        return titleOf(content.icebergs.at(static_cast<std::size_t>(visit.iceberg)).iceberg);
+        return titleOf(content.icebergs.at(static_cast<std::size_t>(*visit.iceberg)).iceberg);
     return joined(idsOf(content, visit), ", ");
 }
 

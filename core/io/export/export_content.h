@@ -62,7 +62,7 @@ struct ExportOptions
 {
     /** Without a value, the track of a mission or else the order is exported. */
     std::optional<ExportScope> what = {};
-    std::string uav = {}; ///< id of the UAV; empty means all
+    std::optional<std::string> uav = {}; ///< id of the UAV; nullopt means all
     std::optional<double> altitude_m = {};
     std::optional<double> airspeed_mps = {};
     std::optional<double> acceptance_m = {}; ///< radius within which a waypoint counts as reached

@@ -126,7 +126,7 @@ void addOptionNotes(NoteList& notes, const ExportCapabilities& holds, const Expo
     };
     const ExportOptions& options = content.options;
     const Option all[] = {
-        {ExportOption::Uav, "uav", !options.uav.empty()},
+        {ExportOption::Uav, "uav", options.uav.has_value()},
         {ExportOption::Altitude, "altitude", options.altitude_m.has_value()},
         {ExportOption::Airspeed, "speed", options.airspeed_mps.has_value()},
         {ExportOption::Acceptance, "acceptance", options.acceptance_m.has_value()},

@@ -72,7 +72,7 @@ void addPlanned(LogUav& uav, const Mission& mission, const PlanAnswer& plan)
         uav.plannedLength_m += (line[i].position_m - line[i - 1].position_m).norm();
     uav.plannedTime_s = line.back().time_s - line.front().time_s;
     uav.plannedVisits = static_cast<std::size_t>(std::ranges::count_if(
-        planned.visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
+        planned.visits, [](const Visit& visit) { return visit.iceberg.has_value(); }));
     uav.planHash = sha256(wplText(order));
 }
 
@@ -148,10 +148,9 @@ private:
         const std::vector<Iceberg>& icebergs = m_content.mission->icebergs();
         const std::optional<std::string> id =
             change.appears ? std::optional(change.appears->id) : change.seen;
-        const int index = id ? indexOfId(icebergs, *id) : -1;
-        if (index >= 0 && static_cast<std::size_t>(index) < m_icebergs.size())
-            see(m_icebergs[static_cast<std::size_t>(index)],
-                change.time_s - (change.seen ? change.seenAge_s : 0));
+        const std::optional<int> index = id ? indexOfId(icebergs, *id) : std::nullopt;
+        if (index && toIndex(*index) < m_icebergs.size())
+            see(m_icebergs[toIndex(*index)], change.time_s - (change.seen ? change.seenAge_s : 0));
     }
 
     static void see(Watched& watched, double time_s)

@@ -191,9 +191,9 @@ std::string sightingsHtml(const ExportContent& content, const FlightLog& log)
 std::string deviationHtml(const ExportContent& content, const MissionEvent& event)
 {
     const Mission& mission = *content.mission;
-    const auto name = [](const auto& all, int index) {
-        const auto i = static_cast<std::size_t>(index);
-        return index >= 0 && i < all.size() ? htmlName(titleOf(all[i])) : std::string();
+    const auto name = [](const auto& all, const std::optional<int>& index) {
+        return index && toIndex(*index) < all.size() ? htmlName(titleOf(all[toIndex(*index)]))
+                                                     : std::string();
     };
     const std::vector<Uav>& uavs = mission.scenario().uavs;
     const EventNames names{.iceberg = name(mission.icebergs(), event.iceberg),

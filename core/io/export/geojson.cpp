@@ -153,10 +153,10 @@ private:
     {
         int sequence = 0;
         for (const Visit& visit : uav.visits) {
-            if (visit.iceberg < 0)
+            if (!visit.iceberg)
                 continue;
             const Iceberg& iceberg =
-                m_content.icebergs.at(static_cast<std::size_t>(visit.iceberg)).iceberg;
+                m_content.icebergs.at(static_cast<std::size_t>(*visit.iceberg)).iceberg;
             Json properties;
             properties["kind"] = "visit";
             properties["sequence"] = ++sequence;
@@ -165,7 +165,7 @@ private:
             if (!visit.members.empty())
                 properties["cluster"] = idsOf(m_content, visit);
             properties["uav"] = uav.uav.id;
-            if (const auto chance = chanceInView(m_content, uav, visit, visit.iceberg))
+            if (const auto chance = chanceInView(m_content, uav, visit, *visit.iceberg))
                 properties["chance_in_view"] = *chance;
             addTime(properties, visit.time_s);
             add(point(visit.position_m), std::move(properties));

@@ -125,7 +125,7 @@ private:
                  .altitude_m = uav.uav.spec.altitude_m,
                  .time_s = visit.time_s,
                  .name = titleOf(m_content, visit),
-                 .type = visit.iceberg < 0 ? "home" : "visit"});
+                 .type = visit.iceberg ? "visit" : "home"});
         m_put("</rte>\n");
     }
 

@@ -283,7 +283,7 @@ private:
                   .position_m = uav.home_m,
                   .data = dataOf(m_content, uav)});
         for (const Visit& visit : uav.visits)
-            if (visit.iceberg >= 0)
+            if (visit.iceberg)
                 addPoint({.name = titleOf(m_content, visit),
                           .style = styleId(uav),
                           .position_m = visit.position_m,

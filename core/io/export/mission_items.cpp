@@ -84,7 +84,7 @@ std::vector<MavItem> pathItems(const ExportContent& content, const ExportUav& ua
         return items;
     }
     for (const Visit& visit : uav.visits)
-        if (visit.iceberg >= 0)
+        if (visit.iceberg)
             items.push_back(maker.visit(visit));
     return items;
 }

@@ -41,7 +41,7 @@ std::string planCsv(const ExportContent& content)
         Point from_m = uav.uav.position_m;
         int sequence = 0;
         for (const Visit& visit : uav.visits) {
-            if (visit.iceberg < 0)
+            if (!visit.iceberg)
                 continue; // the leg home
             addVisit(text, content, uav, visit, from_m, ++sequence);
             from_m = visit.position_m;

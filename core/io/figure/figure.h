@@ -147,9 +147,9 @@ struct PlotAxis
     AxisEnds ends = AxisEnds::Round;
     double least = 0; ///< lower end of the visible range
     double largest = 1;
-    double spacing_px = 40;   ///< minimum distance of ticks
-    double fewSpacing_px = 0; ///< minimum distance for up to four ticks on a short axis; 0 means
-                              ///< `spacing_px`
+    double spacing_px = 40; ///< minimum distance of ticks
+    /** Minimum distance for up to four ticks on a short axis; nullopt means `spacing_px`. */
+    std::optional<double> fewSpacing_px = {};
     std::function<std::string(double value, int decimals)> text{};
     double inUnit = 1; ///< value of one displayed unit in axis units: 1e6 for an axis in m² s
                        ///< labelled in km² s

@@ -78,8 +78,8 @@ AxisTicks ticksOf(const PlotAxis& axis, double length_px)
 {
     constexpr int kFew = 4; // with fewer, round ends would leave much of the axis empty
     int most = std::max(1, static_cast<int>(length_px / axis.spacing_px));
-    if (axis.fewSpacing_px > 0)
-        most = std::max(most, std::min(kFew, static_cast<int>(length_px / axis.fewSpacing_px)));
+    if (axis.fewSpacing_px)
+        most = std::max(most, std::min(kFew, static_cast<int>(length_px / *axis.fewSpacing_px)));
     switch (axis.ends) {
     case AxisEnds::Round:
     case AxisEnds::Around0:

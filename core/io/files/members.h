@@ -40,6 +40,8 @@ void readMember(ObjectReader& reader, const Field<T>& field, Value& value)
                               field.traits.zeroIsNone ? std::optional(above) : std::nullopt);
     } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
         value = reader.optionalNumber(name);
+        if (field.traits.zeroIsNone && value == 0.0)
+            value.reset();
     } else if constexpr (std::is_same_v<Value, std::int64_t>) {
         value = reader.whole(name, value, {.low = 0, .high = kLargestSeed});
     } else if constexpr (std::is_same_v<Value, bool>) {

@@ -75,7 +75,7 @@ std::string planText(const RecordedPlan& plan)
     JsonObject object;
     object.add("time_s", plan.time_s);
     object.addUnless("uav", plan.uav, 0);
-    object.add("target", plan.target);
+    object.add("target", plan.target.value_or(kNoIcebergInFile));
     object.addText("order", jsonArrayOf(plan.order));
     if (!plan.clusters.empty())
         object.addText("clusters", jsonArray(textsOf(plan.clusters, jsonArrayOf<int>)));

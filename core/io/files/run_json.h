@@ -4,6 +4,7 @@
 #include "core/sim/mission.h"
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -15,8 +16,8 @@ namespace berg {
 struct RecordedPlan
 {
     double time_s = 0;
-    int uav = 0;     ///< index
-    int target = -1; ///< iceberg index, or -1 without a target
+    int uav = 0;               ///< index
+    std::optional<int> target; ///< iceberg index; nullopt without a target
     std::vector<int> order;
     std::vector<std::vector<int>> clusters; ///< groups that are flown to as one point
     std::vector<AimedLeg> legs;             ///< legs with aim points, empty for plans without

@@ -235,8 +235,8 @@ void addUav(JsonObject& object, const UavState& uav)
     object.add("cross_track_m", uav.crossTrack_m);
     object.add("flown_m", uav.flown_m);
     object.add("mode", nameOf(kModeNames, uav.mode));
-    object.add("target", uav.target);
-    object.add("last_reached", uav.lastReached);
+    object.add("target", uav.target.value_or(kNoIcebergInFile));
+    object.add("last_reached", uav.lastReached.value_or(kNoIcebergInFile));
     object.addUnless("alone", uav.isAlone, false);
     object.addText("guidance", jsonArrayOf(guidanceNumbers(uav.guidance)));
     object.add("run_out_m", uav.runOut_m);
@@ -316,14 +316,16 @@ std::vector<UavState> readOtherUavs(ObjectReader& keyframe, const RunContext& co
 
 } // namespace
 
-int icebergOrNone(ObjectReader& object, const char* member, const RunContext& context)
+std::optional<int> icebergOrNone(ObjectReader& object, const char* member,
+                                 const RunContext& context)
 {
     const Json* const value = object.find(member);
-    if (context.icebergs == 0 && value != nullptr && *value != -1) {
+    if (context.icebergs == 0 && value != nullptr && *value != kNoIcebergInFile) {
         object.faults().add(object.path(member), {IssueId::NoIcebergInRun});
-        return -1;
+        return std::nullopt;
     }
-    return asInt(object.whole(member, -1, context.indices()));
+    const int index = asInt(object.whole(member, kNoIcebergInFile, context.indices()));
+    return index == kNoIcebergInFile ? std::nullopt : std::optional(index);
 }
 
 std::vector<double> trackNumbers(const Track& track)

@@ -19,6 +19,9 @@ inline constexpr Limits kAmount{.low = 0, .high = 1e300};
     return static_cast<int>(value);
 }
 
+/** Iceberg index in a run file that stands for no iceberg. */
+inline constexpr int kNoIcebergInFile = -1;
+
 /** Limits that the parts of a run file are checked against. */
 struct RunContext
 {
@@ -29,19 +32,19 @@ struct RunContext
     std::size_t uavs = 1;
     Point current_mps = Point::Zero();
 
-    /** Returns the range of iceberg indices, with -1 for no iceberg. */
+    /** Returns the range of iceberg indices, `kNoIcebergInFile` included. */
     [[nodiscard]] WholeLimits indices() const
     {
-        return {.low = -1, .high = static_cast<std::int64_t>(icebergs) - 1};
+        return {.low = kNoIcebergInFile, .high = static_cast<std::int64_t>(icebergs) - 1};
     }
 };
 
 /**
- * Returns a member that is an iceberg index or -1, or -1 if the member is missing. Adds a fault and
- * returns -1 for any other value.
+ * Returns a member that is an iceberg index, or nullopt if it is `kNoIcebergInFile` or missing.
+ * Adds a fault and returns nullopt for any other value.
  */
-[[nodiscard]] int icebergOrNone(ObjectReader& object, const char* member,
-                                const RunContext& context);
+[[nodiscard]] std::optional<int> icebergOrNone(ObjectReader& object, const char* member,
+                                               const RunContext& context);
 
 /** Returns the numbers of a track for the arrays of `keyframeText`, in any observer model. */
 [[nodiscard]] std::vector<double> trackNumbers(const Track& track);

@@ -37,8 +37,8 @@ void addFields(std::vector<ReplayField>& fields, const std::string& at, const Ua
     add("u_radps", uav.u_radps);
     add("cross_track_m", uav.crossTrack_m);
     add("mode", static_cast<double>(uav.mode));
-    add("target", uav.target);
-    add("last_reached", uav.lastReached);
+    add("target", uav.target.value_or(kNoIcebergInFile));
+    add("last_reached", uav.lastReached.value_or(kNoIcebergInFile));
     add("flown_m", uav.flown_m);
     addList(fields, at + "guidance", guidanceNumbers(uav.guidance));
     add("run_out_m", uav.runOut_m);
@@ -156,7 +156,8 @@ void comparePlans(const RunFile& recorded, const RunFile& replayed, std::vector<
     else if (a->uav != b->uav)
         number(".uav", a->uav, b->uav);
     else if (a->target != b->target)
-        number(".target", a->target, b->target);
+        number(".target", a->target.value_or(kNoIcebergInFile),
+               b->target.value_or(kNoIcebergInFile));
     else if (a->clusters != b->clusters)
         other(".clusters");
     else

@@ -174,7 +174,7 @@ void offerNames(SightingTable& table)
 {
     const bool allNamed =
         table.sightings.size() > 1 && std::ranges::all_of(table.sightings, [](const Sighting& row) {
-            return !row.name.empty() && row.name.size() <= kLongestId && row.track == 0 &&
+            return !row.name.empty() && row.name.size() <= kLongestId && !row.track &&
                    std::ranges::none_of(row.ids,
                                         [](const IdText& id) { return id.rank == kNameRank; });
         });
@@ -248,7 +248,7 @@ void decideIdentity(SightingTable& table, const ReadOptions& options)
     const std::vector<Candidate> candidates = candidatesOf(table);
     const Candidate* const chosen = chosenOf(candidates);
     const bool areTracks = std::ranges::any_of(table.sightings, [](const Sighting& row) {
-        return row.track != 0 || (row.ids.empty() && !row.id.empty());
+        return row.track || (row.ids.empty() && !row.id.empty());
     });
     const bool anyTimes = timesDiffer(table);
     table.isIdentityUnclear = anyTimes && !areTracks && isUnclear(chosen, candidates);
@@ -294,10 +294,10 @@ std::vector<IdentityChoice> identityChoices(std::string_view bytes, const std::s
         const IdentityOutcome outcome = figuresOf(rows).outcome;
         const bool isGuess =
             fieldOfColumn(column) && fieldOfColumn(column)->field == SightingField::Id;
-        const bool tellsApart = outcome.icebergs > 1 && outcome.icebergs < rows.size();
+        const bool distinguishes = outcome.icebergs > 1 && outcome.icebergs < rows.size();
         const bool areFractions =
             std::ranges::all_of(rows, [](const Keyed& row) { return isFraction(row.key); });
-        if (rows.size() == all.size() && !areFractions && (tellsApart || isGuess))
+        if (rows.size() == all.size() && !areFractions && (distinguishes || isGuess))
             choices.push_back({.column = column, .rows = {}, .outcome = outcome});
     }
     std::ranges::stable_sort(

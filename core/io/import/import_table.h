@@ -100,8 +100,8 @@ struct Sighting
     std::optional<double> q_m2ps;
     std::optional<double> radius_m;
     bool grounded = false;
-    std::uint32_t track = 0; ///< number of its track in the file; 0 means none
-    std::uint32_t part = 1;  ///< number of the place among those of its feature
+    std::optional<std::uint32_t> track; ///< number of its track in the file, from 1
+    std::uint32_t part = 1;             ///< number of the place among those of its feature
 };
 
 /** A rejected row or iceberg, and why. */
@@ -146,13 +146,13 @@ struct SightingTable
     std::string format;             ///< id of the format as which it was read
     std::deque<Sighting> sightings; ///< a deque, because a growing vector would copy many entries
     FileScene scene;
-    Rejections rejected;                  ///< rows and objects that are not used at all
-    Rejections noted;                     ///< rows that are used without a part of them, or changed
-    std::size_t headerLine = 0;           ///< line of the header of a table; 0 if there is none
-    std::vector<std::string> columns;     ///< names of the columns of the file
-    ColumnMapping mapping;                ///< mapping that was used
-    std::vector<std::string> unused;      ///< columns that are not used
-    double positionSd_m = kMarkedPlace_m; ///< for sightings without their own
+    Rejections rejected; ///< rows and objects that are not used at all
+    Rejections noted;    ///< rows that are used without a part of them, or changed
+    std::optional<std::size_t> headerLine; ///< line of the header of a table
+    std::vector<std::string> columns;      ///< names of the columns of the file
+    ColumnMapping mapping;                 ///< mapping that was used
+    std::vector<std::string> unused;       ///< columns that are not used
+    double positionSd_m = kMarkedPlace_m;  ///< for sightings without their own
     /** Whether rows without ids are one iceberg (a beacon's track) and not one each. */
     bool oneIceberg = false;
     /**

@@ -339,10 +339,10 @@ private:
     }
 
     /** Sets the colours that the shape does not have yet. */
-    static void setStyle(MapShape& shape, const ShapeStyle& look)
+    static void setStyle(MapShape& shape, const ShapeStyle& style)
     {
-        shape.fill = shape.fill ? shape.fill : look.fill;
-        shape.line = shape.line ? shape.line : look.line;
+        shape.fill = shape.fill ? shape.fill : style.fill;
+        shape.line = shape.line ? shape.line : style.line;
     }
 
     [[nodiscard]] ShapeStyle styleOf(const std::string& url) const

@@ -129,17 +129,19 @@ void skipSpaces(std::string_view& text)
 struct Angle
 {
     double angle_deg = 0; ///< with its sign
-    char letter = 0;
+    std::optional<char> letter;
 };
 
-/** Removes the letter of a hemisphere, if one comes next, and returns it, else 0. */
-char takeHemisphere(std::string_view& text)
+/** Removes and returns the letter of a hemisphere; returns nullopt if none comes next. */
+std::optional<char> takeHemisphere(std::string_view& text)
 {
     skipSpaces(text);
     const bool isThere =
         !text.empty() && std::string_view("NSEW").find(text.front()) != std::string_view::npos;
-    const char letter = isThere ? text.front() : '\0';
-    text.remove_prefix(isThere ? 1 : 0);
+    if (!isThere)
+        return std::nullopt;
+    const char letter = text.front();
+    text.remove_prefix(1);
     return letter;
 }
 
@@ -147,7 +149,7 @@ char takeHemisphere(std::string_view& text)
 std::optional<Angle> takeAngle(std::string_view& text)
 {
     Angle angle{.letter = takeHemisphere(text)};
-    const bool isInFront = angle.letter != 0;
+    const bool isInFront = angle.letter.has_value();
     for (const double part : {1.0, 60.0, 3600.0}) {
         skipSpaces(text);
         const std::string_view before = text;
@@ -168,7 +170,7 @@ std::optional<Angle> takeAngle(std::string_view& text)
         angle.letter = takeHemisphere(text);
     if (angle.letter == 'S' || angle.letter == 'W')
         angle.angle_deg = -angle.angle_deg;
-    return angle.letter != 0 ? std::optional(angle) : std::nullopt;
+    return angle.letter ? std::optional(angle) : std::nullopt;
 }
 
 bool isLatitude(const Angle& angle)

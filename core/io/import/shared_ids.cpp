@@ -83,8 +83,8 @@ std::vector<TrackRows> tracksOf(const SightingTable& table, ReadBudget& budget)
 {
     std::vector<TrackRows> tracks;
     for (std::size_t row = 0; row < table.sightings.size(); ++row) {
-        const std::uint32_t track = table.sightings[row].track;
-        if (track == 0)
+        const std::optional<std::uint32_t>& track = table.sightings[row].track;
+        if (!track)
             continue;
         if (!tracks.empty() && tracks.back().end == row &&
             table.sightings[row - 1].track == track) {

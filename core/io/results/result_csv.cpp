@@ -88,7 +88,7 @@ std::string eventDetail(const MissionEvent& event, const Mission& mission)
         return event.changed == ChangedPart::Planner ? nameOf(kPolicyNames, event.policy)
                                                      : nameOf(kChangedPartNames, event.changed);
     case EventKind::Close:
-        return idOf(mission.scenario().uavs, event.otherUav) + ", " +
+        return idOf(mission.scenario().uavs, *event.otherUav) + ", " +
                std::to_string(std::llround(event.distance_m)) + " m";
     case EventKind::Left:
     case EventKind::Lost:
@@ -263,11 +263,11 @@ void writeEvents(const Mission& mission, const TextSink& put)
         add(text, event.time_s, ',');
         text += nameOf(kEventNames, event.kind);
         text += ',';
-        if (event.uav >= 0 || uavs.size() == 1) // with one UAV, all events concern it
-            text += uavs.at(static_cast<std::size_t>(std::max(0, event.uav)));
+        if (event.uav || uavs.size() == 1) // with one UAV, all events concern it
+            text += uavs.at(static_cast<std::size_t>(event.uav.value_or(0)));
         text += ',';
-        if (event.iceberg >= 0)
-            text += ids.at(static_cast<std::size_t>(event.iceberg));
+        if (event.iceberg)
+            text += ids.at(static_cast<std::size_t>(*event.iceberg));
         text += ',' + csvField(eventDetail(event, mission)) + '\n';
         put(text);
     }

@@ -30,7 +30,7 @@ struct Proof
     double mu = 0;
     FleetPlan orders;
     double cost = 0;
-    double bound = 0; ///< 0 if no bound is known
+    double bound = 0; ///< lower bound on the cost; the trivial bound 0 without a better one
     ProofMethod method = ProofMethod::Enumeration;
     /**
      * Number of levels by which each iceberg raises a path; [0] is 0. Empty unless the relaxation

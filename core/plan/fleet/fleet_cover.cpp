@@ -4,6 +4,7 @@
 #include <bit>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -168,13 +169,14 @@ private:
         }
     }
 
+    /** A UAV or an iceberg that needs an order. */
     struct Row
     {
-        int uav = -1;
-        int iceberg = 0; ///< valid if `uav` is -1
+        std::optional<int> uav = {}; ///< nullopt if the row is of an iceberg
+        int iceberg = 0;             ///< valid without `uav`
         [[nodiscard]] bool has(const Order& order) const
         {
-            return uav >= 0 ? order.uav == uav : order.visited.contains(iceberg);
+            return uav ? order.uav == *uav : order.visited.contains(iceberg);
         }
     };
 
@@ -204,10 +206,10 @@ private:
         const auto at = [this](int number) -> const Order& {
             return m_orders.all()[static_cast<std::size_t>(number)];
         };
-        const int number = m_byUav[static_cast<std::size_t>(uav)].find(
+        const std::optional<int> number = m_byUav[static_cast<std::size_t>(uav)].find(
             rest.hash(), [&](int other) { return at(other).visited == rest; });
-        if (number >= 0)
-            branch(with(choice, at(number)), {});
+        if (number)
+            branch(with(choice, at(*number)), {});
     }
 
     /**

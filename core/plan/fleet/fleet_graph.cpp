@@ -13,6 +13,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /** Nodes between two checks for a stop. */
 constexpr int kNodesPerCheck = 4096;
+/** New number of a node that a trim deletes. */
+constexpr int kDeleted = -1;
 
 std::vector<int> allowedOf(const FleetCosts& costs, int uav)
 {
@@ -113,16 +115,16 @@ std::vector<int> FleetGraph::shortestPath(int root) const
     std::vector<int> path;
     for (int v = root;;) {
         double least = ending(v);
-        int next = -1;
+        std::optional<int> next;
         for (const int to : successors(v))
             if (const double length = leg(v, to) + entry(to); length < least) {
                 least = length;
                 next = to;
             }
-        if (next < 0)
+        if (!next)
             return path;
-        path.push_back(iceberg(next));
-        v = next;
+        path.push_back(iceberg(*next));
+        v = *next;
     }
 }
 
@@ -147,7 +149,7 @@ bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const StopChe
     const std::optional<std::vector<double>> length = lengths(lambda, isStopped);
     if (!length)
         return false;
-    std::vector<int> id(m_iceberg.size(), -1);
+    std::vector<int> id(m_iceberg.size(), kDeleted);
     std::vector<int> firstNode{0};
     int kept = 0;
     for (int layer = 0; layer < layers(); ++layer) {
@@ -160,14 +162,14 @@ bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const StopChe
     }
     std::size_t arcs = 0;
     const bool done = forNodes(false, isStopped, [&](int v, int) {
-        if (id[at(v)] < 0)
+        if (id[at(v)] == kDeleted)
             return;
         const std::size_t begin = m_firstArc[at(v)];
         const std::size_t end = m_firstArc[at(v) + 1];
         const std::size_t newBegin = arcs;
         for (std::size_t a = begin; a < end; ++a) {
             const int to = m_arcs[a];
-            if (id[at(to)] >= 0 && (*length)[at(v)] + leg(v, to) + entry(to) < slack)
+            if (id[at(to)] != kDeleted && (*length)[at(v)] + leg(v, to) + entry(to) < slack)
                 m_arcs[arcs++] = id[at(to)];
         }
         m_firstArc[at(v)] = newBegin;
@@ -176,7 +178,7 @@ bool FleetGraph::trim(const Eigen::VectorXd& lambda, double slack, const StopChe
         return false;
     // The new numbers never overtake the old ones, which `leg` has read so far.
     for (std::size_t v = 0; v < id.size(); ++v)
-        if (id[v] >= 0) {
+        if (id[v] != kDeleted) {
             m_iceberg[at(id[v])] = m_iceberg[v];
             m_firstArc[at(id[v])] = m_firstArc[v];
         }

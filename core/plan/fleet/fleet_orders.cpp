@@ -69,7 +69,7 @@ void FleetOrders::offer(const State& state, NumberTable& states)
     int& number = states.entry(state.visited.hash() + last, [&](int other) {
         return at(other).iceberg == state.iceberg && at(other).visited == state.visited;
     });
-    if (number < 0) {
+    if (number == NumberTable::kNoNumber) {
         number = static_cast<int>(m_states.size());
         m_states.push_back(state);
     } else if (state.length < at(number).length) {
@@ -94,7 +94,7 @@ bool FleetOrders::addOrders(const FleetGraph& graph, int uav, std::size_t begin,
         int& number = best.entry(order.visited.hash(), [&](int other) {
             return m_orders[static_cast<std::size_t>(other)].visited == order.visited;
         });
-        if (number < 0) {
+        if (number == NumberTable::kNoNumber) {
             number = static_cast<int>(m_orders.size());
             m_orders.push_back(order);
         } else if (order.excess < m_orders[static_cast<std::size_t>(number)].excess) {
@@ -107,9 +107,9 @@ bool FleetOrders::addOrders(const FleetGraph& graph, int uav, std::size_t begin,
 VisitOrder FleetOrders::icebergsOf(const Order& order) const
 {
     VisitOrder icebergs;
-    for (int state = order.state; state >= 0;) {
+    for (int state = order.state; state != kNoState;) {
         const State& here = m_states[static_cast<std::size_t>(state)];
-        if (here.before >= 0)
+        if (here.before != kNoState)
             icebergs.push_back(here.iceberg);
         state = here.before;
     }

@@ -22,7 +22,7 @@ public:
         int uav = 0;
         NodeSet visited;
         double excess = 0; ///< length above the shortest one of its root
-        int state = -1;    ///< state that `icebergsOf` starts from; -1 for the empty order
+        int state = 0;     ///< state that `icebergsOf` starts from
     };
 
     FleetOrders(int uavs, int icebergs) : m_uavs(uavs), m_icebergs(icebergs) {}
@@ -44,13 +44,15 @@ public:
     [[nodiscard]] VisitOrder icebergsOf(const Order& order) const;
 
 private:
+    static constexpr int kNoState = -1; ///< saves memory: there are millions of states
+
     struct State
     {
         int node = 0;
         int iceberg = 0;
         NodeSet visited;
-        double length = 0; ///< length less the root's shortest one, own visit included
-        int before = -1;   ///< previous state; -1 at a root
+        double length = 0;     ///< length less the root's shortest one, own visit included
+        int before = kNoState; ///< previous state; `kNoState` at a root
     };
 
     [[nodiscard]] bool addPaths(const FleetGraph& graph, int root, const Eigen::VectorXd& lambda,

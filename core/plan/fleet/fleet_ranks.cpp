@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <optional>
 
 namespace berg {
 
@@ -55,13 +56,13 @@ FleetPlan roundRobinPlan(const FleetProblem& problem)
     std::ranges::stable_sort(icebergs, std::ranges::greater{}, sigma_m2);
     FleetPlan plan(static_cast<std::size_t>(problem.uavCount()));
     for (const int i : icebergs) {
-        int best = -1;
+        std::optional<int> best;
         for (int uav = 0; uav < problem.uavCount(); ++uav)
             if (problem.allows(uav, i) &&
-                (best < 0 || plan[static_cast<std::size_t>(uav)].size() <
-                                 plan[static_cast<std::size_t>(best)].size()))
+                (!best || plan[static_cast<std::size_t>(uav)].size() <
+                              plan[static_cast<std::size_t>(*best)].size()))
                 best = uav;
-        plan[static_cast<std::size_t>(best)].push_back(i);
+        plan[static_cast<std::size_t>(best.value())].push_back(i);
     }
     return plan;
 }

@@ -224,7 +224,7 @@ void FleetSearch::offerPlaces(const VisitOrder& order, int uav, int iceberg, boo
         else
             cost = detour + sigmaBehind + costs.visit(iceberg, static_cast<int>(index) + 1);
         const bool better = cost < best.cost;
-        if (better && !(blink && best.uav >= 0 && m_random.uniform() < kBlink))
+        if (better && !(blink && best.uav != kNoUav && m_random.uniform() < kBlink))
             best = {.cost = cost, .uav = uav, .index = index};
         sigmaBehind += costs.sigmaOf(last);
         if constexpr (kWeighted)

@@ -48,10 +48,12 @@ public:
     void disturb(std::int64_t times);
 
 private:
+    static constexpr int kNoUav = -1; ///< faster than an optional in the innermost loop
+
     struct Place
     {
         double cost = 0;
-        int uav = -1;
+        int uav = kNoUav;
         std::ptrdiff_t index = 0;
     };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 
 namespace berg {
 
@@ -61,12 +62,12 @@ std::vector<std::vector<int>> clustersIn(std::span<const int> order,
 std::vector<int> nearestAvailable(const std::vector<int>& ids, const std::vector<bool>& available,
                                   const Eigen::MatrixXd& distance_m)
 {
-    int best = -1;
+    std::optional<int> best;
     for (int k = 0; k < static_cast<int>(ids.size()); ++k)
         if (available[static_cast<std::size_t>(k)] &&
-            (best < 0 || distance_m(0, k + 1) < distance_m(0, best + 1)))
+            (!best || distance_m(0, k + 1) < distance_m(0, *best + 1)))
             best = k;
-    return best < 0 ? std::vector<int>{} : std::vector<int>{ids[static_cast<std::size_t>(best)]};
+    return best ? std::vector<int>{ids[static_cast<std::size_t>(*best)]} : std::vector<int>{};
 }
 
 /**

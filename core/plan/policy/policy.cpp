@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace berg {
@@ -161,21 +162,21 @@ public:
 private:
     struct Next
     {
-        double sigma_m2 = -1;
-        double distance_m = std::numeric_limits<double>::infinity();
-        int uav = -1;
+        double sigma_m2 = 0;
+        double distance_m = 0;
+        int uav = 0;
         int node = 0;
         bool isFirst = false; ///< whether it is the first iceberg of the UAV
     };
 
     /**
-     * Returns the best next iceberg. Every UAV gets a first iceberg before any gets a second one.
-     * Ties go to the smallest node, then to the first UAV.
+     * Returns the best next iceberg; one must be left. Every UAV gets a first iceberg before any
+     * gets a second one. Ties go to the smallest node, then to the first UAV.
      */
     [[nodiscard]] Next bestNext(const FleetProblem& problem, const FleetPlan& plan,
                                 const std::vector<bool>& done) const
     {
-        Next best;
+        std::optional<Next> best;
         for (int node = 1; node < problem.nodeCount(); ++node)
             for (int uav = 0; uav < problem.uavCount(); ++uav) {
                 const auto k = static_cast<std::size_t>(uav);
@@ -187,10 +188,10 @@ private:
                     .uav = uav,
                     .node = node,
                     .isFirst = plan[k].empty()};
-                if (isBetter(next, best))
+                if (!best || isBetter(next, *best))
                     best = next;
             }
-        return best;
+        return best.value();
     }
     [[nodiscard]] bool isBetter(const Next& next, const Next& best) const
     {

@@ -68,7 +68,7 @@ struct PlanRequest
 /** One visit of a patrol, which comes back to icebergs. */
 struct PlannedVisit
 {
-    int iceberg = -1;  ///< id
+    int iceberg = 0;   ///< id
     double time_s = 0; ///< predicted, since the start of the mission
     bool operator==(const PlannedVisit&) const = default;
 };

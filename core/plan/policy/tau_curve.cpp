@@ -71,7 +71,7 @@ struct Line
 struct Crossing
 {
     int left = 0;
-    int right = -1; ///< -1 at the end of the curve
+    std::optional<int> right = {}; ///< nullopt at the end of the curve
     double tau = 0;
 };
 
@@ -167,9 +167,9 @@ private:
         }
         const auto beyond =
             std::find_if(m_envelope.begin(), m_envelope.end(), [this](const Crossing& c) {
-                return c.right < 0 || c.tau >= m_options.tauMax;
+                return !c.right || c.tau >= m_options.tauMax;
             });
-        beyond->right = -1;
+        beyond->right.reset();
         beyond->tau = m_options.tauMax;
         m_envelope.erase(beyond + 1, m_envelope.end());
     }
@@ -336,10 +336,10 @@ private:
     double m_same_m2 = 0;
     std::vector<Line> m_lines;
     std::vector<Crossing> m_envelope; ///< left to right; the last one is the end
-    std::map<std::pair<int, int>, Knowledge> m_known;
-    std::map<double, Eigen::VectorXd> m_multipliers; ///< by tau of the crossing
-    std::int64_t m_work = 0;                         ///< work of proofs
-    std::int64_t m_searched = 0;                     ///< work of searches
+    std::map<std::pair<int, std::optional<int>>, Knowledge> m_known; ///< by lines of the crossing
+    std::map<double, Eigen::VectorXd> m_multipliers;                 ///< by tau of the crossing
+    std::int64_t m_work = 0;                                         ///< work of proofs
+    std::int64_t m_searched = 0;                                     ///< work of searches
 };
 
 /**
@@ -384,8 +384,10 @@ TauCurve tauCurve(const FleetProblem& problem, const Eigen::MatrixXd& betweenSta
     return CurveSearch(checked, options, weight.mu).run();
 }
 
-int intervalAt(const TauCurve& curve, double tau)
+std::optional<int> intervalAt(const TauCurve& curve, double tau)
 {
+    if (curve.intervals.empty())
+        return std::nullopt;
     const auto above = std::find_if(curve.intervals.begin(), curve.intervals.end(),
                                     [tau](const CurveInterval& i) { return tau < i.tauTo; });
     const auto count = static_cast<int>(curve.intervals.size());

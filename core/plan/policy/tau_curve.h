@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -75,8 +76,8 @@ struct TauCurveOptions
 
 /**
  * Returns the index of the interval that holds tau (at a breakpoint the one to its right, outside
- * the curve the nearest one), or -1 for an empty curve.
+ * the curve the nearest one), or nullopt for an empty curve.
  */
-[[nodiscard]] int intervalAt(const TauCurve& curve, double tau);
+[[nodiscard]] std::optional<int> intervalAt(const TauCurve& curve, double tau);
 
 } // namespace berg

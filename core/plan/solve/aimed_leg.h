@@ -13,7 +13,7 @@ namespace berg {
  */
 struct AimedLeg
 {
-    int iceberg = -1; ///< id of the iceberg that the line passes, or that is flown to after a hold
+    int iceberg = 0; ///< id of the iceberg that the line passes, or that is flown to after a hold
     double turn_rad = 0;           ///< positive to the left
     Point from_m = Point::Zero();  ///< start of the line, over ground
     Point abeam_m = Point::Zero(); ///< place where the line passes the iceberg
@@ -25,7 +25,7 @@ struct AimedLeg
 /** A planned view of a place where a lost iceberg may be. */
 struct PlannedSearch
 {
-    int iceberg = -1; ///< id
+    int iceberg = 0; ///< id
     Point place_m = Point::Zero();
     double time_s = 0;
     double chance = 0; ///< probability, at the time of planning, of finding it there

@@ -1,6 +1,7 @@
 #include "core/plan/solve/formulation.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace berg {
 
@@ -208,7 +209,7 @@ std::vector<double> encode(const MilpModel& model, std::span<const int> order)
 {
     require(static_cast<int>(order.size()) == model.nodeCount - 1,
             "encode: a visiting order of all icebergs expected");
-    std::vector<int> next(at(model.nodeCount), -1);
+    std::vector<std::optional<int>> next(at(model.nodeCount));
     std::vector<int> position(at(model.nodeCount), 1);
     int from = 0;
     for (const int to : order) {
@@ -217,7 +218,7 @@ std::vector<double> encode(const MilpModel& model, std::span<const int> order)
         from = to;
     }
     // Only the printed model has an arc back to the UAV.
-    next[at(from)] = model.route == Route::Closed ? 0 : -1;
+    next[at(from)] = model.route == Route::Closed ? std::optional(0) : std::nullopt;
 
     std::vector<double> solution(model.columns.size(), 0.0);
     for (std::size_t c = 0; c < model.arcs.size(); ++c) {

@@ -74,7 +74,7 @@ class StateTable
 {
 public:
     StateTable(const LayeredGraph<Costs>& graph, std::size_t most, const StopCheck& isStopped)
-        : m_graph(graph), m_limit(most), m_isStopped(isStopped), m_slots(1024, -1)
+        : m_graph(graph), m_limit(most), m_isStopped(isStopped), m_slots(1024, kFree)
     {
     }
     /** Largest memory for each state to be kept. */
@@ -89,7 +89,7 @@ public:
         if (2 * m_states.size() >= m_slots.size())
             rebuildSlots(2 * m_slots.size());
         std::size_t slot = slotOf(state);
-        for (; m_slots[slot] >= 0; slot = (slot + 1) & (m_slots.size() - 1)) {
+        for (; m_slots[slot] != kFree; slot = (slot + 1) & (m_slots.size() - 1)) {
             State& other = m_states[static_cast<std::size_t>(m_slots[slot])];
             if (other.visited == state.visited &&
                 m_graph.iceberg(other.node) == m_graph.iceberg(state.node)) {
@@ -107,7 +107,7 @@ public:
     [[nodiscard]] std::vector<State> release()
     {
         prune();
-        std::fill(m_slots.begin(), m_slots.end(), -1);
+        std::fill(m_slots.begin(), m_slots.end(), kFree);
         std::vector<State> taken(m_states.begin(), m_states.end());
         m_states.clear();
         return taken;
@@ -116,6 +116,8 @@ public:
     [[nodiscard]] double dropped() const { return m_dropped; }
 
 private:
+    static constexpr int kFree = -1; ///< slot without a state
+
     [[nodiscard]] std::size_t slotOf(const State& state) const
     {
         const auto last = static_cast<std::size_t>(m_graph.iceberg(state.node));
@@ -132,12 +134,12 @@ private:
     /** Rebuilds the slots. It may stop halfway, which does no harm: the search stops as well. */
     void rebuildSlots(std::size_t slotCount)
     {
-        m_slots.assign(slotCount, -1);
+        m_slots.assign(slotCount, kFree);
         for (std::size_t k = 0; k < m_states.size(); ++k) {
             if (k % kSlotsPerCheck == 0 && m_isStopped && m_isStopped())
                 return;
             std::size_t slot = slotOf(m_states[k]);
-            while (m_slots[slot] >= 0)
+            while (m_slots[slot] != kFree)
                 slot = (slot + 1) & (m_slots.size() - 1);
             m_slots[slot] = static_cast<int>(k);
         }

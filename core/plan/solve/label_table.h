@@ -30,7 +30,7 @@ public:
             const Label& other = m_labels[static_cast<std::size_t>(k)];
             return other.node == label.node && other.memory == label.memory;
         });
-        if (place < 0) {
+        if (place == NumberTable::kNoNumber) {
             place = static_cast<int>(m_labels.size());
             m_labels.push_back(label);
             return label.number;

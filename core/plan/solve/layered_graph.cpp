@@ -16,6 +16,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /** Nodes between two checks for a stop. */
 constexpr int kNodesPerCheck = 2048;
+/** Number where there is no node; an optional would double the tables of numbers. */
+constexpr int kNoNode = -1;
 /** Arcs between two checks for a stop while a graph is built. */
 constexpr std::size_t kArcsPerCheck = 16'384;
 
@@ -77,7 +79,7 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
     }
 
     const double allowed = multipliers.allowedLength();
-    Eigen::ArrayXXi id = Eigen::ArrayXXi::Constant(n, n, -1);
+    Eigen::ArrayXXi id = Eigen::ArrayXXi::Constant(n, n, kNoNode);
     m_iceberg.push_back(0);
     m_firstNode = {0, 1};
     for (int p = 1; p <= n; ++p) {
@@ -98,7 +100,7 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
             m_firstArc.push_back(arcs.size());
             const double length = p == 0 ? 0.0 : paths.length(i, p);
             for (int j = 1; j <= n; ++j)
-                if (j != i && id(j - 1, p) >= 0 &&
+                if (j != i && id(j - 1, p) != kNoNode &&
                     length + costs.leg(i, j) + onwards(j - 1) < allowed)
                     arcs.push_back(id(j - 1, p));
         }
@@ -158,7 +160,7 @@ void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
     const auto offer = [&length](int j, int level, double there) {
         length(j - 1, level) = std::min(length(j - 1, level), there);
     };
-    Eigen::ArrayXXi id = Eigen::ArrayXXi::Constant(n, lastLayer() + 1, -1);
+    Eigen::ArrayXXi id = Eigen::ArrayXXi::Constant(n, lastLayer() + 1, kNoNode);
     m_iceberg.push_back(0);
     m_firstNode = {0, 1};
     forLegs(0, 0, offer);
@@ -301,7 +303,7 @@ bool LayeredGraph<Costs>::trim(const Multipliers& multipliers, const StopCheck& 
     const auto at = [](int v) { return static_cast<std::size_t>(v); };
 
     std::vector<int> id;
-    if (!fillInPieces(id, m_iceberg.size(), -1, isStopped))
+    if (!fillInPieces(id, m_iceberg.size(), kNoNode, isStopped))
         return false;
     int kept = 0;
     for (int v = 0; v < nodeCount(); ++v) {
@@ -317,7 +319,7 @@ bool LayeredGraph<Costs>::trim(const Multipliers& multipliers, const StopCheck& 
     for (int v = 0; v < nodeCount(); ++v) {
         if (v % kNodesPerCheck == 0 && isStopped && isStopped())
             return false;
-        if (id[at(v)] < 0)
+        if (id[at(v)] == kNoNode)
             continue;
         while (m_firstNode[layer] <= v)
             firstNode[layer++] = id[at(v)];
@@ -328,7 +330,7 @@ bool LayeredGraph<Costs>::trim(const Multipliers& multipliers, const StopCheck& 
             const int to = m_arcs[a];
             const double onwards =
                 weight(v) * m_costs->leg(iceberg(v), iceberg(to)) + m_entry[at(to)];
-            if (id[at(to)] >= 0 && length[at(v)] + onwards < allowed)
+            if (id[at(to)] != kNoNode && length[at(v)] + onwards < allowed)
                 m_arcs[arcs++] = id[at(to)];
         }
         // Moving in place is safe: the new numbers never overtake the old ones that are still to be

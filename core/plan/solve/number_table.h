@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace berg {
 class NumberTable
 {
 public:
+    /** Value of a new entry; an optional would double the size of the table. */
+    static constexpr int kNoNumber = -1;
+
     NumberTable() : m_slots(64) {}
 
     void clear()
@@ -20,15 +24,16 @@ public:
         std::fill(m_slots.begin(), m_slots.end(), Slot{});
         m_count = 0;
     }
-    /** Returns the number with that hash for which `matches(number)` holds; -1 if there is none. */
+    /** Returns the number with that hash for which `matches(number)` holds, if there is one. */
     template <class Matches>
-    [[nodiscard]] int find(std::size_t hash, const Matches& matches) const
+    [[nodiscard]] std::optional<int> find(std::size_t hash, const Matches& matches) const
     {
-        return m_slots[place(m_slots, hash, matches)].number;
+        const int number = m_slots[place(m_slots, hash, matches)].number;
+        return number == kNoNumber ? std::nullopt : std::optional(number);
     }
     /**
-     * Returns a reference to the number that `find` would return, or to a new entry of -1 that the
-     * caller must set at once. The reference is valid until the next call.
+     * Returns a reference to the number that `find` would return, or to a new entry of `kNoNumber`
+     * that the caller must set at once. The reference is valid until the next call.
      */
     template <class Matches>
     [[nodiscard]] int& entry(std::size_t hash, const Matches& matches)
@@ -36,7 +41,7 @@ public:
         if (2 * m_count >= m_slots.size())
             grow();
         Slot& slot = m_slots[place(m_slots, hash, matches)];
-        if (slot.number < 0) {
+        if (slot.number == kNoNumber) {
             slot.hash = hash;
             ++m_count;
         }
@@ -47,7 +52,7 @@ private:
     struct Slot
     {
         std::size_t hash = 0;
-        int number = -1;
+        int number = kNoNumber;
     };
 
     template <class Matches>
@@ -55,7 +60,7 @@ private:
                              const Matches& matches)
     {
         std::size_t k = (hash ^ (hash >> 32)) & (table.size() - 1);
-        while (table[k].number >= 0 && !(table[k].hash == hash && matches(table[k].number)))
+        while (table[k].number != kNoNumber && !(table[k].hash == hash && matches(table[k].number)))
             k = (k + 1) & (table.size() - 1);
         return k;
     }
@@ -63,7 +68,7 @@ private:
     {
         std::vector<Slot> larger(2 * m_slots.size());
         for (const Slot& slot : m_slots)
-            if (slot.number >= 0)
+            if (slot.number != kNoNumber)
                 larger[place(larger, slot.hash, [](int) { return false; })] = slot;
         m_slots = std::move(larger);
     }

@@ -192,10 +192,11 @@ private slots:
     {
         QTest::addColumn<double>("angle_deg");
         QTest::addColumn<CoordinateForm>("form");
-        QTest::addColumn<int>("decimals");
+        QTest::addColumn<std::optional<int>>("decimals");
         QTest::addColumn<QString>("text");
         using Form = CoordinateForm;
-        const auto row = [](double angle_deg, Form form, int decimals, const char* text) {
+        const auto row = [](double angle_deg, Form form, std::optional<int> decimals,
+                            const char* text) {
             QTest::addRow("%s", text) << angle_deg << form << decimals << QString::fromUtf8(text);
         };
         row(47.05, Form::DecimalDegrees, 2, "47.0500°");
@@ -204,19 +205,19 @@ private slots:
         row(47.0533333, Form::DegreesMinutesSeconds, 3, "47° 03′ 12.0″");
         row(47.0533333, Form::DegreesMinutesSeconds, 0, "47° 03′");
         row(7, Form::DegreesMinutes, 0, "7° 00′");
-        row(120, Form::DegreesMinutes, -1, "120°");
+        row(120, Form::DegreesMinutes, std::nullopt, "120°");
         // 59.9999 minutes are a degree when they are rounded
         row(59.9999 / 60, Form::DegreesMinutes, 1, "1° 00.0′");
         row(46 + 59.9999 / 60, Form::DegreesMinutesSeconds, 2, "47° 00′ 00″");
         row(46.999999, Form::DecimalDegrees, 2, "47.0000°");
-        row(46.9, Form::DecimalDegrees, -1, "47°");
+        row(46.9, Form::DecimalDegrees, std::nullopt, "47°");
     }
 
     void coordinatesAreWritten()
     {
         QFETCH(double, angle_deg);
         QFETCH(CoordinateForm, form);
-        QFETCH(int, decimals);
+        QFETCH(std::optional<int>, decimals);
         QFETCH(QString, text);
         QCOMPARE(QString::fromStdString(angleText(angle_deg, form, decimals)), text);
     }

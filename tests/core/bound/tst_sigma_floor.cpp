@@ -234,7 +234,7 @@ private slots:
             Simulation world(s);
             while (!world.finished()) {
                 if (world.planReason() != PlanReason::None)
-                    world.setTarget(0, -1);
+                    world.setTarget(0, std::nullopt);
                 const DubinsState pose = hoverer.next(world);
                 world.advanceStep(std::span(&pose, 1));
                 const QString fault = checked.fault(world);

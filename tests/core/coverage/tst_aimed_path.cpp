@@ -105,9 +105,8 @@ private slots:
             const Simulation simulation(scenario);
             const DescribedPlan plan =
                 randomPlan(planRequest(simulation), 8, Random(static_cast<unsigned>(seed)));
-            const PredictionInput picture = *planRequest(simulation).uavs[0].prediction;
-            const std::vector<AimedPath> paths =
-                aimedPaths(plan.legs, picture.uav, 0, picture.motion);
+            const PredictionInput input = *planRequest(simulation).uavs[0].prediction;
+            const std::vector<AimedPath> paths = aimedPaths(plan.legs, input.uav, 0, input.motion);
             QCOMPARE(paths.size(), plan.legs.size());
             legs += static_cast<int>(plan.legs.size());
             const double miss_m = largestMiss_m(scenario, plan, paths);

@@ -57,7 +57,7 @@ std::optional<Pose> poseAt(const std::vector<AimedPath>& paths, double time_s)
 double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
 {
     constexpr double kStep_s = 0.05;
-    const PredictionInput& picture = *request.uavs[0].prediction;
+    const PredictionInput& input = *request.uavs[0].prediction;
     std::vector<std::vector<AimedPath>> paths;
     for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
         const PredictionInput& own = *request.uavs[u].prediction;
@@ -69,11 +69,11 @@ double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
     // Good legs end with an iceberg in the very corner of the view, which is a little wider here so
     // that steps do not miss it.
     constexpr double kWider_m = 3;
-    const ViewWindow window(picture.sensor, viewMargin_m(picture.tracks.front().q_m2ps));
+    const ViewWindow window(input.sensor, viewMargin_m(input.tracks.front().q_m2ps));
     const Point half_m = window.half_m() + Point::Constant(kWider_m);
-    std::vector<Track> tracks = picture.tracks;
+    std::vector<Track> tracks = input.tracks;
     double zeta_m2s = 0;
-    for (double t_s = picture.time_s; t_s < picture.until_s; t_s += kStep_s) {
+    for (double t_s = input.time_s; t_s < input.until_s; t_s += kStep_s) {
         for (Track& track : tracks)
             track.sigma_m2 += track.q_m2ps * kStep_s;
         for (const std::vector<AimedPath>& path : paths)
@@ -295,7 +295,7 @@ private slots:
         const Scenario scenario = field(4, 2);
         FleetFlight flight(scenario);
         for (int i = 0; i < 12; ++i)
-            flight.keep(i, i % 3 - 1);
+            flight.assign(i, i % 3 - 1);
         const PlanRequest request = flight.request();
         const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         for (std::size_t u = 0; u < 2; ++u)
@@ -358,10 +358,10 @@ private slots:
     {
         PlanRequest request = FleetFlight(field(6, 2)).request();
         for (UavRequest& uav : request.uavs) {
-            PredictionInput picture = *uav.prediction;
-            picture.weights.assign(picture.tracks.size(), 1);
-            picture.weights[3] = 50;
-            uav.prediction = std::make_shared<const PredictionInput>(picture);
+            PredictionInput input = *uav.prediction;
+            input.weights.assign(input.tracks.size(), 1);
+            input.weights[3] = 50;
+            uav.prediction = std::make_shared<const PredictionInput>(input);
         }
         const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
         const double error = *answer.predictedZeta_m2s / integrated_m2s(request, answer) - 1;
@@ -378,14 +378,14 @@ private slots:
         const PlanRequest request = FleetFlight(field(7, 3)).request();
         const SolveOptions options{.workLimit = kWork};
         const PlanAnswer one = coverage()->plan(request, options);
-        std::vector<SolveProgress> told;
+        std::vector<SolveProgress> reported;
         SolveOptions watched = options;
-        watched.onProgress = [&](const SolveProgress& progress) { told.push_back(progress); };
+        watched.onProgress = [&](const SolveProgress& progress) { reported.push_back(progress); };
         const PlanAnswer two = coverage()->plan(request, watched);
         for (std::size_t u = 0; u < 3; ++u)
             QVERIFY(one.uavs[u].legs == two.uavs[u].legs);
-        QVERIFY(!told.empty());
-        for (const SolveProgress& progress : told) {
+        QVERIFY(!reported.empty());
+        for (const SolveProgress& progress : reported) {
             QCOMPARE(progress.plan.size(), std::size_t{3});
             QCOMPARE(progress.legs.size(), std::size_t{3});
             QVERIFY(progress.objective >= *two.predictedZeta_m2s - 1e-6);

@@ -246,11 +246,11 @@ private slots:
         QVERIFY(seen.inView(seen.start(), 0));
         // The estimate is in the middle of the view, but the iceberg is not seen, so it must be
         // elsewhere.
-        PredictionInput picture = *request.uavs[0].prediction;
-        picture.tracks[0].anchor_m = Point(20, 120);
-        picture.tracks[0].inView = false;
-        picture.tracks[0].sigma_m2 = 3;
-        const CoverageModel unseen(picture, {.length_s = 100});
+        PredictionInput input = *request.uavs[0].prediction;
+        input.tracks[0].anchor_m = Point(20, 120);
+        input.tracks[0].inView = false;
+        input.tracks[0].sigma_m2 = 3;
+        const CoverageModel unseen(input, {.length_s = 100});
         QVERIFY(!unseen.inView(unseen.start(), 0));
         QVERIFY(unseen.distance_m(unseen.start(), 0) < 310);
     }

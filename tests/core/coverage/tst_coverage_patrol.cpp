@@ -145,8 +145,8 @@ private slots:
                 if (plan.time_s > time_s)
                     targets.clear();
                 time_s = plan.time_s;
-                QVERIFY2(plan.target >= 0, qPrintable(QString::number(time_s)));
-                QVERIFY(targets.insert(plan.target).second);
+                QVERIFY2(plan.target, qPrintable(QString::number(time_s)));
+                QVERIFY(targets.insert(*plan.target).second);
             }
             QVERIFY(!mission.plans().front().laterVisits.empty());
             QVERIFY(mission.plans().back().laterVisits.empty()); // less than 1000 s are left
@@ -227,7 +227,7 @@ private slots:
     }
 
     /** Icebergs may appear and disappear in flight. */
-    void picturesMayChange()
+    void inputsMayChange()
     {
         const std::unique_ptr<Policy> policy = coverage();
         std::vector<int> rest;

@@ -88,17 +88,17 @@ private slots:
             if (random.below(3) == 0)
                 scenario.wind_mps = {random.uniform(-6, 6), random.uniform(-6, 6)};
             Mission mission(scenario, {.workLimit = 20'000});
-            std::size_t told = 0;
+            std::size_t reported = 0;
             while (!mission.simulation().finished()) {
                 mission.advance(mission.simulation().time_s() + scenario.dt_s);
                 const Observer& observer = mission.simulation().observer();
-                for (; told < mission.events().size(); ++told) {
-                    const MissionEvent& event = mission.events()[told];
+                for (; reported < mission.events().size(); ++reported) {
+                    const MissionEvent& event = mission.events()[reported];
                     if (event.kind != EventKind::Reached)
                         continue;
-                    const Point place_m = isMeasured ? observer.estimate_m(event.iceberg)
-                                                     : mission.simulation().truth_m(event.iceberg);
-                    const Point uav_m = mission.simulation().uav(event.uav).pose.position_m;
+                    const Point place_m = isMeasured ? observer.estimate_m(*event.iceberg)
+                                                     : mission.simulation().truth_m(*event.iceberg);
+                    const Point uav_m = mission.simulation().uav(*event.uav).pose.position_m;
                     const double away_m = (place_m - uav_m).norm();
                     QVERIFY2(away_m <= *scenario.reachRadius_m + 1e-6,
                              qPrintable(QStringLiteral("%1: %2 m").arg(seed).arg(away_m)));
@@ -195,7 +195,7 @@ private slots:
     }
 
     /** New icebergs are in the next plan, and icebergs that have disappeared are not. */
-    void picturesMayChange()
+    void inputsMayChange()
     {
         const std::unique_ptr<Policy> policy = coverage();
         const SolveOptions options{.workLimit = kWork};
@@ -257,24 +257,24 @@ private slots:
     {
         const PlanRequest request = requestOf(randomScenario(9));
         const SolveOptions quiet{.workLimit = 3'000'000};
-        std::vector<SolveProgress> told;
+        std::vector<SolveProgress> reported;
         SolveOptions watched = quiet;
-        watched.onProgress = [&](const SolveProgress& progress) { told.push_back(progress); };
+        watched.onProgress = [&](const SolveProgress& progress) { reported.push_back(progress); };
         const std::unique_ptr<Policy> policy = coverage();
         const PlanAnswer answer = policy->plan(request, watched);
         QVERIFY(answer.uavs[0].legs == coverage()->plan(request, quiet).uavs[0].legs);
-        QVERIFY(!told.empty());
-        for (std::size_t i = 0; i < told.size(); ++i) {
-            QVERIFY(std::is_permutation(told[i].plan[0].begin(), told[i].plan[0].end(),
+        QVERIFY(!reported.empty());
+        for (std::size_t i = 0; i < reported.size(); ++i) {
+            QVERIFY(std::is_permutation(reported[i].plan[0].begin(), reported[i].plan[0].end(),
                                         answer.uavs[0].order.begin(), answer.uavs[0].order.end()));
-            QVERIFY(!told[i].legs.empty());
-            QVERIFY(told[i].objective >= *answer.predictedZeta_m2s);
-            QVERIFY(i == 0 || told[i].objective < told[i - 1].objective);
+            QVERIFY(!reported[i].legs.empty());
+            QVERIFY(reported[i].objective >= *answer.predictedZeta_m2s);
+            QVERIFY(i == 0 || reported[i].objective < reported[i - 1].objective);
         }
-        told.clear();
+        reported.clear();
         // The later plan takes a moment only.
         (void)policy->plan(withRest(request, answer.uavs[0].order), watched);
-        QVERIFY(told.empty());
+        QVERIFY(reported.empty());
     }
 
     void otherPoliciesAreMadeToo()
@@ -288,7 +288,7 @@ private slots:
         QVERIFY(answer.uavs[0].legs.empty());
     }
 
-    void aPictureIsNeeded()
+    void anInputIsNeeded()
     {
         PlanRequest request = requestOf(randomScenario(9));
         request.uavs[0].prediction = nullptr;

@@ -120,9 +120,9 @@ private slots:
     void listenerHearsOfBetterPlans()
     {
         const CoverageModel model = modelOf(randomScenario(7));
-        std::vector<CoverageResult> told;
+        std::vector<CoverageResult> reported;
         CoverageSearch search(model, Random(3));
-        search.setListener([&](const CoverageResult& better) { told.push_back(better); });
+        search.setListener([&](const CoverageResult& better) { reported.push_back(better); });
         CoverageSearch quiet(model, Random(3));
         double best_m2s = std::numeric_limits<double>::infinity();
         for (const CoveragePlan& start : {CoveragePlan{}, CoveragePlan{{2, 50}, {5, 0}}}) {
@@ -133,10 +133,10 @@ private slots:
             QVERIFY(found.plan == alone.plan);
             best_m2s = std::min(best_m2s, found.total_m2s);
         }
-        QVERIFY(told.size() > 5);
-        for (std::size_t i = 1; i < told.size(); ++i)
-            QVERIFY(told[i].total_m2s < told[i - 1].total_m2s);
-        QCOMPARE(told.back().total_m2s, best_m2s);
+        QVERIFY(reported.size() > 5);
+        for (std::size_t i = 1; i < reported.size(); ++i)
+            QVERIFY(reported[i].total_m2s < reported[i - 1].total_m2s);
+        QCOMPARE(reported.back().total_m2s, best_m2s);
     }
 
     void sameWorkSamePlan()

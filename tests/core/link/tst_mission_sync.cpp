@@ -70,7 +70,7 @@ private slots:
         QVERIFY2(first.phase == SyncPhase::Equal,
                  QByteArray::number(static_cast<int>(first.transfer.failure)) + " result " +
                      QByteArray::number(first.transfer.result) + " item " +
-                     QByteArray::number(first.transfer.item));
+                     QByteArray::number(first.transfer.item.value_or(-1)));
         QVERIFY(isOnBoard(scene, missionPart(14)) && isOnBoard(scene, fence) &&
                 isOnBoard(scene, rally));
         QCOMPARE(scene.session.onBoard(LinkScene::address).size(), std::size_t{3});
@@ -256,7 +256,7 @@ private slots:
         const SyncStatus invalid = scene.sync({wrong});
         QCOMPARE(invalid.transfer.failure, TransferFailure::Refused);
         QCOMPARE(invalid.transfer.result, 10);
-        QCOMPARE(invalid.transfer.item, isPx4 ? 2 : 3);
+        QCOMPARE(invalid.transfer.item, std::optional(isPx4 ? 2 : 3));
         MissionPart misplaced{.type = MissionType::Mission, .items = someFence()};
         QCOMPARE(scene.sync({misplaced}).phase, SyncPhase::Failed);
     }

@@ -124,16 +124,16 @@ private slots:
             const Mission mission = flown(leavingField(seed, model), seenOutside);
             std::vector<bool> isOutside(mission.icebergs().size(), false);
             for (const MissionEvent& event : mission.events()) {
-                if (event.iceberg < 0)
+                if (!event.iceberg)
                     continue;
-                auto outside = isOutside[toIndex(event.iceberg)];
+                auto outside = isOutside[toIndex(*event.iceberg)];
                 const bool isOfView = event.kind == EventKind::Sighted ||
                                       event.kind == EventKind::Lost ||
                                       event.kind == EventKind::Found;
                 QVERIFY2(!outside || !isOfView, qPrintable(QString::number(seed)));
                 back += outside && event.kind == EventKind::Appeared ? 1 : 0;
                 if (event.kind == EventKind::Left || event.kind == EventKind::Appeared)
-                    isOutside[toIndex(event.iceberg)] = event.kind == EventKind::Left;
+                    isOutside[toIndex(*event.iceberg)] = event.kind == EventKind::Left;
             }
         }
         QVERIFY2(seenOutside > 100, qPrintable(QString::number(seenOutside)));

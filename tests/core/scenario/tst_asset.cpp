@@ -167,7 +167,7 @@ private slots:
                          [](const MissionEvent& e) { return e.kind == EventKind::Alarm; });
         QCOMPARE(alarm->iceberg, 0);
         COMPARE_NEAR(alarm->entry_s, 2599, 0.5); // found at t = 1 s
-        scenario.asset->alarm_m = 0;             // half the range
+        scenario.asset->alarm_m.reset();         // half the range
         QCOMPARE(alarmRadius_m(*scenario.asset), 500.0);
         scenario.icebergs[0].velocity_mps = {0, 0};
         Mission calm(scenario);

@@ -17,13 +17,13 @@ private slots:
         cameras.add({});
         const Point place_m(20, 10);
         cameras.setPose(0, {}, FlightMode::Leg);
-        QCOMPARE(cameras.viewer(place_m), 0);
-        QCOMPARE(firstWith(cameras.views(), place_m), 0);
-        QCOMPARE(firstWith(cameras.middles(), place_m), 0);
+        QCOMPARE(cameras.viewer(place_m), std::optional(0));
+        QCOMPARE(firstWith(cameras.views(), place_m), std::optional(0));
+        QCOMPARE(firstWith(cameras.middles(), place_m), std::optional(0));
         cameras.setPose(0, {}, FlightMode::Ground);
-        QCOMPARE(cameras.viewer(place_m), -1);
-        QCOMPARE(firstWith(cameras.views(), place_m), -1);
-        QCOMPARE(firstWith(cameras.middles(), place_m), -1);
+        QVERIFY(!cameras.viewer(place_m));
+        QVERIFY(!firstWith(cameras.views(), place_m));
+        QVERIFY(!firstWith(cameras.middles(), place_m));
     }
 
     /**

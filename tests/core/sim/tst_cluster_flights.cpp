@@ -134,7 +134,7 @@ private slots:
                     QVERIFY(std::ranges::equal(
                         members, std::span(first, plans[k].order.end()).first(members.size())));
                 }
-                const auto members = clusterWith(plans[k].clusters, plans[k].target);
+                const auto members = clusterOfTarget(plans[k]);
                 if (members.empty() || k + 1 == plans.size() ||
                     plans[k + 1].reason != PlanReason::TargetReached)
                     continue;
@@ -204,7 +204,7 @@ private slots:
                     continue;
                 const Simulation then = instantAt(mission, event.time_s).simulation;
                 for (const int member : event.together)
-                    QVERIFY(isInOwnView(then.observer(), event.uav, member));
+                    QVERIFY(isInOwnView(then.observer(), event.uav.value(), member));
                 ++reached;
             }
         }

@@ -80,7 +80,7 @@ private slots:
             bool isBeside = false;
             for (int i = 0; i < 3; ++i)
                 isBeside = isBeside || (world.available(1, i) && world.uav(0).target != i);
-            idle_s = world.uav(1).target < 0 && isBeside ? idle_s + 1 : 0;
+            idle_s = !world.uav(1).target && isBeside ? idle_s + 1 : 0;
             longest_s = std::max(longest_s, idle_s);
         }
         QVERIFY2(longest_s <= 60, qPrintable(QString::number(longest_s))); // was 1900

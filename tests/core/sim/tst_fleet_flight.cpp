@@ -81,9 +81,9 @@ private slots:
             mission.advance(until_s);
             std::set<int> targets;
             for (int uav = 0; uav < uavs; ++uav)
-                if (const int target = mission.simulation().fleet().autopilot(uav).target();
-                    target >= 0)
-                    QVERIFY2(targets.insert(target).second, qPrintable(QString::number(until_s)));
+                if (const std::optional<int> target =
+                        mission.simulation().fleet().autopilot(uav).target())
+                    QVERIFY2(targets.insert(*target).second, qPrintable(QString::number(until_s)));
         }
         QVERIFY(mission.metrics().visits > 5);
         // Each UAV has a plan, or only UAVs without a target have one.
@@ -159,7 +159,7 @@ private slots:
         QCOMPARE(two.metrics().zeta_m2s, one.metrics().zeta_m2s);
         QCOMPARE(two.metrics().visits, one.metrics().visits);
         QVERIFY(two.simulation().uav(0).pose == one.simulation().uav(0).pose);
-        QCOMPARE(two.simulation().uav(1).target, -1);
+        QVERIFY(!two.simulation().uav(1).target);
     }
 
     void keptIcebergsAreVisitedByTheirUavAlone()
@@ -175,8 +175,8 @@ private slots:
             QVERIFY2(mission.metrics().visits > 3,
                      std::string(nameOf(kPolicyNames, policy)).c_str());
             for (const PlanEvent& plan : mission.plans())
-                if (plan.target >= 0)
-                    QCOMPARE(plan.target % 2, plan.uav);
+                if (plan.target)
+                    QCOMPARE(*plan.target % 2, plan.uav);
         }
     }
 
@@ -204,7 +204,7 @@ private slots:
         const RunFile run = runFromJson(runToJson(runOf(mission)), "run");
         QVERIFY(run == runOf(mission));
         QVERIFY(runOf(replay(run)) == run);
-        QCOMPARE(instantAt(mission, 50).simulation.world().parameters(handed).assignedUav, -1);
+        QVERIFY(!instantAt(mission, 50).simulation.world().parameters(handed).assignedUav);
         QCOMPARE(instantAt(mission, 70).simulation.world().parameters(handed).assignedUav, 1);
     }
 
@@ -282,10 +282,10 @@ private slots:
             int landings = 0;
             for (const MissionEvent& event : mission.events()) {
                 if (event.kind == EventKind::TookOff)
-                    tookOff_s[static_cast<std::size_t>(event.uav)] = event.time_s;
+                    tookOff_s[toIndex(event.uav.value())] = event.time_s;
                 if (event.kind != EventKind::Landed)
                     continue;
-                const auto uav = static_cast<std::size_t>(event.uav);
+                const auto uav = toIndex(event.uav.value());
                 QVERIFY(event.time_s - tookOff_s[uav] <= scenario.uavs[uav].spec.endurance_s);
                 ++landings;
             }
@@ -311,7 +311,7 @@ private slots:
             return plan.uav == 0 && plan.reason == PlanReason::SeenByOther;
         });
         QVERIFY(given != mission.plans().end());
-        QCOMPARE(given->target, -1);
+        QVERIFY(!given->target);
         // This does not count as a visit of the first UAV, which was far away.
         const std::vector<MissionEvent> reached = eventsOf(mission, EventKind::Reached);
         QVERIFY(std::ranges::none_of(reached, [&](const MissionEvent& event) {

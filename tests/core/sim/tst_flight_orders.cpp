@@ -93,8 +93,8 @@ private slots:
         s.uavs[0].home_m = Point(0, 0);
         Mission mission(s);
         mission.advance(60);
-        const int target = mission.simulation().uav(0).target;
-        QVERIFY(target >= 0);
+        const std::optional<int> target = mission.simulation().uav(0).target;
+        QVERIFY(target);
         mission.intervene(command("u1", FlightOrder::ReturnNow));
         QCOMPARE(mission.simulation().uav(0).mode, FlightMode::Home);
         mission.advance(61);
@@ -102,7 +102,7 @@ private slots:
         const PlanEvent& plan = mission.plans().back();
         QCOMPARE(plan.uav, 1);
         QCOMPARE(plan.time_s, 60.0);
-        QVERIFY(std::ranges::find(plan.order, target) != plan.order.end());
+        QVERIFY(std::ranges::find(plan.order, *target) != plan.order.end());
         mission.advance(300);
         QCOMPARE(mission.simulation().uav(0).mode, FlightMode::Ground);
         QVERIFY(mission.simulation().uav(0).pose.position_m.norm() < 80);
@@ -111,7 +111,7 @@ private slots:
         mission.intervene(command("u1", FlightOrder::None));
         mission.advance(510);
         QVERIFY(mission.simulation().uav(0).isPlanned());
-        QVERIFY(mission.simulation().uav(0).target >= 0);
+        QVERIFY(mission.simulation().uav(0).target);
         replays(mission);
     }
 
@@ -138,7 +138,7 @@ private slots:
         Mission mission(s);
         mission.advance(80);
         const Point here_m = mission.simulation().uav(0).pose.position_m;
-        const int target = mission.simulation().uav(0).target;
+        const int target = mission.simulation().uav(0).target.value();
         mission.intervene(command("u1", FlightOrder::HoldHere));
         for (double time_s = 81; time_s <= 300; time_s += 1) {
             mission.advance(time_s);

@@ -285,7 +285,7 @@ private slots:
                 for (int uav = 0; uav < world.uavCount(); ++uav) {
                     const Autopilot& me = world.fleet().autopilot(uav);
                     const bool isIdle =
-                        me.isPlanned() && me.target() < 0 && me.mode() != FlightMode::Search;
+                        me.isPlanned() && !me.target() && me.mode() != FlightMode::Search;
                     int& seconds = idle_s[toIndex(uav)];
                     seconds = isIdle && hasUnsearched(world) ? seconds + 1 : 0;
                     QVERIFY2(seconds < 10, qPrintable(QString::number(seed)));

@@ -226,7 +226,7 @@ private slots:
         QVERIFY(!visits.empty());
         for (const Visit& visit : visits) {
             const Simulation then = instantAt(mission, visit.time_s).simulation;
-            COMPARE_NEAR((then.truth_m(visit.iceberg) - visit.position_m).norm(), 0, 1e-6);
+            COMPARE_NEAR((then.truth_m(visit.iceberg.value()) - visit.position_m).norm(), 0, 1e-6);
         }
     }
 
@@ -311,7 +311,7 @@ private slots:
         addIceberg(scenario, 100, 0, 50).q_m2ps = 1;
         Simulation simulation(scenario);
         QVERIFY(simulation.track(0).inView);
-        simulation.setTarget(0, -1);
+        simulation.setTarget(0, std::nullopt);
         double last_m2 = simulation.track(0).sigma_m2;
         for (int step = 1; step <= 120; ++step) {
             simulation.advanceStep();

@@ -32,7 +32,7 @@ void recordAll(Simulation& simulation, Recorder& recorder,
     recorder.record(simulation);
     while (!simulation.finished()) {
         if (simulation.planReason() != PlanReason::None)
-            simulation.setTarget(0, simulation.available(0, 0) ? 0 : -1);
+            simulation.setTarget(0, simulation.available(0, 0) ? std::optional(0) : std::nullopt);
         simulation.advanceStep();
         if (afterStep)
             afterStep(simulation);
@@ -122,8 +122,8 @@ private slots:
             ++row;
         }
         QVERIFY(row > 100);
-        QCOMPARE(recorder.samples()[0].uavs[0].target, -1); // no plan yet at time 0
-        QCOMPARE(recorder.samples()[1].uavs[0].target, 0);
+        QVERIFY(!recorder.samples()[0].uavs[0].target); // no plan yet at time 0
+        QCOMPARE(recorder.samples()[1].uavs[0].target, std::optional(0));
         QVERIFY(recorder.icebergs(0)[1].inView);
         QVERIFY(!recorder.icebergs(row - 1)[1].inView); // left behind
     }
@@ -300,7 +300,7 @@ private slots:
         recorder.record(simulation);
         while (!simulation.finished()) {
             for (int i = 0; simulation.planReason() != PlanReason::None && i < 50; ++i)
-                simulation.setTarget(i, -1);
+                simulation.setTarget(i, std::nullopt);
             simulation.advanceStep();
             recorder.record(simulation);
         }
@@ -372,7 +372,7 @@ private slots:
     {
         const Scenario scenario = emptySea(3);
         Simulation simulation(scenario);
-        simulation.setTarget(0, -1);
+        simulation.setTarget(0, std::nullopt);
         Recorder recorder(1, 60, scenario.dt_s);
         recorder.record(simulation);
         while (!simulation.finished()) {

@@ -186,7 +186,7 @@ private slots:
         std::vector<MissionEvent> close;
         for (int step = 0; step < 400; ++step) {
             for (const int uav : {0, 1})
-                simulation.setTarget(uav, -1);
+                simulation.setTarget(uav, std::nullopt);
             const double x_m = 2.2 * step;
             simulation.advanceStep(std::array{DubinsState{.position_m = {x_m, 0}},
                                               DubinsState{.position_m = {1000, 0}}});

@@ -21,7 +21,8 @@ bool flyTo(Simulation& simulation, int iceberg, const Done& done)
 {
     while (!simulation.finished()) {
         if (simulation.planReason() != PlanReason::None)
-            simulation.setTarget(0, simulation.available(0, iceberg) ? iceberg : -1);
+            simulation.setTarget(0, simulation.available(0, iceberg) ? std::optional(iceberg)
+                                                                     : std::nullopt);
         simulation.advanceStep();
         if (done(simulation))
             return true;
@@ -99,12 +100,12 @@ private slots:
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Sighted);
         QVERIFY(simulation.track(1).inView);
-        QCOMPARE(simulation.uav(0).lastReached, -1);
+        QVERIFY(!simulation.uav(0).lastReached);
         simulation.setTarget(0, 0, AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 130});
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::TargetReached);
-        QCOMPARE(simulation.uav(0).lastReached, 0);
+        QCOMPARE(simulation.uav(0).lastReached, std::optional(0));
     }
 
     void overdueSightingAsksForAPlan()
@@ -156,7 +157,7 @@ private slots:
         const double zeta_m2s = simulation.zeta_m2s();
         const double radius_m = turnRadius_m(scenario.uavs[0].spec);
 
-        simulation.setTarget(0, -1);
+        simulation.setTarget(0, std::nullopt);
         double nearest_m = 1e9;
         double farthest_m = 0;
         while (!simulation.finished()) {
@@ -184,7 +185,7 @@ private slots:
         QVERIFY(!simulation.available(0, 1));
         QCOMPARE(simulation.state().sigmaSum_m2, 0.0); // seen at t = 0
 
-        simulation.setTarget(0, -1);
+        simulation.setTarget(0, std::nullopt);
         while (!simulation.finished() && simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::OutOfView);
@@ -439,11 +440,11 @@ private slots:
             Simulation fed(scenario);
             std::size_t sightings = 0;
             while (!flown.finished()) {
-                const int target = flown.fleet().nearestAvailable(0);
+                const std::optional<int> target = flown.fleet().nearestAvailable(0);
                 if (flown.planReason() != PlanReason::None)
                     flown.setTarget(0, target);
                 if (fed.planReason() != PlanReason::None)
-                    fed.setTarget(0, isWilful ? -1 : target);
+                    fed.setTarget(0, isWilful ? std::nullopt : target);
                 flown.advanceStep();
                 const std::array pose{flown.uav(0).pose};
                 fed.advanceStep(pose);

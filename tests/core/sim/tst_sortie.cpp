@@ -70,7 +70,7 @@ int brokenPromises(const Mission& mission)
         const auto after = std::find_if(mission.plans().begin(), mission.plans().end(),
                                         [&](const PlanEvent& p) { return p.time_s > time_s; });
         const PlanEvent& last = *std::prev(after);
-        broken += last.target >= 0 && last.thisSortie.value_or(0) > 0 ? 1 : 0;
+        broken += last.target && last.thisSortie.value_or(0) > 0 ? 1 : 0;
     }
     return broken;
 }

@@ -23,7 +23,7 @@ struct Miss
  */
 Miss missOf(const Scenario& scenario, const Visit& last, const Visit& visit)
 {
-    const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(visit.iceberg)];
+    const Iceberg& iceberg = scenario.icebergs[toIndex(visit.iceberg.value())];
     const double time_s = iceberg.velocityTime_s;
     const double carried_s =
         time_s > 0 ? time_s * (1 - std::exp(-visit.time_s / time_s)) : visit.time_s;
@@ -108,7 +108,7 @@ private slots:
         scenario.planner.policy = PolicyKind::Visitation;
         const std::vector<Visit> visits = plannedVisits(scenario, planOf({0, 1}));
         QCOMPARE(visits.size(), std::size_t{3});
-        QCOMPARE(visits[2].iceberg, -1);
+        QVERIFY(!visits[2].iceberg);
         QVERIFY(visits[2].position_m == scenario.uavs[0].position_m);
         const double back_s = (visits[1].position_m - visits[2].position_m).norm() / 22;
         QVERIFY(std::abs(visits[2].time_s - visits[1].time_s - back_s) < 1e-9);
@@ -123,7 +123,7 @@ private slots:
         scenario.uavs[0].home_m = Point(50, -70);
         const std::vector<Visit> all = plannedVisits(scenario, planOf({0, 1, 2, 3}));
         QCOMPARE(all.size(), std::size_t{5});
-        QCOMPARE(all[4].iceberg, -1);
+        QVERIFY(!all[4].iceberg);
         QVERIFY(all[4].position_m == Point(50, -70));
         const double back_s =
             flightTime_s(all[4].position_m - all[3].position_m, 22, scenario.wind_mps);
@@ -133,7 +133,7 @@ private slots:
         scenario.uavs[0].spec.endurance_s = all[4].time_s;
         const std::vector<Visit> fewer = plannedVisits(scenario, planOf({0, 1, 2, 3}));
         QVERIFY(fewer.size() < all.size());
-        QCOMPARE(fewer.back().iceberg, -1);
+        QVERIFY(!fewer.back().iceberg);
         QVERIFY(fewer.back().time_s < scenario.uavs[0].spec.endurance_s);
 
         scenario.uavs[0].spec.endurance_s = 1;
@@ -193,9 +193,10 @@ private slots:
             for (; seen < mission.events().size(); ++seen) {
                 const MissionEvent& event = mission.events()[seen];
                 if (event.kind == EventKind::Reached)
-                    expected.push_back({.iceberg = event.iceberg,
-                                        .time_s = mission.simulation().time_s(),
-                                        .position_m = mission.simulation().truth_m(event.iceberg)});
+                    expected.push_back(
+                        {.iceberg = event.iceberg,
+                         .time_s = mission.simulation().time_s(),
+                         .position_m = mission.simulation().truth_m(*event.iceberg)});
             }
         }
         const std::vector<Visit> visits = flownVisits(mission);

@@ -30,10 +30,11 @@ StudyPointer everything()
 }
 
 template <class Chart>
-struct Shown
+struct ShownStudyChart
 {
     Chart chart{Theme::light()};
-    explicit Shown(const StudyPointer& result = test::fourCases(), const QSize& size = {760, 360})
+    explicit ShownStudyChart(const StudyPointer& result = test::fourCases(),
+                             const QSize& size = {760, 360})
     {
         chart.setLocale(QLocale::c());
         chart.resize(size);
@@ -92,10 +93,10 @@ private slots:
 
     void nothingFlownTeaches()
     {
-        const Shown<StudyChart> zeta{nullptr};
+        const ShownStudyChart<StudyChart> zeta{nullptr};
         QVERIFY(zeta.chart.drawing().items.empty());
         QVERIFY(!zeta.chart.accessibleDescription().isEmpty());
-        const Shown<DifferenceChart> differences{nullptr};
+        const ShownStudyChart<DifferenceChart> differences{nullptr};
         QVERIFY(differences.chart.drawing().items.empty());
         QVERIFY(zetaContent(StudySummary(), QLocale::c()).curve.empty());
         QVERIFY(differenceRows(StudySummary(), 10, QLocale::c()).empty());
@@ -103,7 +104,7 @@ private slots:
 
     void lessIsLowerAndTauGoesRight()
     {
-        const Shown<StudyChart> f;
+        const ShownStudyChart<StudyChart> f;
         const PlotScale& x = f.chart.drawing().x;
         const PlotScale& y = f.chart.drawing().y;
         QVERIFY(y.at(100) > y.at(120));
@@ -116,7 +117,7 @@ private slots:
 
     void policiesAreNamedBesideTheirLines()
     {
-        const Shown<StudyChart> f;
+        const ShownStudyChart<StudyChart> f;
         QStringList names;
         for (const DrawnLabel& label : f.chart.drawing().labels)
             names << QString::fromStdString(label.text);
@@ -125,13 +126,13 @@ private slots:
 
     void readoutHasNameMeanAndDifference()
     {
-        const Shown<StudyChart> f;
+        const ShownStudyChart<StudyChart> f;
         QCOMPARE(
             readoutOf(f.chart, 0),
             (QStringList{u"τ 0.00"_s, u"mean 127.5, median 110.0"_s, u"quartiles 97.50 to 140.0"_s,
                          u"+16.2 % vs τ 1.00"_s, u"stuck in 1 of 4 cases"_s}));
         QCOMPARE(readoutOf(f.chart, 1).size(), 4); // the reference is not compared with itself
-        const Shown<DifferenceChart> d;
+        const ShownStudyChart<DifferenceChart> d;
         QCOMPARE(readoutOf(d.chart, 1).back(), u"the reference"_s);
         QVERIFY(readoutOf(d.chart, 0).contains(u"+16.2 % vs τ 1.00"_s));
         QVERIFY(readoutOf(d.chart, 3).contains(u"less in 1 of 4 cases"_s));
@@ -164,7 +165,7 @@ private slots:
 
     void arrowsWalkThroughTheSettings()
     {
-        Shown<StudyChart> f;
+        ShownStudyChart<StudyChart> f;
         QSignalSpy chosen(&f.chart, &FigureView::itemChosen);
         QSignalSpy activated(&f.chart, &FigureView::itemActivated);
         f.chart.setFocus();
@@ -183,7 +184,7 @@ private slots:
 
     void clickChoosesThePointNearby()
     {
-        Shown<DifferenceChart> f;
+        ShownStudyChart<DifferenceChart> f;
         QSignalSpy activated(&f.chart, &FigureView::itemActivated);
         const DrawnItem item = f.chart.drawing().items.front();
         QTest::mouseClick(&f.chart, Qt::LeftButton, {}, toQt(item.at).toPoint() + QPoint(4, 3));
@@ -194,7 +195,7 @@ private slots:
 
     void fewerSettingsForgetTheChoice()
     {
-        Shown<StudyChart> f;
+        ShownStudyChart<StudyChart> f;
         f.chart.setChosen(3);
         f.chart.setResult(nullptr);
         QVERIFY(!f.chart.chosen());
@@ -211,7 +212,7 @@ private slots:
     void nothingOverlaps()
     {
         QFETCH(QSize, size);
-        const Shown<StudyChart> f(everything(), size);
+        const ShownStudyChart<StudyChart> f(everything(), size);
         const std::vector<DrawnLabel>& labels = f.chart.drawing().labels;
         QVERIFY(labels.size() >= 6);
         for (std::size_t a = 0; a < labels.size(); ++a) {
@@ -241,7 +242,7 @@ private slots:
 
     void themeReachesThePicture()
     {
-        Shown<StudyChart> f;
+        ShownStudyChart<StudyChart> f;
         const Theme dark = Theme::dark();
         f.chart.setTheme(dark);
         QCOMPARE(f.chart.grab().toImage().pixelColor(0, 0).rgb(), dark.chart.rgb());

@@ -18,7 +18,6 @@
 
 using namespace berg;
 using namespace Qt::StringLiterals;
-using Kind = MarkdownBlock::Kind;
 
 namespace {
 
@@ -41,7 +40,7 @@ QStringList frameOf(const ManualChapter& chapter)
     for (const MarkdownBlock& block : chapter.blocks) {
         QString line =
             u"%1 %2 %3 %4"_s.arg(int(block.kind)).arg(block.level).arg(block.id, block.info);
-        if (block.kind == Kind::Code)
+        if (block.kind == MarkdownKind::Code)
             line += block.text;
         for (const QStringList& row : block.rows)
             line += u" %1"_s.arg(row.size());
@@ -66,7 +65,7 @@ QStringList allLinks(const ManualChapter& chapter)
 bool hasAnchor(const ManualChapter& chapter, const QString& id)
 {
     return std::ranges::any_of(chapter.blocks, [&](const MarkdownBlock& block) {
-        return block.kind == Kind::Heading && block.id == id;
+        return block.kind == MarkdownKind::Heading && block.id == id;
     });
 }
 
@@ -97,7 +96,8 @@ private slots:
         QCOMPARE(blocks[0].id, u"t"_s);
         QCOMPARE(blocks[1].text, u"two lines"_s);
         QCOMPARE(blocks[2].text, u"a b"_s);
-        QVERIFY(blocks[3].kind == Kind::Numbered && blocks[4].kind == Kind::Formula);
+        QVERIFY(blocks[3].kind == MarkdownKind::Numbered &&
+                blocks[4].kind == MarkdownKind::Formula);
         QCOMPARE(blocks[5].rows, (std::vector<QStringList>{{u"a"_s, u"b"_s}, {u"1"_s, u"2"_s}}));
         QCOMPARE(blocks[6].text, u"# x\n"_s);
         QCOMPARE(blocks[7].info, u"p.png"_s);
@@ -171,7 +171,7 @@ private slots:
         for (const ManualChapter& chapter : readManual(u"en"_s).chapters) {
             QStringList ids;
             for (const MarkdownBlock& block : chapter.blocks)
-                if (block.kind == Kind::Heading)
+                if (block.kind == MarkdownKind::Heading)
                     ids << block.id;
             QVERIFY2(!ids.contains(QString()), qPrintable(chapter.name));
             QCOMPARE(ids.removeDuplicates(), 0);

@@ -208,8 +208,8 @@ private slots:
     void failureIsReported()
     {
         Bench b(kNever);
-        QFile inTheWay(b.folder());
-        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        QFile obstacle(b.folder());
+        QVERIFY(obstacle.open(QIODevice::WriteOnly));
         b.setTau(0.25);
         b.autosaver->keep();
         QCOMPARE(b.reports.size(), 1);

@@ -99,14 +99,15 @@ private slots:
         QFETCH(int, change);
         QFETCH(bool, expected);
         const auto flown = [](const std::function<void(std::vector<Intervention>&)>& vary) {
-            std::vector<Intervention> told{{.time_s = 20, .wind_mps = Point(5, -3)},
-                                           {.time_s = 30, .asset = Asset{.position_m = {900, 100}}},
-                                           {.time_s = 30, .appears = newIceberg()}};
-            vary(told);
+            std::vector<Intervention> changes{
+                {.time_s = 20, .wind_mps = Point(5, -3)},
+                {.time_s = 30, .asset = Asset{.position_m = {900, 100}}},
+                {.time_s = 30, .appears = newIceberg()}};
+            vary(changes);
             Scenario scenario = shortScenario();
             scenario.duration_s = 60;
             Mission mission(scenario);
-            for (const Intervention& next : told) {
+            for (const Intervention& next : changes) {
                 mission.advance(next.time_s);
                 mission.intervene(next);
             }
@@ -114,19 +115,19 @@ private slots:
             return comparedRun(recordOf(mission));
         };
         const ComparedRun a = flown([](auto&) {});
-        const ComparedRun b = flown([change](std::vector<Intervention>& told) {
+        const ComparedRun b = flown([change](std::vector<Intervention>& changes) {
             if (change == 1)
-                told[0].wind_mps = Point(5, -4);
+                changes[0].wind_mps = Point(5, -4);
             else if (change == 2)
-                told[0].time_s = 21;
+                changes[0].time_s = 21;
             else if (change == 3)
-                told.erase(told.begin());
+                changes.erase(changes.begin());
             else if (change == 4)
-                told[1].asset->position_m = {900, 200};
+                changes[1].asset->position_m = {900, 200};
             else if (change == 5)
-                told[2].appears->position_m.x() += 100;
+                changes[2].appears->position_m.x() += 100;
             else if (change == 6)
-                told[0].tau = 3;
+                changes[0].tau = 3;
         });
         QCOMPARE(a.worldChanges.size(), std::size_t{3});
         QCOMPARE(isComparable(a, b), expected);

@@ -87,7 +87,7 @@ private slots:
         QVERIFY(!first.file.otherHolder(path(u"a.berg"_s))); // not the window itself
         const std::optional<LockHolder> holder = second.file.otherHolder(path(u"a.berg"_s));
         QVERIFY(holder);
-        QCOMPARE(holder->pid, QCoreApplication::applicationPid());
+        QCOMPARE(holder->pid.value(), QCoreApplication::applicationPid());
         QVERIFY(!second.file.otherHolder(path(u"b.berg"_s)));
     }
 

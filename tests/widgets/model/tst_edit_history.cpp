@@ -45,7 +45,7 @@ private:
 };
 
 /** Undoes and redoes everything; returns whether the scenario is right at every step. */
-bool walksBothWays(ScenarioDocument& document, const History& history)
+bool undoesAndRedoes(ScenarioDocument& document, const History& history)
 {
     QUndoStack& stack = *document.undoStack();
     bool isRight = true;
@@ -110,7 +110,7 @@ private slots:
             QVERIFY2(!hasErrors(map.document.issues()), qPrintable(what));
         }
         QVERIFY(map.undoCount() > (interleaved ? 50 : kEdits / 3));
-        QVERIFY(walksBothWays(map.document, history));
+        QVERIFY(undoesAndRedoes(map.document, history));
         QCOMPARE(edits.kindsMissing(), QStringList());
     }
 

@@ -90,11 +90,11 @@ private slots:
         Flight f;
         CurveRunner& curve = f.workspace.curve();
         const auto holdsThePlan = [&] {
-            const int at = intervalAt(curve.curve(), f.record().shown().planner.tau);
-            if (!curve.curve().complete || at < 0)
+            const std::optional<int> at = intervalAt(curve.curve(), f.record().shown().planner.tau);
+            if (!curve.curve().complete || !at)
                 return false;
             std::vector<int> order;
-            for (const int node : curve.curve().intervals[static_cast<std::size_t>(at)].order())
+            for (const int node : curve.curve().intervals[static_cast<std::size_t>(*at)].order())
                 order.push_back(curve.problem().ids[static_cast<std::size_t>(node) - 1]);
             return order == f.record().shown().plan->order;
         };
@@ -213,7 +213,7 @@ private slots:
         QCOMPARE(f.record().now.planner.tau, 1.0); // the later change has not come yet
         f.workspace.setTau(3);
         QVERIFY(f.until([&] { return f.record().now.planner.tau == 3; }));
-        f.workspace.fly(0);
+        f.workspace.fly(kFastestRate);
         QVERIFY(f.until([&] { return f.record().now.phase == RunPhase::Finished; }));
         QCOMPARE(f.record().history.samples.size(), std::size_t{601});
 
@@ -302,7 +302,7 @@ private slots:
         QCOMPARE(other.record().history.events.size(), f.record().history.events.size());
         QCOMPARE(refused.count(), 0);
         for (Workspace* workspace : {&other, &f.workspace})
-            workspace->fly(0);
+            workspace->fly(kFastestRate);
         QVERIFY(f.until([&] {
             return other.record().now.phase == RunPhase::Finished &&
                    f.record().now.phase == RunPhase::Finished;

@@ -106,7 +106,7 @@ private slots:
             FlightRecord record;
             const Scenario scenario = randomScenario(seed);
             runner.setScenario(scenario);
-            runner.fly(seed == 5 ? 0 : 20000); // as fast as possible, or by the clock
+            runner.fly(seed == 5 ? kFastestRate : FlightRate(20000));
             QVERIFY(inPhase(runner, record, RunPhase::Finished));
 
             Mission mission(scenario);
@@ -183,7 +183,7 @@ private slots:
         added.id = "added";
         added.position_m = {2000, 6000};
         runner.intervene({.appears = added});
-        runner.fly(0);
+        runner.fly(kFastestRate);
         QVERIFY(inPhase(runner, record, RunPhase::Finished));
         QCOMPARE(record.now.icebergs.size(), 13U);
         QCOMPARE(record.now.planner.tau, 3.0);
@@ -310,7 +310,7 @@ private slots:
         runner.setScenario(randomScenario(4));
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
         QSignalSpy ready(&runner, &MissionRunner::exportReady);
-        QSignalSpy looked(&runner, &MissionRunner::exportPreviewReady);
+        QSignalSpy previewed(&runner, &MissionRunner::exportPreviewReady);
         QSignalSpy refused(&runner, &MissionRunner::commandRefused);
         runner.requestExportPreview({.formatId = "csv"});
         runner.requestExport({.formatId = "csv"});
@@ -318,7 +318,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(refused.count(), 1, kPatience_ms);
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
         QCOMPARE(ready.count(), 0);
-        QCOMPARE(looked.count(), 0);
+        QCOMPARE(previewed.count(), 0);
     }
 
     void fliesWhileAPageIsPainted()
@@ -349,16 +349,16 @@ private slots:
         const Release release(page);
         runner.setExportPaint(page.paint());
         runner.setScenario(randomScenario(4));
-        QSignalSpy looked(&runner, &MissionRunner::exportPreviewReady);
+        QSignalSpy previewed(&runner, &MissionRunner::exportPreviewReady);
         runner.requestExportPreview({.formatId = "map-png"});
         QTRY_COMPARE_WITH_TIMEOUT(page.begun.load(), 1, kPatience_ms);
         runner.requestExportPreview({.formatId = "map-svg"});
         runner.cancelExportPreview();
         page.letGo();
         runner.requestExportPreview({.formatId = "map-pdf"}); // comes after all the others
-        QTRY_COMPARE_WITH_TIMEOUT(looked.count(), 1, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(previewed.count(), 1, kPatience_ms);
         const auto preview =
-            looked.front().front().value<std::shared_ptr<const berg::ExportPreview>>();
+            previewed.front().front().value<std::shared_ptr<const berg::ExportPreview>>();
         QCOMPARE(preview->request.formatId, std::string("map-pdf"));
     }
 

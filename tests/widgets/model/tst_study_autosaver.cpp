@@ -47,7 +47,7 @@ class TestStudyKeeper : public QObject
 private:
     std::unique_ptr<QTemporaryDir> m_dir;
     [[nodiscard]] QString folder() const { return m_dir->filePath(u"studies"_s); }
-    [[nodiscard]] QStringList kept() const
+    [[nodiscard]] QStringList savedFiles() const
     {
         return QDir(folder()).entryList({u"*.bergstudy"_s}, QDir::Files);
     }
@@ -69,12 +69,12 @@ private slots:
         m_dir = std::make_unique<QTemporaryDir>();
     }
 
-    void keptWhileFlown()
+    void studyIsSavedWhileItIsFlown()
     {
         Window window(folder());
         window.runner.start(test::endlessStudy());
-        QTRY_COMPARE_WITH_TIMEOUT(kept().size(), 1, kPatience_ms);
-        const QString path = QDir(folder()).filePath(kept().front());
+        QTRY_COMPARE_WITH_TIMEOUT(savedFiles().size(), 1, kPatience_ms);
+        const QString path = QDir(folder()).filePath(savedFiles().front());
         QTRY_VERIFY_WITH_TIMEOUT(flownCount(loadStudy(path.toStdString())) > 0, kPatience_ms);
         QVERIFY(window.failures.isEmpty());
     }
@@ -84,7 +84,7 @@ private slots:
         {
             Window window(folder());
             window.runner.start(test::quickStudy());
-            QTRY_COMPARE_WITH_TIMEOUT(kept().size(), 1, kPatience_ms);
+            QTRY_COMPARE_WITH_TIMEOUT(savedFiles().size(), 1, kPatience_ms);
         }
         QVERIFY(QDir(folder()).entryList(QDir::Files | QDir::Hidden).isEmpty());
     }
@@ -92,19 +92,19 @@ private slots:
     void abandonedStudyIsFoundAgain()
     {
         const Study left = leave();
-        QCOMPARE(kept().size(), 1);
+        QCOMPARE(savedFiles().size(), 1);
         Window next(folder());
-        next.keeper.lookForAbandoned();
+        next.keeper.findAbandoned();
         QTRY_VERIFY_WITH_TIMEOUT(next.found != nullptr, kPatience_ms);
         QCOMPARE(flownCount(*next.found), flownCount(left));
         next.runner.restore(*next.found);
         QTRY_VERIFY_WITH_TIMEOUT(next.runner.result() != nullptr, kPatience_ms);
         QVERIFY(next.runner.unsaved_s() > 0);
-        QCOMPARE(kept().size(), 1); // until it is saved
+        QCOMPARE(savedFiles().size(), 1); // until it is saved
 
         next.runner.noteSaved(next.runner.savePoint());
         next.keeper.follow();
-        QTRY_VERIFY_WITH_TIMEOUT(kept().isEmpty(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(savedFiles().isEmpty(), kPatience_ms);
     }
 
     void whatIsStillBeingReadStays_data()
@@ -125,19 +125,19 @@ private slots:
         leave();
         {
             Window window(folder());
-            window.keeper.lookForAbandoned();
+            window.keeper.findAbandoned();
             end(window.keeper);
         }
-        QCOMPARE(kept().size(), 1);
+        QCOMPARE(savedFiles().size(), 1);
     }
 
     void oneInUseIsLeftAlone()
     {
         leave();
         Window first(folder());
-        first.keeper.lookForAbandoned();
+        first.keeper.findAbandoned();
         Window second(folder());
-        second.keeper.lookForAbandoned();
+        second.keeper.findAbandoned();
         QTRY_VERIFY_WITH_TIMEOUT(first.found != nullptr, kPatience_ms);
         QVERIFY(second.found == nullptr);
     }
@@ -145,10 +145,10 @@ private slots:
     void damagedIsSetAside()
     {
         leave();
-        const QString path = QDir(folder()).filePath(kept().front());
+        const QString path = QDir(folder()).filePath(savedFiles().front());
         writeFileAtomically(path.toStdString(), "{");
         Window next(folder());
-        next.keeper.lookForAbandoned();
+        next.keeper.findAbandoned();
         QTRY_COMPARE_WITH_TIMEOUT(next.damaged, QStringList{path + u".damaged"_s}, kPatience_ms);
         QVERIFY(next.found == nullptr);
         QCOMPARE(readFile(path.toStdString() + ".damaged"), std::string("{"));

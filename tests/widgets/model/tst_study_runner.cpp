@@ -94,15 +94,15 @@ private slots:
         QVERIFY(f.someAreFlown());
         f.runner.cancel();
         QVERIFY(f.ends());
-        const std::size_t kept = f.runner.flown();
-        QVERIFY(kept > 0);
+        const std::size_t flownBefore = f.runner.flown();
+        QVERIFY(flownBefore > 0);
         const Study before = f.runner.result()->study;
         if (f.runner.isComplete())
             QSKIP("this machine is too fast to cancel it");
 
-        // The rest of a study slightly longer than the part that was kept.
+        // The rest of a study slightly longer than the part that was flownBefore.
         Study rest = before;
-        rest.spec.runs = static_cast<int>(kept / 4 + 3);
+        rest.spec.runs = static_cast<int>(flownBefore / 4 + 3);
         rest.outcomes.resize(missionCount(rest.spec));
         f.runner.show(rest);
         QVERIFY(QTest::qWaitFor(

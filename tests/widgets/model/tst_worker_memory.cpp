@@ -125,14 +125,14 @@ private slots:
         runner.setScenario(quick());
         QSignalSpy ready(&runner, &MissionRunner::exportReady);
         QSignalSpy refused(&runner, &MissionRunner::commandRefused);
-        QSignalSpy looked(&runner, &MissionRunner::exportPreviewReady);
+        QSignalSpy previewed(&runner, &MissionRunner::exportPreviewReady);
         QVERIFY(survives([&] {
-            for (QSignalSpy* spy : {&ready, &refused, &looked})
+            for (QSignalSpy* spy : {&ready, &refused, &previewed})
                 spy->clear();
             runner.requestExport({.formatId = "geojson"});
             runner.requestExportPreview({.formatId = "kml"});
             return QTest::qWaitFor(
-                [&] { return ready.count() + refused.count() == 1 && looked.count() == 1; },
+                [&] { return ready.count() + refused.count() == 1 && previewed.count() == 1; },
                 kPatience_ms);
         }));
     }

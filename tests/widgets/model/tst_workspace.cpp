@@ -112,7 +112,7 @@ private slots:
         QVERIFY(takeOff(workspace));
         workspace.setTau(0.5);
         workspace.setTau(4.5);
-        workspace.fly(0);
+        workspace.fly(kFastestRate);
         QVERIFY(untilPhase(workspace, RunPhase::Finished));
         QCOMPARE(workspace.planner().tau, 4.5);
     }
@@ -156,7 +156,7 @@ private slots:
         QCOMPARE(workspace.document().undoStack()->count(), 1);
         QCOMPARE(workspace.assignedUavOf(first), "uav-2");
         QVERIFY(untilPhase(workspace, RunPhase::Ready));
-        QCOMPARE(workspace.record().now.assigned[0], 1);
+        QCOMPARE(workspace.record().now.assigned[0], std::optional(1));
         workspace.document().undoStack()->undo();
         QVERIFY(workspace.document().scenario() == scenario);
         QVERIFY(untilPhase(workspace, RunPhase::Ready));
@@ -198,7 +198,7 @@ private slots:
     {
         Workspace workspace;
         workspace.document().reset(small());
-        workspace.fly(0);
+        workspace.fly(kFastestRate);
         QVERIFY(untilPhase(workspace, RunPhase::Finished));
         QSignalSpy refused(&workspace, &Workspace::refused);
         const double zeta_m2s = workspace.record().now.metrics.zeta_m2s;
@@ -265,9 +265,9 @@ private slots:
         QSignalSpy inFlight(&workspace, &Workspace::inFlightChanged);
         QVERIFY(takeOff(workspace));
         workspace.step();
-        workspace.fly(0);
+        workspace.fly(kFastestRate);
         QVERIFY(untilPhase(workspace, RunPhase::Finished));
-        workspace.fly(0); // at the end: nothing to fly
+        workspace.fly(kFastestRate); // at the end: nothing to fly
         workspace.reset();
         workspace.reset();
         QVERIFY(untilPhase(workspace, RunPhase::Ready));
@@ -282,7 +282,7 @@ private slots:
         Scenario faulty = small();
         faulty.icebergs[0].q_m2ps = -1;
         workspace.document().reset(faulty);
-        workspace.fly(0);
+        workspace.fly(kFastestRate);
         QVERIFY(untilPhase(workspace, RunPhase::Failed));
         QVERIFY(!workspace.inFlight());
         QSignalSpy refused(&workspace, &Workspace::refused);
@@ -300,12 +300,12 @@ private slots:
         Workspace workspace;
         workspace.document().reset(small());
         QVERIFY(untilPhase(workspace, RunPhase::Ready));
-        workspace.setRate(0);
+        workspace.setRate(kFastestRate);
         QTest::qWait(100);
         QCOMPARE(workspace.record().now.phase, RunPhase::Ready);
         workspace.fly(1);
         QVERIFY(untilPhase(workspace, RunPhase::Flying));
-        workspace.setRate(0);
+        workspace.setRate(kFastestRate);
         QVERIFY(untilPhase(workspace, RunPhase::Finished));
     }
 
@@ -335,9 +335,9 @@ private slots:
         workspace->runner().requestExport({.formatId = "csv"});
         QSignalSpy changed(workspace.get(), &Workspace::flightChanged);
         workspace.reset();
-        const auto told = changed.count();
+        const auto reported = changed.count();
         QTest::qWait(50);
-        QCOMPARE(changed.count(), told);
+        QCOMPARE(changed.count(), reported);
     }
 };
 

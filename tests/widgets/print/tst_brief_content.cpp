@@ -163,7 +163,7 @@ private slots:
         const BriefContent brief = briefContent(content, kEnglish);
         for (std::size_t i = 0; i < 4; ++i) {
             const Visit& visit = content.uavs[0].visits[i];
-            const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(visit.iceberg)];
+            const Iceberg& iceberg = scenario.icebergs[toIndex(visit.iceberg.value())];
             const double sigma_m2 =
                 iceberg.sigma0_m2 + iceberg.q_m2ps * (iceberg.observed_s + visit.time_s);
             const BriefCells& row = brief.routes[0].rows[i + 1];
@@ -286,7 +286,7 @@ private slots:
         QCOMPARE(brief.captions.names[placeOf(BriefColumn::Arrival)], u"Reached"_s);
         for (std::size_t i = 0; i < visits.size(); ++i) {
             const ExportIceberg& iceberg =
-                content.icebergs[static_cast<std::size_t>(visits[i].iceberg)];
+                content.icebergs[toIndex(visits[i].iceberg.value())];
             QCOMPARE(cell(rows[i + 1], BriefColumn::Name), printable(titleOf(iceberg.iceberg)));
             QVERIFY(std::abs(number(cell(rows[i + 1], sigmaColumn())) - iceberg.sigma_m2) <=
                     0.005 * iceberg.sigma_m2 + 1e-9);

@@ -244,17 +244,17 @@ private slots:
         QVERIFY(elsewhere == first);
     }
 
-    void lookIsThePage_data() { filesAreTheSameAgainAndOnAnyThread_data(); }
+    void previewIsThePage_data() { filesAreTheSameAgainAndOnAnyThread_data(); }
 
-    void lookIsThePage()
+    void previewIsThePage()
     {
         QFETCH(QString, id);
         const Source source(fourIcebergs(), 90, {});
-        const QImage look = exportPaint().prepare(format(id), source.content()).image();
+        const QImage preview = exportPaint().prepare(format(id), source.content()).image();
         const QSize size_px = exportPage(format(id), source.content(), QLocale()).size_px;
-        QVERIFY(look.width() >= size_px.width());
-        QCOMPARE(look.deviceIndependentSize().toSize(), size_px);
-        QVERIFY(!isBlank(look));
+        QVERIFY(preview.width() >= size_px.width());
+        QCOMPARE(preview.deviceIndependentSize().toSize(), size_px);
+        QVERIFY(!isBlank(preview));
     }
 
     void unknownFormatsAreBugs()

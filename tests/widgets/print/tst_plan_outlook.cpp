@@ -130,7 +130,7 @@ private:
     {
         std::size_t row = 0;
         for (const Visit& visit : visits) {
-            if (visit.iceberg < 0)
+            if (!visit.iceberg)
                 continue;
             for (std::size_t k = 0; k < icebergsOf(visit).size(); ++k, ++row)
                 COMPARE_NEAR(section.rows.at(row).arrival_s, visit.time_s - now_s, 1e-6);

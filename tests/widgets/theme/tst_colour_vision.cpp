@@ -149,10 +149,10 @@ private slots:
         QVERIFY(colourDifference(at(0), at(10)) > 5 * kApart / 2);
     }
 
-    void policiesThatLookAlikeHaveOtherMarks_data() { addRows(); }
+    void similarPoliciesHaveOtherMarks_data() { addRows(); }
 
     /** Nobody can distinguish all seven colours, so marks differ in shape. */
-    void policiesThatLookAlikeHaveOtherMarks()
+    void similarPoliciesHaveOtherMarks()
     {
         QFETCH(int, theme);
         QFETCH(Vision, vision);
@@ -161,11 +161,11 @@ private slots:
             for (const PolicyKind other : offeredPolicies()) {
                 if (one == other)
                     continue;
-                const bool looksAlike =
+                const bool isSimilar =
                     colourDifference(policyColour(one, shown), policyColour(other, shown), vision) <
                     kApart;
-                QVERIFY(!looksAlike || policyMark(one, PlotPoint{}, 1).shape !=
-                                           policyMark(other, PlotPoint{}, 1).shape);
+                QVERIFY(!isSimilar || policyMark(one, PlotPoint{}, 1).shape !=
+                                          policyMark(other, PlotPoint{}, 1).shape);
             }
     }
 };

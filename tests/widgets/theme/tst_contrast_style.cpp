@@ -73,7 +73,7 @@ private slots:
 
     void fieldsAreSeen_data()
     {
-        QTest::addColumn<int>("look");
+        QTest::addColumn<int>("themeIndex");
         QTest::newRow("dark") << 0;
         QTest::newRow("contrast, dark") << 1;
         QTest::newRow("night") << 2;
@@ -82,14 +82,14 @@ private slots:
     /** Their edges; a field is as dark as what it stands on. */
     void fieldsAreSeen()
     {
-        QFETCH(int, look);
+        QFETCH(int, themeIndex);
         const Theme themes[] = {Theme::dark(), Theme::highContrast(true), Theme::night()};
         ContrastStyle style(QStringLiteral("fusion"));
         QLineEdit line;
         QDoubleSpinBox number;
         QPlainTextEdit page;
         for (QWidget* field : std::initializer_list<QWidget*>{&line, &number, &page}) {
-            dress(*field, themes[look], style);
+            dress(*field, themes[themeIndex], style);
             const double edge = contrastIn(*field, {field->width() / 3, 0, 10, 1});
             QVERIFY2(edge >= 2.9, field->metaObject()->className()); // antialiased
         }

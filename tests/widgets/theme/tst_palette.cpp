@@ -12,9 +12,9 @@ namespace {
 constexpr double kTextContrast = 4.5; // WCAG 2.1, 1.4.3
 constexpr double kLineContrast = 3.0; // WCAG 2.1, 1.4.11
 
-const Theme& themeOf(int look)
+const Theme& themeOf(int themeIndex)
 {
-    return themes()[static_cast<std::size_t>(look)].theme;
+    return themes()[static_cast<std::size_t>(themeIndex)].theme;
 }
 
 struct Pair
@@ -49,19 +49,19 @@ class TestPalette : public QObject
 private slots:
     void contrastIsEnough_data()
     {
-        QTest::addColumn<int>("look");
+        QTest::addColumn<int>("themeIndex");
         QTest::addColumn<int>("pair");
-        for (std::size_t look = 0; look < themes().size(); ++look)
+        for (std::size_t themeIndex = 0; themeIndex < themes().size(); ++themeIndex)
             for (std::size_t i = 0; i < std::size(kPairs); ++i)
-                QTest::addRow("%s: %s", themes()[look].name, kPairs[i].name)
-                    << static_cast<int>(look) << static_cast<int>(i);
+                QTest::addRow("%s: %s", themes()[themeIndex].name, kPairs[i].name)
+                    << static_cast<int>(themeIndex) << static_cast<int>(i);
     }
 
     void contrastIsEnough()
     {
-        QFETCH(int, look);
+        QFETCH(int, themeIndex);
         QFETCH(int, pair);
-        const QPalette palette = paletteOf(themeOf(look));
+        const QPalette palette = paletteOf(themeOf(themeIndex));
         const Pair& p = kPairs[pair];
         for (const auto group : {QPalette::Active, QPalette::Inactive}) {
             const double ratio =
@@ -93,7 +93,7 @@ private slots:
 
     void sigmaAndMutedTextOnPanels_data()
     {
-        QTest::addColumn<int>("look");
+        QTest::addColumn<int>("themeIndex");
         for (std::size_t i = 0; i < themes().size(); ++i)
             QTest::newRow(themes()[i].name) << static_cast<int>(i);
     }
@@ -101,8 +101,8 @@ private slots:
     /** Lines in theme colours on panels have enough contrast on backgrounds of the palette. */
     void sigmaAndMutedTextOnPanels()
     {
-        QFETCH(int, look);
-        const Theme& theme = themeOf(look);
+        QFETCH(int, themeIndex);
+        const Theme& theme = themeOf(themeIndex);
         const QPalette palette = paletteOf(theme);
         for (const auto ground : {QPalette::Window, QPalette::Base}) {
             QVERIFY(contrastRatio(theme.mutedText, palette.color(ground)) >= kTextContrast);
@@ -117,9 +117,9 @@ private slots:
 
     void disabledIsFainterButThere()
     {
-        QFETCH(int, look);
-        const QPalette palette = paletteOf(themeOf(look));
-        const double least = themeOf(look).isNight ? kLineContrast : 1.5;
+        QFETCH(int, themeIndex);
+        const QPalette palette = paletteOf(themeOf(themeIndex));
+        const double least = themeOf(themeIndex).isNight ? kLineContrast : 1.5;
         for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
             const QColor ground = palette.color(QPalette::Window);
             const double disabled = contrastRatio(palette.color(QPalette::Disabled, role), ground);
@@ -132,8 +132,8 @@ private slots:
 
     void uavColoursDiffer()
     {
-        QFETCH(int, look);
-        const Theme& theme = themeOf(look);
+        QFETCH(int, themeIndex);
+        const Theme& theme = themeOf(themeIndex);
         QCOMPARE(uavColour(theme, 0), theme.uav);
         QCOMPARE(uavColour(theme, kUavColours), theme.uav); // they begin anew
         for (int i = 0; i < kUavColours; ++i) {
@@ -173,8 +173,8 @@ private slots:
 
     void themesDiffer()
     {
-        const auto luminance = [](int look) {
-            return relativeLuminance(paletteOf(themeOf(look)).color(QPalette::Window));
+        const auto luminance = [](int themeIndex) {
+            return relativeLuminance(paletteOf(themeOf(themeIndex)).color(QPalette::Window));
         };
         QVERIFY(luminance(0) > 0.8);
         QVERIFY(luminance(1) < 0.05);

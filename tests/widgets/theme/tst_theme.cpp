@@ -65,14 +65,14 @@ const std::vector<Pair>& pairs()
 
 void addThemes()
 {
-    QTest::addColumn<int>("look");
+    QTest::addColumn<int>("themeIndex");
     for (std::size_t i = 0; i < themes().size(); ++i)
         QTest::newRow(themes()[i].name) << static_cast<int>(i);
 }
 
-const Theme& themeOf(int look)
+const Theme& themeOf(int themeIndex)
 {
-    return themes()[static_cast<std::size_t>(look)].theme;
+    return themes()[static_cast<std::size_t>(themeIndex)].theme;
 }
 
 } // namespace
@@ -107,19 +107,19 @@ private slots:
 
     void contrastIsEnough_data()
     {
-        QTest::addColumn<int>("look");
+        QTest::addColumn<int>("themeIndex");
         QTest::addColumn<int>("pair");
-        for (std::size_t look = 0; look < themes().size(); ++look)
+        for (std::size_t themeIndex = 0; themeIndex < themes().size(); ++themeIndex)
             for (std::size_t i = 0; i < pairs().size(); ++i)
-                QTest::addRow("%s: %s", themes()[look].name, pairs()[i].name)
-                    << static_cast<int>(look) << static_cast<int>(i);
+                QTest::addRow("%s: %s", themes()[themeIndex].name, pairs()[i].name)
+                    << static_cast<int>(themeIndex) << static_cast<int>(i);
     }
 
     void contrastIsEnough()
     {
-        QFETCH(int, look);
+        QFETCH(int, themeIndex);
         QFETCH(int, pair);
-        const Theme& theme = themeOf(look);
+        const Theme& theme = themeOf(themeIndex);
         const Pair& p = pairs()[static_cast<std::size_t>(pair)];
         const double ratio = contrastRatio(theme.*p.on, theme.*p.below);
         QVERIFY2(ratio >= p.least, QByteArray::number(ratio).constData());
@@ -153,8 +153,8 @@ private slots:
     /** The tint is distinguishable from the sea, and lines on it are as readable as on the sea. */
     void waterSeenHidesNothing()
     {
-        QFETCH(int, look);
-        const Theme& theme = themeOf(look);
+        QFETCH(int, themeIndex);
+        const Theme& theme = themeOf(themeIndex);
         QColor tint = theme.swept;
         tint.setAlpha(255);
         const QColor seen = mixed(theme.sea, tint, double{theme.swept.alphaF()});
@@ -168,8 +168,8 @@ private slots:
 
     void sigmaIsVisibleEverywhere()
     {
-        QFETCH(int, look);
-        const Theme& theme = themeOf(look);
+        QFETCH(int, themeIndex);
+        const Theme& theme = themeOf(themeIndex);
         for (int i = 0; i <= 100; ++i)
             for (const QColor& below : {theme.sea, theme.panel, theme.chart})
                 QVERIFY2(contrastRatio(theme.sigma.at(i / 100.0), below) >= kLineContrast,
@@ -184,8 +184,8 @@ private slots:
      */
     void sigmaIsMonotoneAndEven()
     {
-        QFETCH(int, look);
-        const Theme& theme = themeOf(look);
+        QFETCH(int, themeIndex);
+        const Theme& theme = themeOf(themeIndex);
         const double sign = theme.isDark ? 1 : -1;
         constexpr int kSteps = 20;
         const double mean = (lightness(theme.sigma.at(1)) - lightness(theme.sigma.at(0))) / kSteps;

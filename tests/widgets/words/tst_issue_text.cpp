@@ -68,7 +68,8 @@ Scenario wrongAllOver()
     }
     s.icebergs[1].track.time_s = {1};
     s.asset = Asset{.name = "\xFF", .position_m = {1e9, 1e9}, .velocity_mps = {99, 99}};
-    s.asset->range_m = s.asset->gain = s.asset->alarm_m = -1;
+    s.asset->range_m = s.asset->gain = -1;
+    s.asset->alarm_m = -1;
     s.observer = {.model = ObserverModel::Kalman, .positionSd_m = -1, .detection = 2};
     s.observer.interval_s = -1;
     s.planner.tau = -1;

@@ -18,7 +18,7 @@ private slots:
         constexpr double kNever_s = -std::numeric_limits<double>::infinity();
         QTest::addColumn<double>("margin_s");
         QTest::addColumn<double>("low_s");
-        QTest::addColumn<QStringList>("told");
+        QTest::addColumn<QStringList>("lines");
         const QString above = u"Home with 05:00 above the reserve"_s;
         QTest::newRow("both above")
             << 300. << 200.
@@ -40,8 +40,8 @@ private slots:
     {
         QFETCH(double, margin_s);
         QFETCH(double, low_s);
-        QFETCH(QStringList, told);
-        QCOMPARE(marginLines(margin_s, low_s), told);
+        QFETCH(QStringList, lines);
+        QCOMPARE(marginLines(margin_s, low_s), lines);
     }
 };
 

@@ -65,9 +65,9 @@ BackdropDrawing::BackdropDrawing(BackdropPointer shapes, const MapPlane& plane)
 {
     m_parts.reserve(m_shapes->size());
     for (const MapShape& shape : *m_shapes) {
-        std::vector<Part>& parts = m_parts.emplace_back();
+        std::vector<BackdropPart>& parts = m_parts.emplace_back();
         for (const std::vector<LatLon>& places : shape.parts) {
-            Part part{.points_m = projected(places, m_plane)};
+            BackdropPart part{.points_m = projected(places, m_plane)};
             part.bounds = boundsOf(part.points_m);
             parts.push_back(std::move(part));
         }
@@ -85,8 +85,8 @@ void BackdropDrawing::paint(QPainter& painter, const MapViewTransform& view, con
     painter.setRenderHint(QPainter::Antialiasing);
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < m_parts.size(); ++i) {
-        if (std::ranges::none_of(m_parts[i],
-                                 [&](const Part& part) { return meet(part.bounds, visible); }))
+        if (std::ranges::none_of(
+                m_parts[i], [&](const BackdropPart& part) { return meet(part.bounds, visible); }))
             continue;
         if ((*m_shapes)[i].kind == MapShape::Kind::Place)
             places.push_back(i); // drawn above the others
@@ -103,7 +103,7 @@ void BackdropDrawing::paintShape(QPainter& painter, std::size_t i, const MapView
     const bool isPolygon = shape.kind == MapShape::Kind::Polygon;
     QPainterPath area; // odd and even: holes are not filled
     QPainterPath edge;
-    for (const Part& part : m_parts[i]) {
+    for (const BackdropPart& part : m_parts[i]) {
         const QPolygonF line = onScreen(part.points_m, view);
         if (isPolygon)
             area.addPolygon(clipped(line, wide));

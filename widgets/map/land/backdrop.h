@@ -46,7 +46,7 @@ public:
                const BackdropStyle& style) const;
 
 private:
-    struct Part
+    struct BackdropPart
     {
         WorldBounds bounds;
         std::vector<Point> points_m;
@@ -58,7 +58,7 @@ private:
 
     BackdropPointer m_shapes;
     MapPlane m_plane;
-    std::vector<std::vector<Part>> m_parts; ///< by shape
+    std::vector<std::vector<BackdropPart>> m_parts; ///< by shape
 };
 
 } // namespace berg

@@ -8,19 +8,19 @@ namespace {
 /** The part of a polygon on one side of a line; `depth` is positive on that side. */
 QPolygonF cutOff(const QPolygonF& polygon, const auto& depth)
 {
-    QPolygonF kept;
+    QPolygonF clipped;
     QPointF a = polygon.back();
     double depthOfA = depth(a);
     for (const QPointF& b : polygon) {
         const double depthOfB = depth(b);
         if ((depthOfA < 0) != (depthOfB < 0))
-            kept << a + (b - a) * (depthOfA / (depthOfA - depthOfB));
+            clipped << a + (b - a) * (depthOfA / (depthOfA - depthOfB));
         if (depthOfB >= 0)
-            kept << b;
+            clipped << b;
         a = b;
         depthOfA = depthOfB;
     }
-    return kept;
+    return clipped;
 }
 
 } // namespace

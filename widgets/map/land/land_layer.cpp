@@ -92,7 +92,7 @@ QRectF LandLayer::placeIn(const MapViewTransform& view) const
 
 void LandLayer::acceptImage()
 {
-    std::optional<Shown> result = m_results.take();
+    std::optional<ShownLand> result = m_results.take();
     if (!result)
         return;
     m_shown = std::move(result);
@@ -106,7 +106,7 @@ void LandLayer::drawNewest()
         QMetaObject::invokeMethod(this, &LandLayer::acceptImage, Qt::QueuedConnection);
 }
 
-LandLayer::Shown LandLayer::drawn(const LandRequest& request)
+LandLayer::ShownLand LandLayer::drawn(const LandRequest& request)
 {
     if (!(request.plane == m_plane)) {
         m_plane = request.plane;
@@ -115,7 +115,7 @@ LandLayer::Shown LandLayer::drawn(const LandRequest& request)
     }
     const QRectF rect =
         request.rect.adjusted(-kMargin_px, -kMargin_px, kMargin_px, kMargin_px).toAlignedRect();
-    Shown shown{.request = request, .rect = rect, .image = {}};
+    ShownLand shown{.request = request, .rect = rect, .image = {}};
     shown.image = QImage((rect.size() * request.ratio).toSize(), QImage::Format_RGB32);
     shown.image.setDevicePixelRatio(request.ratio);
     shown.image.fill(request.style.sea);

@@ -51,7 +51,7 @@ signals:
     void updated();
 
 private:
-    struct Shown
+    struct ShownLand
     {
         LandRequest request;
         QRectF rect; ///< area of the image in the view of the request
@@ -65,14 +65,14 @@ private:
     [[nodiscard]] QRectF placeIn(const MapViewTransform& view) const;
     // On the thread of the layer:
     void drawNewest();
-    [[nodiscard]] Shown drawn(const LandRequest& request);
+    [[nodiscard]] ShownLand drawn(const LandRequest& request);
     void paintBackdrop(QPainter& painter, const LandRequest& request, const QRectF& rect);
 
     LandRequest m_request;
-    std::optional<Shown> m_shown;
+    std::optional<ShownLand> m_shown;
     QTimer m_rest; ///< fires when the view has come to rest
     Mailbox<LandRequest> m_requests;
-    Mailbox<Shown> m_results;
+    Mailbox<ShownLand> m_results;
 
     std::array<std::optional<LandDrawing>, 2> m_drawings; ///< by level of detail, in `m_plane`
     MapPlane m_plane = LocalFrame({});

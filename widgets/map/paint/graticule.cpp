@@ -47,11 +47,11 @@ double stepFor(double wanted_min)
                                                                       : among(kSteps_min);
 }
 
-/** Decimals of minutes for `latitudeText` that keep multiples of the step distinct. */
-int decimalsOf(double step_min)
+/** Returns the precision for `latitudeText` that keeps multiples of the step distinct. */
+std::optional<int> decimalsOf(double step_min)
 {
     if (step_min >= 60)
-        return -1;
+        return std::nullopt;
     switch (shownUnits().coordinates) {
     case CoordinateForm::DecimalDegrees:
         return step_min >= 0.6 ? 0 : step_min >= 0.06 ? 1 : 2;

@@ -8,6 +8,7 @@
 #include <QPolygonF>
 #include <QRectF>
 
+#include <optional>
 #include <vector>
 
 namespace berg {
@@ -24,8 +25,9 @@ struct GraticuleLine
 struct Graticule
 {
     std::vector<GraticuleLine> lines;
-    int latitudeDecimals = 0; ///< decimals of minutes in labels; -1 means whole degrees
-    int longitudeDecimals = 0;
+    /** Decimals of minutes in labels; nullopt means whole degrees. */
+    std::optional<int> latitudeDecimals;
+    std::optional<int> longitudeDecimals;
     QPointF middle_px;   ///< middle of the plane
     double reach_px = 0; ///< radius from `middle_px` within which lines are labelled
 };

@@ -31,14 +31,15 @@ public:
         m_cells[keyOf(columnOf(at.x()), columnOf(at.y()))].push_back({at, number});
     }
     /** Number of a point other than `self` nearer than a cell; nullopt if there is none. */
-    [[nodiscard]] std::optional<std::size_t> near(const QPointF& at, std::size_t self) const
+    [[nodiscard]] std::optional<std::size_t> near(const QPointF& at,
+                                                  std::optional<std::size_t> self = {}) const
     {
         for (int x = columnOf(at.x()) - 1; x <= columnOf(at.x()) + 1; ++x)
             for (int y = columnOf(at.y()) - 1; y <= columnOf(at.y()) + 1; ++y) {
                 const auto cell = m_cells.find(keyOf(x, y));
                 if (cell == m_cells.end())
                     continue;
-                for (const Point& entry : cell->second) {
+                for (const GridPoint& entry : cell->second) {
                     const QPointF d = entry.at - at;
                     if (entry.number != self && QPointF::dotProduct(d, d) < m_cell_px * m_cell_px)
                         return entry.number;
@@ -48,7 +49,7 @@ public:
     }
 
 private:
-    struct Point
+    struct GridPoint
     {
         QPointF at;
         std::size_t number;
@@ -63,7 +64,7 @@ private:
     }
 
     double m_cell_px;
-    std::unordered_map<std::int64_t, std::vector<Point>> m_cells;
+    std::unordered_map<std::int64_t, std::vector<GridPoint>> m_cells;
 };
 
 /** Returns whether most places have a neighbour within `spacing_px`. */
@@ -87,11 +88,10 @@ bool keepsSymbol(const MapIceberg& iceberg, const MapStop& stop)
 void count(MapDensity& density, const MapPicture& picture, const std::vector<std::size_t>& dots,
            const std::vector<QPointF>& places, double cover_px)
 {
-    constexpr std::size_t kNone = static_cast<std::size_t>(-1);
     PixelGrid firsts(cover_px);
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t k = 0; k < dots.size(); ++k) {
-        const std::optional<std::size_t> group = firsts.near(places[k], kNone);
+        const std::optional<std::size_t> group = firsts.near(places[k]);
         if (group) {
             groups[*group].push_back(k);
             continue;
@@ -122,7 +122,7 @@ std::vector<MapStop> stopsOf(const MapPicture& picture)
         for (const int iceberg : picture.routes[uav].plan) {
             MapStop& stop = stops[static_cast<std::size_t>(iceberg)];
             ++order;
-            if (stop.order == 0 || order < stop.order)
+            if (!stop.order || order < *stop.order)
                 stop = {.order = order, .uav = uav};
             else if (stop.uav == uav)
                 stop.later.push_back(order);

@@ -5,12 +5,14 @@
 
 #include <QRectF>
 
+#include <optional>
+
 namespace berg {
 
 /** Place of an iceberg in the plans. */
 struct MapStop
 {
-    int order = 0; ///< 1-based visit number; zero if it is not planned
+    std::optional<int> order; ///< 1-based visit number; nullopt if it is not planned
     std::size_t uav = 0;
     std::vector<int> later{}; ///< visit numbers of its further visits in the same plan
 };
@@ -58,7 +60,7 @@ inline constexpr int kNumberedNext = 10;
 /** Returns true if the stop is among the next visits of its plan. */
 [[nodiscard]] inline bool isNext(const MapStop& stop)
 {
-    return stop.order > 0 && stop.order <= kNumberedNext;
+    return stop.order && *stop.order <= kNumberedNext;
 }
 
 /**

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace berg {
 
@@ -31,7 +32,8 @@ struct MapLayers
     /** By `MapLayer`, from 0 (hidden) to 1; the backdrop defaults to half. */
     std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1, 1, 0.5, 1, 1};
     BackdropPointer backdrop; ///< null if there is none
-    double horizon_s = 0;     ///< of drift arrows; zero chooses a horizon of readable length
+    /** Horizon of drift arrows; nullopt chooses one that gives them a readable length. */
+    std::optional<double> horizon_s;
     bool operator==(const MapLayers&) const = default;
 
     /** Returns the opacity of a layer in [0, 1]. */

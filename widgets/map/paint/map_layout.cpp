@@ -37,8 +37,10 @@ SymbolScale symbolScale(const MapPicture& picture, const MapStyle& style,
                         const MapViewTransform& view)
 {
     SymbolScale scale{.ring_pxpm = kRingAtFull_px / std::sqrt(picture.sigmaFull_m2)};
-    if (!style.layers.shows(MapLayer::Drift) || style.layers.horizon_s > 0) {
-        scale.driftTime_s = style.layers.shows(MapLayer::Drift) ? style.layers.horizon_s : 0;
+    if (!style.layers.shows(MapLayer::Drift))
+        return scale;
+    if (style.layers.horizon_s) {
+        scale.driftTime_s = *style.layers.horizon_s;
         return scale;
     }
     double fastest_mps = 0;
@@ -251,7 +253,7 @@ LabelSurroundings surroundingsOf(const MapLayout& layout, const MapPicture& pict
 QSizeF labelSize_px(const QString& text, const MapStop& stop, const QFontMetricsF& metrics)
 {
     double width_px = std::ceil(metrics.horizontalAdvance(text)) + 2;
-    if (stop.order > 0)
+    if (stop.order)
         width_px += 2 * kOrderDisk_px + kOrderGap_px;
     width_px += static_cast<double>(std::min(stop.later.size(), kMostLater)) *
                 (2 * kLaterDisk_px + kLaterGap_px);

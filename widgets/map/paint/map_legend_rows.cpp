@@ -188,7 +188,7 @@ void addIcebergRows(RowList& rows, const MapPicture& picture, const MapStyle& st
         [](const MapIceberg& iceberg) { return iceberg.status == TrackStatus::GivenUp; },
         MapLegend::tr("Search given up"), MapLegend::tr("Given up"),
         {.radius_px = 8, .sigma = {}, .status = TrackStatus::GivenUp});
-    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.circle_m > 0; }),
+    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.circle_m > 0.0; }),
              MapLegend::tr("95 % position circle"), MapLegend::tr("95 % circle"),
              [&](QPainter& p, const QRectF& r) { drawRingSwatch(p, r, circlePen(theme)); });
     rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.truth_m.has_value(); }),
@@ -204,7 +204,7 @@ void addFleetRows(RowList& rows, const MapPicture& picture, const Theme& theme)
     rows.add(!pairsTooClose(picture).empty(), MapLegend::tr("UAVs too close to each other"),
              MapLegend::tr("Too close"),
              [&](QPainter& p, const QRectF& r) { drawAlarm(p, r.center(), theme); });
-    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.assignedUav >= 0; }),
+    rows.add(rows.any([](const MapIceberg& iceberg) { return iceberg.assignedUav.has_value(); }),
              MapLegend::tr("Assigned to the UAV of this colour"), MapLegend::tr("Assigned to one"),
              [&](QPainter& p, const QRectF& r) {
                  drawPin(p, r.center() + QPointF(0, 7), theme.ink, theme);

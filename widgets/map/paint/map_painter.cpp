@@ -130,7 +130,7 @@ void paintLabel(const MapPaint& p, std::size_t i)
 {
     const PlacedLabel& label = p.layout.labels[i];
     const double opacity = p.style.layers.opacity(MapLayer::Labels);
-    if (label.rect.isNull() || (opacity <= 0 && p.layout.stops[i].order <= 0))
+    if (label.rect.isNull() || (opacity <= 0 && !p.layout.stops[i].order))
         return;
     const LabelDisk& disk = p.layout.icebergs[i];
     if (label.needsLeader) {
@@ -142,13 +142,12 @@ void paintLabel(const MapPaint& p, std::size_t i)
     }
     const QString text = labelText(p.picture.icebergs[i], p.picture.times.clock);
     const MapStop& stop = p.layout.stops[i];
-    const QColor ground =
-        stop.order > 0 ? routeColours(p.picture, p.theme, stop.uav).plan : QColor();
+    const QColor ground = stop.order ? routeColours(p.picture, p.theme, stop.uav).plan : QColor();
     const QSizeF size = label.rect.size();
     const auto draw = [&](QPainter& painter) {
         QRectF box(QPointF(0, 0), size);
-        if (stop.order > 0) {
-            drawOrderDisk(painter, {kOrderDisk_px, box.center().y()}, kOrderDisk_px, stop.order,
+        if (stop.order) {
+            drawOrderDisk(painter, {kOrderDisk_px, box.center().y()}, kOrderDisk_px, *stop.order,
                           p.theme, ground);
             box.setLeft(2 * kOrderDisk_px + kOrderGap_px);
         }
@@ -167,9 +166,11 @@ void paintLabel(const MapPaint& p, std::size_t i)
         drawHaloText(painter, box, Qt::AlignLeft | Qt::AlignVCenter, text, p.theme.text,
                      p.theme.sea);
     };
-    QString key =
-        u"label %1 %2 %3 %4 "_s.arg(stop.order).arg(ground.rgb()).arg(opacity).arg(size.width()) +
-        text;
+    QString key = u"label %1 %2 %3 %4 "_s.arg(stop.order.value_or(0))
+                      .arg(ground.rgb())
+                      .arg(opacity)
+                      .arg(size.width()) +
+                  text;
     for (const int later : stop.later)
         key += u" %1"_s.arg(later);
     paintCached(p, key, QRectF(QPointF(-3, -3), size + QSizeF(8, 6)), label.rect.topLeft(), draw);

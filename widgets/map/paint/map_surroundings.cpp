@@ -79,7 +79,7 @@ QPainterPath outlineOf(const MapLayout& layout, const std::vector<int>& members)
 QColor clusterColour(const MapPaint& p, const std::vector<int>& members)
 {
     const MapStop& stop = p.layout.stops[static_cast<std::size_t>(members.front())];
-    return stop.order > 0 ? routeColours(p.picture, p.theme, stop.uav).plan : p.theme.plan;
+    return stop.order ? routeColours(p.picture, p.theme, stop.uav).plan : p.theme.plan;
 }
 
 /** Draws an outline around both UAVs with an alarm in the middle. */
@@ -300,9 +300,9 @@ void paintCircles(const MapPaint& p)
     p.painter.setPen(circlePen(p.theme));
     for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
         const MapIceberg& iceberg = p.picture.icebergs[i];
-        if (p.layout.density.marks[i] != IcebergMark::Symbol)
+        if (!iceberg.circle_m || p.layout.density.marks[i] != IcebergMark::Symbol)
             continue; // circles around all dots would hide a dense field
-        const double radius_px = iceberg.circle_m * p.layout.view.scale_pxpm();
+        const double radius_px = *iceberg.circle_m * p.layout.view.scale_pxpm();
         const LabelDisk circle{.centre_px = p.layout.view.toPixel(iceberg.position_m),
                                .radius_px = radius_px};
         if (radius_px > icebergSymbolRadius_px(iceberg.radius_m) && overlaps(p.layout.rect, circle))
@@ -341,11 +341,11 @@ void paintPins(const MapPaint& p)
 {
     for (std::size_t i = 0; i < p.picture.icebergs.size(); ++i) {
         const MapIceberg& iceberg = p.picture.icebergs[i];
-        if (iceberg.assignedUav < 0)
+        if (!iceberg.assignedUav)
             continue;
         const double beside_px = 0.7 * icebergSymbolRadius_px(iceberg.radius_m);
         drawPin(p.painter, p.layout.icebergs[i].centre_px - QPointF(beside_px, beside_px),
-                uavColour(p.theme, iceberg.assignedUav), p.theme);
+                uavColour(p.theme, *iceberg.assignedUav), p.theme);
     }
 }
 

@@ -25,13 +25,13 @@ struct MapIceberg
     double radius_m = 50; ///< decides the size class of the symbol
     bool inView = false;
     double appears_s = 0; ///< start time if it is still to appear: drawn faint, with this time
-    std::string key;      ///< id in the scenario; empty if it equals `id`
+    std::optional<std::string> key{}; ///< id in the scenario, if it differs from `id`
     TrackStatus status = TrackStatus::Tracked;
-    double circle_m = 0;            ///< radius of the 95 % position circle; zero if it is not shown
-    std::optional<Point> truth_m{}; ///< true position, if it is shown
+    std::optional<double> circle_m{}; ///< radius of the 95 % position circle, if it is shown
+    std::optional<Point> truth_m{};   ///< true position, if it is shown
     /** Time until it enters the asset's inner ring, zero inside; nullopt if it does not. */
     std::optional<double> ringEntry_s{};
-    int assignedUav = -1; ///< index of the only UAV that may visit it; -1 means any UAV
+    std::optional<int> assignedUav; ///< index of the only UAV that may visit it
 };
 
 /** A UAV as the map shows it. */
@@ -40,7 +40,7 @@ struct MapUav
     Point position_m = Point::Zero();
     double psi_rad = 0; ///< from the x = east axis, counter-clockwise
     SensorSpec sensor;
-    std::string key; ///< id in the scenario; empty if it cannot be selected
+    std::optional<std::string> key{}; ///< id in the scenario; nullopt if it cannot be selected
     double airspeed_mps = 22;
     QString label{};               ///< text beside its symbol; empty for a single UAV
     int place = 0;                 ///< index in the scenario; sets its colour

@@ -134,11 +134,11 @@ MapIceberg icebergOf(const FlightRecord& record, std::size_t i)
     return drawn;
 }
 
-/** Icebergs present now. Sets `shown[i]` to the index of iceberg i in the result, or to -1. */
-std::vector<MapIceberg> icebergsOf(const FlightRecord& record, std::vector<int>& shown)
+/** Returns the icebergs present now and sets `shown` to their places. */
+std::vector<MapIceberg> icebergsOf(const FlightRecord& record, ShownPlaces& shown)
 {
     std::vector<MapIceberg> icebergs;
-    shown.assign(record.shown().icebergs.size(), -1);
+    shown.assign(record.shown().icebergs.size(), std::nullopt);
     for (std::size_t i = 0; i < record.shown().icebergs.size(); ++i) {
         if (!record.shown().active[i] || record.shown().world.tracks[i].left)
             continue;
@@ -226,7 +226,7 @@ std::vector<std::vector<Point>> cornersOf(const MapPicture& picture, const Missi
 
 /** Clusters of the newest plan in force. */
 std::vector<std::vector<int>> clustersOf(const std::vector<PlanEvent>& plans,
-                                         const std::vector<int>& shown)
+                                         const ShownPlaces& shown)
 {
     std::vector<std::vector<int>> clusters;
     const auto newest = std::ranges::max_element(plans, {}, &PlanEvent::time_s);
@@ -296,7 +296,7 @@ std::vector<Point> laterVisits_m(const PlanEvent& plan, const WorldState& world,
 }
 
 /** Route without the geofence corners, which depend on other parts of the picture. */
-MapRoute routeOf(const FlightRecord& record, std::size_t uav, const std::vector<int>& shown,
+MapRoute routeOf(const FlightRecord& record, std::size_t uav, const ShownPlaces& shown,
                  SweptPaths& swept)
 {
     const int place = static_cast<int>(uav);
@@ -379,7 +379,7 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, Swe
     picture.title = QString::fromStdString(scenario.name);
     picture.subtitle = policyText(record.shown().planner, locale);
     picture.times = timesOf(record);
-    std::vector<int> shown;
+    ShownPlaces shown;
     picture.icebergs = icebergsOf(record, shown);
     picture.clusters = clustersOf(record.shown().plans, shown);
     // An edited scenario may have more or fewer UAVs than the mission until it is planned.

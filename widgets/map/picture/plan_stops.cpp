@@ -6,12 +6,12 @@
 
 namespace berg {
 
-std::vector<int> placesOf(const std::vector<int>& icebergs, const std::vector<int>& shown)
+std::vector<int> placesOf(const std::vector<int>& icebergs, const ShownPlaces& shown)
 {
     std::vector<int> places;
     for (const int iceberg : icebergs)
-        if (const int place = shown[static_cast<std::size_t>(iceberg)]; place >= 0)
-            places.push_back(place);
+        if (const std::optional<int>& place = shown[static_cast<std::size_t>(iceberg)])
+            places.push_back(*place);
     return places;
 }
 

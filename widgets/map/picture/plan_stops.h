@@ -2,13 +2,17 @@
 
 #include "widgets/map/picture/map_picture.h"
 
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace berg {
 
-/** Maps iceberg indices to picture indices by `shown`; drops those for which it is -1. */
-[[nodiscard]] std::vector<int> placesOf(const std::vector<int>& icebergs,
-                                        const std::vector<int>& shown);
+/** By iceberg of a mission or an export, its index in the picture; nullopt if it is not shown. */
+using ShownPlaces = std::vector<std::optional<int>>;
+
+/** Maps iceberg indices to picture indices; drops those that are not shown. */
+[[nodiscard]] std::vector<int> placesOf(const std::vector<int>& icebergs, const ShownPlaces& shown);
 
 /** Returns the cluster that contains `iceberg`; null if it is planned separately. */
 [[nodiscard]] const std::vector<int>* clusterOf(const MapPicture& picture, int iceberg);

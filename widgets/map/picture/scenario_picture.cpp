@@ -70,7 +70,7 @@ void markInView(MapPicture& picture)
                          std::any_of(fields.begin(), fields.end(), [&](const FieldOfView& field) {
                              return field.contains(iceberg.position_m);
                          });
-        if (iceberg.inView && iceberg.circle_m == 0)
+        if (iceberg.inView && !iceberg.circle_m)
             iceberg.sigma_m2 = 0;
     }
 }
@@ -158,7 +158,7 @@ void forgetPlaces(MapRoute& route)
 
 std::string keyOf(const MapIceberg& iceberg)
 {
-    return iceberg.key.empty() ? iceberg.id.toStdString() : iceberg.key;
+    return iceberg.key ? *iceberg.key : iceberg.id.toStdString();
 }
 
 std::optional<MapAsset> assetOf(const std::optional<Asset>& asset, double time_s)

@@ -43,12 +43,13 @@ double snapped(double value, double step)
 
 } // namespace
 
-DriftArrow::DriftArrow(MapScene& scene, const std::string& grabbed)
+DriftArrow::DriftArrow(MapScene& scene, const std::optional<std::string>& grabbed)
     : m_scene(scene), m_time_s(drawnTime_s(scene))
 {
     const std::vector<MapIceberg>& icebergs = scene.picture().icebergs;
-    const auto taken = std::ranges::find(icebergs, grabbed, keyOf);
-    if (!grabbed.empty() && taken != icebergs.end()) {
+    const auto taken =
+        grabbed ? std::ranges::find(icebergs, *grabbed, keyOf) : std::ranges::end(icebergs);
+    if (taken != icebergs.end()) {
         const QLineF shown = driftArrow(scene.picture(), scene.layout(),
                                         static_cast<std::size_t>(taken - icebergs.begin()));
         QLineF drawn = shown;

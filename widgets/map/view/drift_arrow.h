@@ -17,8 +17,8 @@ namespace berg {
 class DriftArrow
 {
 public:
-    /** Starts drawing; `grabbed` is the key of an iceberg whose arrow was grabbed, or empty. */
-    explicit DriftArrow(MapScene& scene, const std::string& grabbed = {});
+    /** Starts drawing; `grabbed` is the key of an iceberg whose arrow was grabbed. */
+    explicit DriftArrow(MapScene& scene, const std::optional<std::string>& grabbed = {});
     ~DriftArrow();
     DriftArrow(const DriftArrow&) = delete;
     DriftArrow& operator=(const DriftArrow&) = delete;

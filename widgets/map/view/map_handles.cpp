@@ -51,11 +51,11 @@ void addIcebergHandles(std::vector<MapHandle>& handles, MapScene& scene, const S
 void addUavHandles(std::vector<MapHandle>& handles, MapScene& scene, const Selection& selection)
 {
     for (const MapUav& uav : scene.picture().uavs) {
-        if (uav.key.empty() || !selection.contains(uav.key))
+        if (!uav.key || !selection.contains(*uav.key))
             continue;
         const QPointF along(std::cos(uav.psi_rad), -std::sin(uav.psi_rad));
         handles.push_back({.kind = HandleKind::Heading,
-                           .id = uav.key,
+                           .id = *uav.key,
                            .uav = uav.place,
                            .at_px = scene.view().toPixel(uav.position_m) + along * kHeading_px});
     }

@@ -187,12 +187,12 @@ std::vector<std::string> MapScene::objectsAt(const QPointF& at)
     for (std::size_t i = 0; i < m_picture.uavs.size(); ++i) {
         const MapUav& uav = m_picture.uavs[i];
         const QLineF path(at, map.view.toPixel(uav.position_m));
-        if (uav.key.empty())
+        if (!uav.key)
             continue;
         if (path.length() <= kUavReach_px)
-            offer(uav.key, path.length());
+            offer(*uav.key, path.length());
         else if (map.uavLabels[i].contains(at))
-            offer(uav.key, kUnderName_px);
+            offer(*uav.key, kUnderName_px);
     }
     if (m_picture.asset) {
         const QLineF path(at, map.view.toPixel(m_picture.asset->position_m));
@@ -212,8 +212,8 @@ std::vector<std::string> MapScene::objectsAt(const QPointF& at)
     std::vector<std::string> keys;
     for (auto& [distance_px, key] : found)
         keys.push_back(std::move(key));
-    if (std::string outline = outlineAt(at); !outline.empty())
-        keys.push_back(std::move(outline));
+    if (std::optional<std::string> outline = outlineAt(at))
+        keys.push_back(*std::move(outline));
     return keys;
 }
 
@@ -225,12 +225,14 @@ QPolygonF MapScene::outlineOf(const std::string& key) const
     return m_view.toPixels(place ? m_picture.closed[*place].corners_m : m_picture.area_m);
 }
 
-std::string MapScene::outlineAt(const QPointF& at) const
+std::optional<std::string> MapScene::outlineAt(const QPointF& at) const
 {
     for (std::size_t i = 0; i < m_picture.closed.size(); ++i)
         if (!m_picture.closed[i].isRing && isOnOutline(outlineOf(noFlyKey(i)), at))
             return noFlyKey(i);
-    return isOnOutline(outlineOf(kAreaKey), at) ? kAreaKey : std::string();
+    if (isOnOutline(outlineOf(kAreaKey), at))
+        return kAreaKey;
+    return std::nullopt;
 }
 
 std::vector<std::string> MapScene::objectsIn(const QRectF& rect)
@@ -241,8 +243,8 @@ std::vector<std::string> MapScene::objectsIn(const QRectF& rect)
         if (rect.contains(map.icebergs[i].centre_px))
             keys.push_back(keyOf(m_picture.icebergs[i]));
     for (const MapUav& uav : m_picture.uavs)
-        if (!uav.key.empty() && rect.contains(map.view.toPixel(uav.position_m)))
-            keys.push_back(uav.key);
+        if (uav.key && rect.contains(map.view.toPixel(uav.position_m)))
+            keys.push_back(*uav.key);
     if (m_picture.asset && rect.contains(map.view.toPixel(m_picture.asset->position_m)))
         keys.emplace_back(kAssetKey);
     return keys;
@@ -253,7 +255,7 @@ std::optional<LabelDisk> MapScene::singleSymbolOf(const std::string& key)
 {
     const MapLayout& map = layout();
     for (const MapUav& uav : m_picture.uavs)
-        if (uav.key == key && !key.empty())
+        if (uav.key == key)
             return LabelDisk{.centre_px = map.view.toPixel(uav.position_m),
                              .radius_px = kUavReach_px};
     if (key == kAssetKey && m_picture.asset)

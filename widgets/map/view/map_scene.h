@@ -115,8 +115,8 @@ public:
     void paint(QPainter& painter, const std::function<void()>& marks);
 
 private:
-    /** Returns the key of the area whose outline is at a point; empty if there is none. */
-    [[nodiscard]] std::string outlineAt(const QPointF& at) const;
+    /** Returns the key of the area whose outline is at a point; nullopt if there is none. */
+    [[nodiscard]] std::optional<std::string> outlineAt(const QPointF& at) const;
     [[nodiscard]] std::optional<LabelDisk> singleSymbolOf(const std::string& key);
     [[nodiscard]] std::vector<LabelDisk> symbolsOf(const std::vector<std::string>& keys);
     [[nodiscard]] MapStyle style() const

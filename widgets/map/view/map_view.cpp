@@ -243,7 +243,8 @@ void MapView::showObjects(const std::vector<std::string>& ids)
     for (const MapIceberg& iceberg : picture.icebergs)
         add(keyOf(iceberg), iceberg.position_m);
     for (const MapUav& uav : picture.uavs)
-        add(uav.key, uav.position_m);
+        if (uav.key)
+            add(*uav.key, uav.position_m);
     if (picture.asset)
         add(kAssetKey, picture.asset->position_m);
     if (places_m.empty())
@@ -281,8 +282,9 @@ void MapView::showAs(const MapView& other)
 const MapUav* MapView::followedUav() const
 {
     const std::vector<MapUav>& uavs = m_scene.picture().uavs;
-    const auto selected = std::find_if(
-        uavs.begin(), uavs.end(), [&](const MapUav& uav) { return m_selection.contains(uav.key); });
+    const auto selected = std::find_if(uavs.begin(), uavs.end(), [&](const MapUav& uav) {
+        return uav.key && m_selection.contains(*uav.key);
+    });
     if (selected != uavs.end())
         return &*selected;
     return uavs.empty() ? nullptr : &uavs.front();
@@ -347,7 +349,7 @@ void MapView::refreshPicture()
     if (m_isLocked && m_draft)
         m_draft(shown);
     for (std::size_t i = 0; i < std::min(shown.uavs.size(), scenario.uavs.size()); ++i)
-        if (shown.uavs[i].key.empty())
+        if (!shown.uavs[i].key)
             shown.uavs[i].key = scenario.uavs[i].id;
     const bool isOtherCount = shown.icebergs.size() != m_scene.picture().icebergs.size();
     const bool isElsewhere = !(shown.origin == m_scene.picture().origin);

@@ -153,21 +153,23 @@ QString MeasureTool::totalText(const std::vector<MeasuredLeg>& legs) const
 {
     const QLocale& locale = context().scene.locale();
     const Scenario& scenario = context().document.scenario();
-    MeasuredLeg sum;
+    double length_m = 0;
+    std::optional<double> time_s;
     for (const MeasuredLeg& leg : legs) {
-        sum.length_m += leg.length_m;
-        sum.time_s += leg.time_s;
+        length_m += leg.length_m;
+        if (leg.time_s)
+            time_s = time_s.value_or(0) + *leg.time_s;
     }
     QString text = legText(legs.back(), locale);
     if (legs.size() > 1)
-        text += u'\n' + MeasureToolText::tr("Total %1").arg(distanceText(sum.length_m, locale, 4));
-    if (sum.time_s <= 0)
+        text += u'\n' + MeasureToolText::tr("Total %1").arg(distanceText(length_m, locale, 4));
+    if (!time_s)
         return text;
     const QString speed = speedText(scenario.uavs.front().spec.airspeed_mps, locale, 3);
     const QString time =
         context().scene.picture().air.wind_mps.isZero(0)
-            ? MeasureToolText::tr("%1 at %2").arg(clockText(sum.time_s), speed)
-            : MeasureToolText::tr("%1 at %2 in the wind").arg(clockText(sum.time_s), speed);
+            ? MeasureToolText::tr("%1 at %2").arg(clockText(*time_s), speed)
+            : MeasureToolText::tr("%1 at %2 in the wind").arg(clockText(*time_s), speed);
     return text + u'\n' + time;
 }
 

@@ -3,6 +3,8 @@
 #include "core/base/geodesy.h"
 #include "widgets/map/view/map_tools.h"
 
+#include <optional>
+
 namespace berg {
 
 /** A measured leg on WGS 84. */
@@ -10,7 +12,8 @@ struct MeasuredLeg
 {
     double length_m = 0;    ///< length of the geodesic
     double bearing_deg = 0; ///< true bearing at the start of the leg, in [0, 360)
-    double time_s = 0;      ///< flight time along a straight path; zero if it cannot be flown
+    /** Flight time along a straight path; nullopt if it cannot be flown or has no length. */
+    std::optional<double> time_s;
 };
 
 /** Measures the leg between two points of the local plane; its time is that of the first UAV in

@@ -114,9 +114,10 @@ void GenerateDialog::addPlace(QFormLayout& form)
     m_place = new QComboBox;
     m_place->setObjectName(u"generatePlace"_s);
     if (!m_scenario.area_m.empty())
-        m_place->addItem(tr("The scenario's area"), static_cast<int>(Place::Area));
-    m_place->addItem(tr("Visible part of the map"), static_cast<int>(Place::View));
-    m_place->addItem(tr("Rectangle in the middle of the map"), static_cast<int>(Place::Rectangle));
+        m_place->addItem(tr("The scenario's area"), static_cast<int>(FieldPlace::Area));
+    m_place->addItem(tr("Visible part of the map"), static_cast<int>(FieldPlace::View));
+    m_place->addItem(tr("Rectangle in the middle of the map"),
+                     static_cast<int>(FieldPlace::Rectangle));
     addRow(form, tr("&Where"), {m_place});
     const auto side = [this, unit = longDistanceUnit()](const char* name, const QString& label,
                                                         double length_m) {
@@ -244,19 +245,19 @@ void GenerateDialog::addEnd(QFormLayout& form)
     m_ok->setDefault(true); // the dialog knows the button only now
 }
 
-GenerateDialog::Place GenerateDialog::place() const
+GenerateDialog::FieldPlace GenerateDialog::place() const
 {
-    return static_cast<Place>(m_place->currentData().toInt());
+    return static_cast<FieldPlace>(m_place->currentData().toInt());
 }
 
 std::vector<Point> GenerateDialog::area_m() const
 {
     switch (place()) {
-    case Place::Area:
+    case FieldPlace::Area:
         return m_scenario.area_m;
-    case Place::View:
+    case FieldPlace::View:
         return cornersOf(clampedPosition(m_view_m.min_m), clampedPosition(m_view_m.max_m));
-    case Place::Rectangle:
+    case FieldPlace::Rectangle:
         break;
     }
     const ShownUnit side = longDistanceUnit();
@@ -287,7 +288,7 @@ FieldRequest GenerateDialog::request() const
 void GenerateDialog::draw()
 {
     for (NumberField* field : {m_width, m_height})
-        field->setEnabled(place() == Place::Rectangle);
+        field->setEnabled(place() == FieldPlace::Rectangle);
     for (NumberField* field : {m_towards_deg, m_spread_deg})
         field->setEnabled(m_direction->currentIndex() == 1);
     for (NumberField* field : {m_speedMin, m_speedMax})

@@ -38,7 +38,7 @@ signals:
 
 private:
     /** Region in which the icebergs lie. */
-    enum class Place
+    enum class FieldPlace
     {
         Area,
         View,
@@ -63,7 +63,7 @@ private:
     void addSeed(QFormLayout& form);
     void addEnd(QFormLayout& form);
     NumberField* makeNumber(const NumberSpec& spec) const;
-    [[nodiscard]] Place place() const;
+    [[nodiscard]] FieldPlace place() const;
     [[nodiscard]] std::vector<Point> area_m() const;
     [[nodiscard]] FieldRequest request() const;
     void draw();

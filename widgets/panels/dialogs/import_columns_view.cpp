@@ -193,7 +193,7 @@ void ImportColumnsView::showPreview(const PreviewPointer& preview)
     }
     const bool isTable = mayMap || (headerLine() && !preview->head.columns.isEmpty());
     m_headerRow->setVisible(isTable || m_headerLine->value() > 0);
-    const std::size_t found = preview->file ? preview->file->headerLine : 0;
+    const std::size_t found = preview->file ? preview->file->headerLine.value_or(0) : 0;
     if (!headerLine())
         m_headerLine->setSpecialValueText(found > 0 ? tr("Automatic: %1").arg(found)
                                                     : tr("Automatic"));

@@ -55,7 +55,7 @@ void ImportRowsView::showPreview(const PreviewPointer& preview)
 {
     const Rejections& rows = preview->result.*wordsOf(m_list).rows;
     m_count = rows.count;
-    m_kept = rows.first.size();
+    m_listed = rows.first.size();
     m_rows.setSheet(rowSheet(preview, wordsOf(m_list).rows, locale()));
     m_table->resizeColumnsToContents();
     m_table->horizontalHeader()->setStretchLastSection(true);
@@ -64,8 +64,8 @@ void ImportRowsView::showPreview(const PreviewPointer& preview)
 QString ImportRowsView::title() const
 {
     const ListWords& words = wordsOf(m_list);
-    return m_count == m_kept ? tr(words.counted).arg(m_count)
-                             : tr(words.first).arg(m_kept).arg(m_count);
+    return m_count == m_listed ? tr(words.counted).arg(m_count)
+                               : tr(words.first).arg(m_listed).arg(m_count);
 }
 
 } // namespace berg

@@ -31,7 +31,7 @@ public:
 private:
     List m_list;
     std::size_t m_count = 0;
-    std::size_t m_kept = 0; ///< number of rows that can be shown
+    std::size_t m_listed = 0; ///< number of rows that can be shown
     CellModel m_rows;
     QTableView* m_table = nullptr;
 };

@@ -28,13 +28,13 @@ constexpr std::array<double, 8> kHorizons_s{600, 1800, 3600, 10800, 21600, 43200
 
 LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
 {
-    struct Row
+    struct LayerRow
     {
         MapLayer layer;
         const char* key;
         QString name;
     };
-    const std::array<Row, kMapLayers> rows{
+    const std::array<LayerRow, kMapLayers> rows{
         {{MapLayer::Labels, "labels", tr("Names")},
          {MapLayer::Places, "places", tr("Place names")},
          {MapLayer::Drift, "drift", tr("Drift arrows")},
@@ -70,14 +70,15 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
     m_horizon->setObjectName(u"driftHorizon"_s);
     m_horizon->setToolTip(
         tr("Time covered by drift arrows; arrows too long for the map are shortened and dashed"));
-    m_horizon->addItem(tr("Automatic"), 0.0);
+    m_horizon->addItem(tr("Automatic"));
     for (const double horizon_s : kHorizons_s)
         m_horizon->addItem(durationText(horizon_s, locale()), horizon_s);
     guardWheel(*m_horizon);
     form->addRow(tr("Drift horizon"), m_horizon);
     connect(m_horizon, &QComboBox::currentIndexChanged, this, [this] {
         MapLayers layers = m_layers;
-        layers.horizon_s = m_horizon->currentData().toDouble();
+        const QVariant horizon_s = m_horizon->currentData();
+        layers.horizon_s = horizon_s.isValid() ? std::optional(horizon_s.toDouble()) : std::nullopt;
         edit(layers);
     });
 }
@@ -122,7 +123,8 @@ void LayersPanel::showLayers(const MapLayers& layers)
     m_layers = layers;
     for (std::size_t i = 0; i < kMapLayers; ++i)
         m_opacities[i]->setValue(static_cast<int>(std::lround(layers.opacities[i] * kFull)));
-    m_horizon->setCurrentIndex(std::max(0, m_horizon->findData(layers.horizon_s)));
+    const int chosen = layers.horizon_s ? m_horizon->findData(*layers.horizon_s) : 0;
+    m_horizon->setCurrentIndex(std::max(0, chosen));
 }
 
 /** Emits only real changes. */

@@ -22,11 +22,11 @@ public:
 
     bool eventFilter(QObject* /*watched*/, QEvent* event) override
     {
-        const bool isKept = event->type() == QEvent::ShortcutOverride &&
-                            m_isMine(static_cast<const QKeyEvent&>(*event));
-        if (isKept)
+        const bool isHandledHere = event->type() == QEvent::ShortcutOverride &&
+                                   m_isMine(static_cast<const QKeyEvent&>(*event));
+        if (isHandledHere)
             event->accept();
-        return isKept;
+        return isHandledHere;
     }
 
 private:

@@ -18,7 +18,7 @@ void settleTyping(QLineEdit& line)
     line.setCursorPosition(cursor);
 }
 
-void setLockedLook(QWidget& input, bool locked)
+void setLockedStyle(QWidget& input, bool locked)
 {
     QPalette colours;
     if (locked)
@@ -66,7 +66,7 @@ void EntryField::showText(const QString& text, const QString& placeholder)
 void EntryField::setLocked(bool locked)
 {
     m_line->setReadOnly(locked);
-    setLockedLook(*m_line, locked);
+    setLockedStyle(*m_line, locked);
 }
 
 void EntryField::finishTyping()

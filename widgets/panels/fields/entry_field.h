@@ -14,7 +14,7 @@ namespace berg {
 void settleTyping(QLineEdit& line);
 
 /** Shows an input as locked or editable; its text stays readable. */
-void setLockedLook(QWidget& input, bool locked);
+void setLockedStyle(QWidget& input, bool locked);
 
 /**
  * Texts of a line: object name `key` (the fault label is `key` + "Fault"), and label and tool tip

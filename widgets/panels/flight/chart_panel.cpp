@@ -163,7 +163,7 @@ void ChartPanel::setTheme(const Theme& theme)
     m_chart->setTheme(theme);
 }
 
-bool ChartPanel::looksTheSame(const FlightRecord& record) const
+bool ChartPanel::isShown(const FlightRecord& record) const
 {
     if (record.now.phase != RunPhase::Flying || m_phase != RunPhase::Flying ||
         !m_series.isContinuedBy(record) || record.instant || m_empty.cursor_s ||
@@ -175,7 +175,7 @@ bool ChartPanel::looksTheSame(const FlightRecord& record) const
 
 void ChartPanel::showRecord(const FlightRecord& record)
 {
-    if (looksTheSame(record))
+    if (isShown(record))
         return;
     m_phase = record.now.phase;
     m_icebergs = record.now.icebergs.size();

@@ -74,7 +74,7 @@ private:
     void addMenuEntries();
     void connectChart();
     void refresh();
-    [[nodiscard]] bool looksTheSame(const FlightRecord& record) const;
+    [[nodiscard]] bool isShown(const FlightRecord& record) const;
     void showMenu(const QPoint& globalPos);
     void copyPicture() const;
     void copyNumbers() const;

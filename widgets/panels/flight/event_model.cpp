@@ -57,15 +57,16 @@ bool EventModel::addsInformation(const MissionEvent& event, const PlanEvent* pla
         return true;
     // While circling or searching with nothing to visit, the UAV replans without result at every
     // step.
-    const bool isInVain = event.iceberg < 0 && plan->reason == PlanReason::OutOfView;
+    const bool isInVain = !event.iceberg && plan->reason == PlanReason::OutOfView;
     return plan->reason != PlanReason::HoldFlown && !isInVain;
 }
 
-EventModel::Row EventModel::rowOf(const MissionEvent& event, const PlanEvent* plan,
-                                  const std::vector<Iceberg>& icebergs,
-                                  const std::vector<Uav>& uavs) const
+EventModel::EventRow EventModel::rowOf(const MissionEvent& event, const PlanEvent* plan,
+                                       const std::vector<Iceberg>& icebergs,
+                                       const std::vector<Uav>& uavs) const
 {
-    Row row{.number = 0, .event = event, .what = eventSentence(event, icebergs, uavs, m_locale)};
+    EventRow row{
+        .number = 0, .event = event, .what = eventSentence(event, icebergs, uavs, m_locale)};
     if (plan != nullptr) {
         const PlanState state = planState({.plan = *plan}, m_locale);
         row.details = planReasonText(plan->reason);
@@ -94,16 +95,16 @@ void EventModel::setShown(std::size_t shown)
 {
     if (shown == m_shown)
         return;
-    const int before = lastShown();
+    const int before = shownRows();
     m_shown = shown;
-    const int now = lastShown();
-    reportRows(std::min(before, now) + 1, std::max(before, now), {AheadRole});
+    const int now = shownRows();
+    reportRows(std::min(before, now), std::max(before, now) - 1, {AheadRole});
 }
 
-int EventModel::lastShown() const
+int EventModel::shownRows() const
 {
-    const auto ahead = std::ranges::lower_bound(m_rows, m_shown, {}, &Row::number);
-    return static_cast<int>(ahead - m_rows.begin()) - 1;
+    const auto ahead = std::ranges::lower_bound(m_rows, m_shown, {}, &EventRow::number);
+    return static_cast<int>(ahead - m_rows.begin());
 }
 
 CellSheet EventModel::sheet() const
@@ -116,7 +117,7 @@ CellSheet EventModel::sheet() const
             .rows = static_cast<int>(m_rows.size()),
             .toolTip =
                 [this](int row, int column) {
-                    const Row& event = rowAt(row);
+                    const EventRow& event = rowAt(row);
                     if (column == Time && m_clock.start)
                         return m_clock.details(event.event.time_s);
                     return event.toolTip.isEmpty() ? event.what : event.toolTip;

@@ -42,13 +42,13 @@ public:
     /** Sets the number of events up to the instant shown. */
     void setShown(std::size_t shown);
 
-    /** Returns the last row up to the instant shown, or −1 if there is none. */
-    [[nodiscard]] int lastShown() const;
+    /** Returns the number of rows up to the instant shown. */
+    [[nodiscard]] int shownRows() const;
     /** Returns the time of a row, s. */
     [[nodiscard]] double time_s(int row) const { return rowAt(row).event.time_s; }
 
 private:
-    struct Row
+    struct EventRow
     {
         std::size_t number = 0; ///< number of the event in the log
         MissionEvent event;
@@ -59,10 +59,10 @@ private:
     void clear();
     /** Returns whether the event adds information to the log. */
     [[nodiscard]] bool addsInformation(const MissionEvent& event, const PlanEvent* plan);
-    [[nodiscard]] Row rowOf(const MissionEvent& event, const PlanEvent* plan,
+    [[nodiscard]] EventRow rowOf(const MissionEvent& event, const PlanEvent* plan,
                             const std::vector<Iceberg>& icebergs,
                             const std::vector<Uav>& uavs) const;
-    [[nodiscard]] const Row& rowAt(int row) const
+    [[nodiscard]] const EventRow& rowAt(int row) const
     {
         return m_rows.at(static_cast<std::size_t>(row));
     }
@@ -70,11 +70,12 @@ private:
 
     QLocale m_locale;
     MissionClock m_clock;
-    std::vector<Row> m_rows;
+    std::vector<EventRow> m_rows;
     std::uint64_t m_rewrites = 0;
-    std::size_t m_events = 0;  ///< number of events processed
-    std::size_t m_plans = 0;   ///< number of plans processed
-    std::map<int, int> m_next; ///< by UAV, the first iceberg of its last plan
+    std::size_t m_events = 0; ///< number of events processed
+    std::size_t m_plans = 0;  ///< number of plans processed
+    /** By UAV, the first iceberg of its last plan. */
+    std::map<std::optional<int>, std::optional<int>> m_next;
     std::size_t m_shown = 0;
 };
 

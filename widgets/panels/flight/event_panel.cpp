@@ -75,8 +75,8 @@ void EventPanel::showRecord(const FlightRecord& record)
     m_model->setClock(clockOf(record.scenario));
     m_model->setHistory(record.history, record.now.icebergs, record.scenario.uavs);
     m_model->setShown(record.eventsShown());
-    if (record.instant && m_model->lastShown() >= 0)
-        m_table->scrollTo(m_model->index(m_model->lastShown(), 0));
+    if (record.instant && m_model->shownRows() > 0)
+        m_table->scrollTo(m_model->index(m_model->shownRows() - 1, 0));
     else if (m_follows)
         m_table->scrollToBottom();
 }

@@ -42,14 +42,13 @@ FlightSummary flightSummary(const FlightRecord& record,
                           .wasChanged = isChanged(run)};
     if (!summary.wasChanged)
         summary.predicted = predicted;
-    if (const KnownBound bound = record.boundOfFlight(); bound.zeta_m2s > 0) {
+    if (const KnownBound bound = record.boundOfFlight(); bound.zeta_m2s) {
         summary.bound_m2s = bound.zeta_m2s;
         summary.boundShare = bound.whole ? 1 : bound.share;
     }
-    if (figures.longestUnseen >= 0) {
-        const auto longest = static_cast<std::size_t>(figures.longestUnseen);
-        summary.longestUnseen = shownName(record.now.icebergs[longest]);
-        summary.longestUnseen_s = figures.unseen[longest].longest_s;
+    if (const std::optional<std::size_t>& longest = figures.longestUnseen) {
+        summary.longestUnseen = shownName(record.now.icebergs[*longest]);
+        summary.longestUnseen_s = figures.unseen[*longest].longest_s;
     }
     return summary;
 }

@@ -135,33 +135,34 @@ void addWind(std::vector<FlightNotice>& notices, const FlightRecord& record, con
 }
 
 /** An iceberg on its way into the inner ring. */
-struct Entry
+struct RingEntry
 {
     std::size_t iceberg = 0;
     double entry_s = 0; ///< time from now, s
 };
 
 /** Returns the icebergs entering the ring, soonest first. */
-std::vector<Entry> entriesOf(const MissionSnapshot& shown)
+std::vector<RingEntry> entriesOf(const MissionSnapshot& shown)
 {
-    std::vector<Entry> entries;
+    std::vector<RingEntry> entries;
     if (!shown.asset)
         return entries;
     for (std::size_t i = 0; i < shown.world.tracks.size(); ++i)
         if (const auto approach = approachOf(shown, i); approach && approach->entry_s)
             entries.push_back({.iceberg = i, .entry_s = *approach->entry_s});
     std::stable_sort(entries.begin(), entries.end(),
-                     [](const Entry& a, const Entry& b) { return a.entry_s < b.entry_s; });
+                     [](const RingEntry& a, const RingEntry& b) { return a.entry_s < b.entry_s; });
     return entries;
 }
 
 /** Returns the entry that was detected last. */
-const Entry& newestOf(const std::vector<Entry>& entries, std::span<const MissionEvent> events)
+const RingEntry& newestOf(const std::vector<RingEntry>& entries,
+                          std::span<const MissionEvent> events)
 {
     for (auto event = events.rbegin(); event != events.rend(); ++event) {
         if (event->kind != EventKind::Alarm)
             continue;
-        const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& one) {
+        const auto entry = std::find_if(entries.begin(), entries.end(), [&](const RingEntry& one) {
             return static_cast<int>(one.iceberg) == event->iceberg;
         });
         if (entry != entries.end())
@@ -173,17 +174,17 @@ const Entry& newestOf(const std::vector<Entry>& entries, std::span<const Mission
 std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocale& locale)
 {
     const MissionSnapshot& shown = record.shown();
-    const std::vector<Entry> entries = entriesOf(shown);
+    const std::vector<RingEntry> entries = entriesOf(shown);
     if (entries.empty())
         return std::nullopt;
-    const auto sentence = [&](const Entry& entry) {
+    const auto sentence = [&](const RingEntry& entry) {
         return ringEntryText(shownName(shown.icebergs[entry.iceberg]), entry.entry_s, locale,
                              timesOf(record));
     };
     FlightNotice notice{.kind = NoticeKind::RingEntry,
                         .about = {kAssetKey},
                         .text = sentence(newestOf(entries, eventsOf(record)))};
-    for (const Entry& entry : entries)
+    for (const RingEntry& entry : entries)
         notice.about.push_back(shown.icebergs[entry.iceberg].id);
     if (entries.size() == 1)
         return notice;
@@ -191,7 +192,7 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
         FlightNotices::tr("%1, and %n more", nullptr, static_cast<int>(entries.size()) - 1)
             .arg(notice.text);
     QStringList all;
-    for (const Entry& entry : entries)
+    for (const RingEntry& entry : entries)
         all << sentence(entry);
     notice.toolTip = all.join(QChar(u'\n'));
     return notice;

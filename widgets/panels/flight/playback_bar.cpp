@@ -25,8 +25,7 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr std::array<double, 14> kRates = {0.1, 0.2, 0.5, 1,   2,   5,    10,
-                                           20,  50,  100, 200, 500, 1000, 0};
+constexpr std::array<double, 13> kRates = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
 constexpr double kFirstRate = 10;
 constexpr int kIcon_px = 20;
 constexpr int kLock_px = 14;
@@ -122,9 +121,8 @@ void PlaybackBar::addRates()
     guardWheel(*m_rate);
     m_rate->setFocusPolicy(Qt::TabFocus); // a choice by mouse leaves the keyboard where it was
     for (const double rate : kRates)
-        m_rate->addItem(rate > 0 ? tr("%1×").arg(fixedText(rate, rate < 1 ? 1 : 0, locale()))
-                                 : tr("Fastest"),
-                        rate);
+        m_rate->addItem(tr("%1×").arg(fixedText(rate, rate < 1 ? 1 : 0, locale())), rate);
+    m_rate->addItem(tr("Fastest"));
     setRate(kFirstRate);
 }
 
@@ -141,20 +139,19 @@ void PlaybackBar::setTheme(const Theme& theme)
     updateButtons();
 }
 
-double PlaybackBar::rate() const
+FlightRate PlaybackBar::rate() const
 {
-    return m_rate->currentData().toDouble();
+    const QVariant rate = m_rate->currentData();
+    return rate.isValid() ? FlightRate(rate.toDouble()) : kFastestRate;
 }
 
-void PlaybackBar::setRate(double rate)
+void PlaybackBar::setRate(FlightRate rate)
 {
-    std::size_t nearest = kRates.size() - 1;
-    if (rate > 0)
-        for (std::size_t i = 0; i < kRates.size(); ++i)
-            if (kRates[i] > 0 && (kRates[nearest] == 0 ||
-                                  std::abs(kRates[i] - rate) < std::abs(kRates[nearest] - rate)))
-                nearest = i;
-    m_rate->setCurrentIndex(static_cast<int>(nearest));
+    const auto nearest =
+        rate ? std::ranges::min_element(
+                   kRates, {}, [rate](double offered) { return std::abs(offered - *rate); })
+             : kRates.end();
+    m_rate->setCurrentIndex(static_cast<int>(nearest - kRates.begin()));
 }
 
 void PlaybackBar::stepRate(int steps)

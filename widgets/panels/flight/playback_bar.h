@@ -31,10 +31,9 @@ public:
                    std::optional<double> newest_s = {});
     [[nodiscard]] RunTimeLine& timeLine() const { return *m_timeLine; }
 
-    /** Returns the rate in simulated seconds a second; 0 means as fast as possible. */
-    [[nodiscard]] double rate() const;
+    [[nodiscard]] FlightRate rate() const;
     /** Selects the offered rate nearest to this one. Emits nothing. */
-    void setRate(double rate);
+    void setRate(FlightRate rate);
     /** Moves by `steps` in the list of rates. Emits `rateEdited`. */
     void stepRate(int steps);
     /** Puts the cursor into the time field. */
@@ -45,7 +44,7 @@ signals:
     void pauseRequested();
     void stepRequested();
     void resetRequested();
-    void rateEdited(double rate);
+    void rateEdited(FlightRate rate);
     /** Emitted when the user chooses an instant of the flight. */
     void timeEdited(double time_s);
 

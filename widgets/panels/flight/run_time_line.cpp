@@ -153,7 +153,7 @@ bool RunTimeLine::event(QEvent* event)
 void RunTimeLine::paintMarks(QPainter& painter) const
 {
     const double bar_px = height() / 2.0;
-    double last_px = -1;
+    std::optional<double> last_px;
     for (const TimeMark& mark : m_marks) {
         const double x_px = toPixel(mark.time_s);
         if (mark.kind == EventKind::Reached) {

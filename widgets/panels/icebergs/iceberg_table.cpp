@@ -229,10 +229,10 @@ void IcebergTable::refresh()
     showColumns();
     showFilter();
     showEmpty();
-    if (const int row = m_model->rowOf(m_current); row >= 0) {
+    if (const std::optional<int> row = m_model->rowOf(m_current)) {
         const QScopedValueRollback selecting(m_isSelecting, true);
         const int column = std::max(0, m_table->currentIndex().column());
-        m_table->selectionModel()->setCurrentIndex(m_model->index(row, column),
+        m_table->selectionModel()->setCurrentIndex(m_model->index(*row, column),
                                                    QItemSelectionModel::NoUpdate);
     }
     showSelection();
@@ -303,7 +303,7 @@ void IcebergTable::showSelection()
     const QScopedValueRollback selecting(m_isSelecting, true);
     const std::set<std::string> ids(m_selection.ids().begin(), m_selection.ids().end());
     QItemSelection rows;
-    int last = -1;
+    std::optional<int> last;
     for (int row = 0; row < m_model->rowCount(); ++row)
         if (ids.contains(m_model->rowAt(row).id)) {
             rows.select(m_model->index(row, 0), m_model->index(row, m_model->columnCount() - 1));
@@ -312,8 +312,8 @@ void IcebergTable::showSelection()
     QItemSelectionModel* chosenRows = m_table->selectionModel();
     chosenRows->select(rows, QItemSelectionModel::ClearAndSelect);
     const QModelIndex current = m_table->currentIndex();
-    if (last >= 0 && !chosenRows->isRowSelected(current.row()))
-        chosenRows->setCurrentIndex(m_model->index(last, std::max(0, current.column())),
+    if (last && !chosenRows->isRowSelected(current.row()))
+        chosenRows->setCurrentIndex(m_model->index(*last, std::max(0, current.column())),
                                     QItemSelectionModel::NoUpdate);
 }
 

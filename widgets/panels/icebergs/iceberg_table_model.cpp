@@ -129,7 +129,7 @@ CellColumn IcebergTableModel::cellColumn(IcebergColumn column)
                      .isNumber = !isText(column)};
     if (!m_state.isInFlight && spec.isEditable())
         shown.edit = [=, this](int row, const QVariant& value) {
-            return setAll({shownRow(row)}, column, value);
+            return setAll({shownRow(row).value()}, column, value);
         };
     if (column == IcebergColumn::Name)
         shown.value = [=, this](int row) { return m_rows[at(row)].name; };
@@ -150,11 +150,11 @@ void IcebergTableModel::setFilter(const QString& text)
 
 void IcebergTableModel::setHighlight(const std::string& id)
 {
-    const int before = rowOf(m_highlight);
+    const std::optional<int> before = rowOf(m_highlight);
     m_highlight = id;
-    for (const int row : {before, rowOf(id)})
-        if (row >= 0)
-            reportRows(row, row, {HighlightRole});
+    for (const std::optional<int> row : {before, rowOf(id)})
+        if (row)
+            reportRows(*row, *row, {HighlightRole});
 }
 
 const IcebergTableRow& IcebergTableModel::rowAt(int row) const
@@ -162,10 +162,12 @@ const IcebergTableRow& IcebergTableModel::rowAt(int row) const
     return m_rows.at(static_cast<std::size_t>(sourceRow(row)));
 }
 
-int IcebergTableModel::rowOf(const std::string& id) const
+std::optional<int> IcebergTableModel::rowOf(const std::string& id) const
 {
     const auto it = std::ranges::find(m_rows, id, &IcebergTableRow::id);
-    return it == m_rows.end() ? -1 : shownRow(static_cast<int>(it - m_rows.begin()));
+    if (it == m_rows.end())
+        return std::nullopt;
+    return shownRow(static_cast<int>(it - m_rows.begin()));
 }
 
 const IcebergColumnSpec& IcebergTableModel::spec(int column) const

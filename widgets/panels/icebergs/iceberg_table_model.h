@@ -7,6 +7,8 @@
 
 #include <QLocale>
 
+#include <optional>
+
 namespace berg {
 
 /**
@@ -44,8 +46,8 @@ public:
     void setHighlight(const std::string& id);
 
     [[nodiscard]] const IcebergTableRow& rowAt(int row) const;
-    /** Returns the row of an iceberg, or −1 if it is not shown. */
-    [[nodiscard]] int rowOf(const std::string& id) const;
+    /** Returns the row of an iceberg, or nullopt if it is not shown. */
+    [[nodiscard]] std::optional<int> rowOf(const std::string& id) const;
     /** Returns the number of icebergs, including those hidden by the filter. */
     [[nodiscard]] int total() const { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] const IcebergColumnSpec& spec(int column) const;

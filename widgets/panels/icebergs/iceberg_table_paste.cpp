@@ -20,9 +20,9 @@ struct IcebergPasteText
     Q_DECLARE_TR_FUNCTIONS(IcebergPasteText)
 };
 
-using Line = std::vector<QString>;
+using PastedLine = std::vector<QString>;
 
-bool isBlank(const Line& line)
+bool isBlank(const PastedLine& line)
 {
     return std::all_of(line.begin(), line.end(),
                        [](const QString& cell) { return cell.trimmed().isEmpty(); });
@@ -39,7 +39,7 @@ public:
         m_outcome.scenario = scenario;
     }
 
-    [[nodiscard]] PasteOutcome run(const std::vector<Line>& lines)
+    [[nodiscard]] PasteOutcome run(const std::vector<PastedLine>& lines)
     {
         if (std::all_of(lines.begin(), lines.end(), isBlank)) {
             m_outcome.fault = IcebergPasteText::tr("There is no text to paste.");
@@ -59,7 +59,7 @@ private:
     /**
      * Returns whether all cells of the line are column titles, which then determine the columns.
      */
-    [[nodiscard]] bool readTitles(const Line& line)
+    [[nodiscard]] bool readTitles(const PastedLine& line)
     {
         std::vector<IcebergColumn> columns;
         for (const QString& cell : line)
@@ -72,7 +72,7 @@ private:
         return true;
     }
 
-    void pasteLine(const Line& line, std::size_t row)
+    void pasteLine(const PastedLine& line, std::size_t row)
     {
         if (isBlank(line))
             return;
@@ -102,7 +102,7 @@ private:
             setPlace(iceberg, *m_place);
     }
 
-    [[nodiscard]] bool addIceberg(const Line& line)
+    [[nodiscard]] bool addIceberg(const PastedLine& line)
     {
         Scenario& scenario = m_outcome.scenario;
         if (scenario.icebergs.size() >= kMostIcebergs) {

@@ -71,9 +71,9 @@ std::vector<int> visitsOf(const FlightRecord& record)
     const std::size_t count = record.eventsShown();
     for (std::size_t i = 0; i < count; ++i) {
         const MissionEvent& event = record.history.events[i];
-        const auto iceberg = static_cast<std::size_t>(event.iceberg);
-        if (event.kind == EventKind::Reached && event.iceberg >= 0 && iceberg < visits.size())
-            ++visits[iceberg];
+        if (event.kind == EventKind::Reached && event.iceberg &&
+            toIndex(*event.iceberg) < visits.size())
+            ++visits[toIndex(*event.iceberg)];
     }
     return visits;
 }
@@ -81,25 +81,25 @@ std::vector<int> visitsOf(const FlightRecord& record)
 /** Place of an iceberg in the orders. */
 struct PlaceInOrder
 {
-    int place = 0; ///< from 1; 0 if it is in no order
-    int uav = -1;  ///< UAV of the order; −1 if there is none
+    int place = 1; ///< from 1
+    int uav = 0;   ///< UAV of the order
 };
 
-/** Returns the places of the icebergs, by index. */
-std::vector<PlaceInOrder> placesOf(const FlightRecord& record)
+/** Returns the places of the icebergs, by index; nullopt for an iceberg in no order. */
+std::vector<std::optional<PlaceInOrder>> placesOf(const FlightRecord& record)
 {
     const MissionSnapshot& shown = record.shown();
-    std::vector<PlaceInOrder> places(shown.icebergs.size());
+    std::vector<std::optional<PlaceInOrder>> places(shown.icebergs.size());
     if (record.isOver()) // nothing of the plan is left
         return places;
     for (const PlanEvent& plan : shown.plans)
         for (std::size_t k = 0; k < plan.order.size(); ++k)
-            places[static_cast<std::size_t>(plan.order[k])] = {.place = static_cast<int>(k) + 1,
-                                                               .uav = plan.uav};
+            places[static_cast<std::size_t>(plan.order[k])] =
+                PlaceInOrder{.place = static_cast<int>(k) + 1, .uav = plan.uav};
     return places;
 }
 
-IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, int place)
+IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, bool isInOrder)
 {
     const Track& track = shown.world.tracks[iceberg];
     if (track.left)
@@ -123,15 +123,15 @@ IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, int p
     });
     if (isFlownTo)
         return IcebergStanding::Target;
-    return place > 0 ? IcebergStanding::Planned : IcebergStanding::Unplanned;
+    return isInOrder ? IcebergStanding::Planned : IcebergStanding::Unplanned;
 }
 
 /** Returns the sort key of a state; smaller is further up. */
-double stateOrder(IcebergStanding state, int place)
+double stateOrder(IcebergStanding state, const std::optional<PlaceInOrder>& place)
 {
     constexpr double kBehindAll = 1e6;
     if (state == IcebergStanding::Planned)
-        return place;
+        return place.value().place;
     const int fromPlanned = static_cast<int>(state) - static_cast<int>(IcebergStanding::Planned);
     return fromPlanned < 0 ? fromPlanned + 1 : kBehindAll + fromPlanned - 1;
 }
@@ -235,7 +235,7 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
     const MissionSnapshot& shown = record.shown();
     const std::unordered_map<std::string, double> arrivals_s = arrivalsOf(record);
     const std::vector<int> visits = visitsOf(record);
-    const std::vector<PlaceInOrder> places = placesOf(record);
+    const std::vector<std::optional<PlaceInOrder>> places = placesOf(record);
     std::vector<IcebergTableRow> rows;
     rows.reserve(shown.icebergs.size());
     const LocalFrame frame(record.scenario.origin);
@@ -247,11 +247,13 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
         row.id = iceberg.id;
         row.name = QString::fromStdString(iceberg.name);
         row.times = times;
-        row.state = stateOf(shown, i, places[i].place);
-        row.uav = nameInFleet(record.scenario.uavs, places[i].uav);
-        put(row, IcebergColumn::State, stateOrder(row.state, places[i].place));
-        if (places[i].place > 0)
-            put(row, IcebergColumn::Uav, places[i].uav);
+        const std::optional<PlaceInOrder>& place = places[i];
+        row.state = stateOf(shown, i, place.has_value());
+        put(row, IcebergColumn::State, stateOrder(row.state, place));
+        if (place) {
+            row.uav = nameInFleet(record.scenario.uavs, place->uav);
+            put(row, IcebergColumn::Uav, place->uav);
+        }
         if (row.state == IcebergStanding::Later)
             put(row, IcebergColumn::Appears, iceberg.appears_s);
         if (!shown.active[i] || track.left)

@@ -7,7 +7,7 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-std::vector<InspectorRow> wayRows()
+std::vector<InspectorRow> pathRows()
 {
     const FieldInputs<Asset> asset("asset.");
     const QString change = InspectorRows::tr("Change velocity of the asset");
@@ -50,7 +50,7 @@ std::vector<InspectorRow> assetRows()
     std::vector<InspectorRow> rows = asset.rows("name");
     beginGroup(rows, u"assetPositionGroup"_s, InspectorRows::tr("Position and course"));
     append(rows, positionRows<Asset>(u"asset"_s, "asset."));
-    append(rows, wayRows());
+    append(rows, pathRows());
     beginGroup(rows, u"assetProtectionGroup"_s, InspectorRows::tr("Protection"));
     append(rows, asset.rows("range_m"));
     append(rows, asset.rows("alarm_m"));

@@ -31,27 +31,27 @@ void FormGroups::add(QWidget* label, QWidget* row)
 
 void FormGroups::setRelevant(const QWidget* row, bool matters)
 {
-    for (Group& group : m_groups)
-        for (Row& one : group.rows)
+    for (FormGroup& group : m_groups)
+        for (FormRow& one : group.rows)
             if (one.row == row)
                 one.matters = matters;
 }
 
 void FormGroups::show() const
 {
-    for (const Group& group : m_groups) {
+    for (const FormGroup& group : m_groups) {
         const bool isOpen = group.heading == nullptr || group.heading->isChecked();
-        for (const Row& row : group.rows)
+        for (const FormRow& row : group.rows)
             m_form.setRowVisible(row.row, isOpen && row.matters);
         if (group.heading != nullptr)
-            m_form.setRowVisible(group.heading, std::ranges::any_of(group.rows, &Row::matters));
+            m_form.setRowVisible(group.heading, std::ranges::any_of(group.rows, &FormRow::matters));
     }
 }
 
 QStringList FormGroups::folded() const
 {
     QStringList keys;
-    for (const Group& group : m_groups)
+    for (const FormGroup& group : m_groups)
         if (group.heading != nullptr && !group.heading->isChecked())
             keys << group.heading->objectName();
     return keys;
@@ -59,17 +59,17 @@ QStringList FormGroups::folded() const
 
 void FormGroups::fold(const QStringList& keys)
 {
-    for (const Group& group : m_groups)
+    for (const FormGroup& group : m_groups)
         if (group.heading != nullptr)
             group.heading->setChecked(!keys.contains(group.heading->objectName()));
 }
 
 void FormGroups::open(const QWidget* input)
 {
-    const auto has = [&](const Row& row) {
+    const auto has = [&](const FormRow& row) {
         return row.row == input || row.row->isAncestorOf(input);
     };
-    for (const Group& group : m_groups)
+    for (const FormGroup& group : m_groups)
         if (group.heading != nullptr && std::ranges::any_of(group.rows, has))
             group.heading->setChecked(true);
 }

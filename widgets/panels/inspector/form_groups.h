@@ -35,19 +35,19 @@ public:
     void open(const QWidget* input);
 
 private:
-    struct Row
+    struct FormRow
     {
         QWidget* row = nullptr;
         bool matters = true;
     };
-    struct Group
+    struct FormGroup
     {
         FoldHeading* heading = nullptr; ///< null for the rows before the first heading
-        std::vector<Row> rows;
+        std::vector<FormRow> rows;
     };
 
     QFormLayout& m_form;
-    std::vector<Group> m_groups{1};
+    std::vector<FormGroup> m_groups{1};
 };
 
 } // namespace berg

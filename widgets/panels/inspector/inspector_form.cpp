@@ -452,17 +452,17 @@ void InspectorForm::setLocked(bool locked)
         field->setReadOnly(locked);
         field->setButtonSymbols(locked ? QAbstractSpinBox::NoButtons
                                        : QAbstractSpinBox::UpDownArrows);
-        setLockedLook(*field, locked);
+        setLockedStyle(*field, locked);
     }
     for (EntryField* field : findChildren<EntryField*>())
         field->setLocked(locked);
     for (QLineEdit* line : findChildren<QLineEdit*>(Qt::FindDirectChildrenOnly)) {
         line->setReadOnly(locked);
-        setLockedLook(*line, locked);
+        setLockedStyle(*line, locked);
     }
     for (QPlainTextEdit* page : findChildren<QPlainTextEdit*>()) {
         page->setReadOnly(locked);
-        setLockedLook(*page, locked);
+        setLockedStyle(*page, locked);
     }
     for (QAbstractButton* button : findChildren<QAbstractButton*>())
         button->setEnabled(!locked || qobject_cast<FoldHeading*>(button) != nullptr);

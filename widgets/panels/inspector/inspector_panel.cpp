@@ -55,10 +55,10 @@ template <class Object>
 bool isAbout(const Issue& issue, std::string_view list, const std::vector<Object>& objects,
              const std::vector<std::string>& ids)
 {
-    const int index = issueIndex(issue, list);
-    if (index < 0 || index >= static_cast<int>(objects.size()))
+    const std::optional<std::size_t> index = issueIndex(issue, list);
+    if (!index || *index >= objects.size())
         return false;
-    const std::string& id = objects[static_cast<std::size_t>(index)].id;
+    const std::string& id = objects[*index].id;
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
@@ -471,9 +471,8 @@ bool InspectorPanel::isConcerned(const Issue& issue) const
     if (shown == m_areaForm)
         return issue.field.starts_with("area_m");
     if (shown == m_noFlyForm) // findings about the whole list are shown for each area
-        return issue.field == "no_fly" ||
-               issueIndex(issue, "no_fly") == static_cast<int>(*noFlyPlace(m_noFly));
-    return issueIndex(issue, "icebergs") < 0 && issueIndex(issue, "uavs") < 0;
+        return issue.field == "no_fly" || issueIndex(issue, "no_fly") == *noFlyPlace(m_noFly);
+    return !issueIndex(issue, "icebergs") && !issueIndex(issue, "uavs");
 }
 
 QString InspectorPanel::whyTaken(const QString& id) const

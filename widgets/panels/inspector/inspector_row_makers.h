@@ -11,6 +11,7 @@
 #include <QCoreApplication>
 
 #include <iterator>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -61,8 +62,8 @@ inline auto always(const Limits& limits)
 }
 
 /** Returns the row under another key and undo text. */
-template <class Row>
-[[nodiscard]] Row named(Row row, const QString& key, const QString& undoText)
+template <class AnyRow>
+[[nodiscard]] AnyRow named(AnyRow row, const QString& key, const QString& undoText)
 {
     row.words.key = key;
     row.words.undoText = undoText;
@@ -124,9 +125,9 @@ struct VelocityRows
     QString speedToolTip;
     QString directionLabel;
     QString directionToolTip;
-    bool isFrom = false;           ///< whether the direction is where it comes from
-    double componentLimit_mps = 0; ///< largest magnitude of a component
-    double finest_mps = 0;         ///< components are multiples of it; 0 for no rounding
+    bool isFrom = false;                   ///< whether the direction is where it comes from
+    double componentLimit_mps = 0;         ///< largest magnitude of a component
+    std::optional<double> finest_mps = {}; ///< components are rounded to multiples of it
     std::function<Limits(const Scenario&)> speeds_mps;
     InfoRow direction{}; ///< shown beside components; hidden without `text`
 };

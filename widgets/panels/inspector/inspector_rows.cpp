@@ -163,7 +163,7 @@ std::vector<InspectorRow> velocityRows(const VelocityRows& given)
         const Point velocity_mps = clampedVelocity(velocityTowards(speed_mps, shown_deg + turn_deg),
                                                    given.componentLimit_mps);
         const Point written_mps =
-            given.finest_mps > 0 ? roundedTo(velocity_mps, given.finest_mps) : velocity_mps;
+            given.finest_mps ? roundedTo(velocity_mps, *given.finest_mps) : velocity_mps;
         given.east.write(scenario, id, written_mps.x() + 0.0); // avoids -0 in files
         given.north.write(scenario, id, written_mps.y() + 0.0);
     };

@@ -22,7 +22,7 @@ void closeEnteredAirspace(Scenario& scenario)
     std::vector<AirspaceArea> left;
     std::vector<bool> isEntered(scenario.airspace.size(), false);
     for (const Issue& issue : airspaceIssues(scenario))
-        isEntered[static_cast<std::size_t>(issueIndex(issue, "airspace"))] = true;
+        isEntered[issueIndex(issue, "airspace").value()] = true;
     for (std::size_t i = 0; i < scenario.airspace.size(); ++i) {
         AirspaceArea& area = scenario.airspace[i];
         if (isEntered[i] && scenario.noFly.size() < kMostNoFlyAreas)

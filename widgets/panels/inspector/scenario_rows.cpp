@@ -31,9 +31,9 @@ Limits windSpeeds_mps(const Scenario& scenario)
 Limits windRange(const Scenario& scenario, double other_mps)
 {
     const double airspeed_mps = slowest_mps(scenario);
-    const double room_mps =
+    const double spare_mps =
         std::sqrt(std::max(0.0, airspeed_mps * airspeed_mps - other_mps * other_mps));
-    const double largest_mps = std::max(0.0, std::ceil(100 * room_mps - 1) / 100);
+    const double largest_mps = std::max(0.0, std::ceil(100 * spare_mps - 1) / 100);
     return {.low = -largest_mps, .high = largest_mps};
 }
 

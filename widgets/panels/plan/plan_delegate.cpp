@@ -47,7 +47,7 @@ QString PlanDelegate::textBelow(const QModelIndex& index) const
 {
     const bool isCourse = m_hasCourseBelow && index.column() == PlanModel::Name;
     const bool isSpeed = m_hasSpeedBelow && index.column() == PlanModel::Leg;
-    if ((!isCourse && !isSpeed) || index.data(PlanModel::NumberRole).toInt() == 0)
+    if ((!isCourse && !isSpeed) || index.data(PlanModel::IsUavRole).toBool())
         return {};
     const QString text =
         index.siblingAtColumn(isCourse ? PlanModel::Course : PlanModel::GroundSpeed)
@@ -84,7 +84,7 @@ void PlanDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
         paintMark(*painter, option, index);
         return;
     }
-    if (index.data(PlanModel::NumberRole).toInt() == 0) {
+    if (index.data(PlanModel::IsUavRole).toBool()) {
         paintUav(*painter, option, index);
         return;
     }
@@ -115,7 +115,7 @@ void PlanDelegate::paintGround(QPainter& painter, const QStyleOptionViewItem& op
         paint(uavColour(m_theme, index.data(PlanModel::UavRole).toInt()), kDrop, true);
     else if (index.data(PlanModel::HighlightRole).toBool())
         paint(m_theme.plan, kHighlight, true);
-    else if (index.data(PlanModel::NumberRole).toInt() == 0)
+    else if (index.data(PlanModel::IsUavRole).toBool())
         paint(m_theme.text, kUavGround, false);
 }
 
@@ -134,11 +134,13 @@ void PlanDelegate::paintMark(QPainter& painter, const QStyleOptionViewItem& opti
                              const QModelIndex& index) const
 {
     paintEmpty(painter, option, index);
-    const int number = index.data(PlanModel::NumberRole).toInt();
-    if (number > 0)
-        paintNumber(painter, option.rect, number, index.data(PlanModel::UavRole).toInt());
-    else if (number == 0)
-        paintChip(painter, option.rect, index.data(PlanModel::UavRole).toInt());
+    const QVariant uav = index.data(PlanModel::UavRole);
+    const QVariant number = index.data(PlanModel::NumberRole);
+    if (index.data(PlanModel::IsUavRole).toBool())
+        paintChip(painter, option.rect, uav.toInt());
+    else if (number.isValid())
+        paintNumber(painter, option.rect, number.toInt(),
+                    uav.isValid() ? std::optional(uav.toInt()) : std::nullopt);
 }
 
 QString PlanDelegate::uavFigures(const QModelIndex& index, int room_px) const
@@ -194,9 +196,10 @@ void PlanDelegate::paintChip(QPainter& painter, const QRect& cell, int uav) cons
     painter.restore();
 }
 
-void PlanDelegate::paintNumber(QPainter& painter, const QRect& cell, int number, int uav) const
+void PlanDelegate::paintNumber(QPainter& painter, const QRect& cell, int number,
+                               std::optional<int> uav) const
 {
-    const QColor colour = uav < 0 ? QColor() : uavColour(m_theme, uav);
+    const QColor colour = uav ? uavColour(m_theme, *uav) : QColor();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     drawOrderDisk(painter, QRectF(cell).center(), kDiskRadius_px, number, m_theme, colour);

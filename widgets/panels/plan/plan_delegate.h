@@ -4,6 +4,8 @@
 
 #include <QStyledItemDelegate>
 
+#include <optional>
+
 namespace berg {
 
 /**
@@ -52,8 +54,9 @@ private:
     void paintUav(QPainter& painter, const QStyleOptionViewItem& option,
                   const QModelIndex& index) const;
     void paintChip(QPainter& painter, const QRect& cell, int uav) const;
-    /** An `uav` of −1 means that there is only one. */
-    void paintNumber(QPainter& painter, const QRect& cell, int number, int uav) const;
+    /** Draws the number in the colour of the UAV, or in the usual one if there is no other UAV. */
+    void paintNumber(QPainter& painter, const QRect& cell, int number,
+                     std::optional<int> uav) const;
     void paintSwatch(QPainter& painter, const QStyleOptionViewItem& option, double sigma_m2) const;
     void paintBelow(QPainter& painter, const QStyleOptionViewItem& option, const QString& text,
                     Qt::Alignment side) const;

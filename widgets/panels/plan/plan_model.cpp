@@ -30,27 +30,32 @@ QString firstUncertainty(double sigma_m2, const QLocale& locale)
     return isSigmaFirst() ? significantText(sigma_m2, 3, locale) : radius95Text(sigma_m2, locale);
 }
 
+QVariant optionalData(std::optional<int> value)
+{
+    return value ? QVariant(*value) : QVariant();
+}
+
 std::vector<PlanLine> linesOf(const std::vector<PlanSection>& sections)
 {
     std::vector<PlanLine> lines;
     for (const PlanSection& section : sections) {
-        const int uav = section.name.isEmpty() ? -1 : section.place;
-        if (!section.name.isEmpty())
-            lines.push_back({.row = {.id = section.uav,
-                                     .name = section.name,
-                                     .leg_m = section.length_m(),
-                                     .arrival_s = section.lastArrival_s(),
-                                     .isSeen = section.isPlanned},
-                             .uav = uav,
-                             .visits = static_cast<int>(std::ranges::count_if(
-                                 section.rows, [](const PlanRow& row) { return row.number >= 0; })),
-                             .mode = section.isPlanned ? FlightMode::Idle : section.mode,
-                             .isIdle = section.rows.empty()});
-        for (std::size_t k = 0; k < section.rows.size(); ++k)
-            lines.push_back({.row = section.rows[k],
-                             .uav = uav,
-                             .number = section.rows[k].number != 0 ? section.rows[k].number
-                                                                   : static_cast<int>(k) + 1});
+        const std::optional<int> uav =
+            section.name.isEmpty() ? std::nullopt : std::optional(section.place);
+        if (uav)
+            lines.push_back(
+                {.row = {.id = section.uav,
+                         .name = section.name,
+                         .leg_m = section.length_m(),
+                         .arrival_s = section.lastArrival_s(),
+                         .isSeen = section.isPlanned},
+                 .uav = uav,
+                 .isUav = true,
+                 .visits = static_cast<int>(std::ranges::count_if(
+                     section.rows, [](const PlanRow& row) { return row.number.has_value(); })),
+                 .mode = section.isPlanned ? FlightMode::Idle : section.mode,
+                 .isIdle = section.rows.empty()});
+        for (const PlanRow& row : section.rows)
+            lines.push_back({.row = row, .uav = uav});
     }
     return lines;
 }
@@ -129,14 +134,14 @@ void PlanModel::setHighlight(const std::string& id)
 {
     if (id == m_highlight)
         return;
-    const int before = rowOf(m_highlight);
+    const std::optional<int> before = rowOf(m_highlight);
     m_highlight = id;
-    for (const int row : {before, rowOf(id)})
-        if (row >= 0)
-            reportRows(row, row, {HighlightRole});
+    for (const std::optional<int> row : {before, rowOf(id)})
+        if (row)
+            reportRows(*row, *row, {HighlightRole});
 }
 
-void PlanModel::setDropUav(int uav)
+void PlanModel::setDropUav(std::optional<int> uav)
 {
     if (uav == m_dropUav)
         return;
@@ -176,11 +181,13 @@ const std::string& PlanModel::idOf(int row) const
     return line(row).row.id;
 }
 
-int PlanModel::rowOf(const std::string& id) const
+std::optional<int> PlanModel::rowOf(const std::string& id) const
 {
     const auto it =
         std::ranges::find(m_lines->lines, id, [](const PlanLine& line) { return line.row.id; });
-    return it == m_lines->lines.end() ? -1 : static_cast<int>(it - m_lines->lines.begin());
+    if (it == m_lines->lines.end())
+        return std::nullopt;
+    return static_cast<int>(it - m_lines->lines.begin());
 }
 
 /**
@@ -188,14 +195,14 @@ int PlanModel::rowOf(const std::string& id) const
  */
 const PlanLine& PlanModel::Lines::uavOf(int row) const
 {
-    while (!at(row).isUav())
+    while (!at(row).isUav)
         --row;
     return at(row);
 }
 
 QString PlanModel::Lines::text(int row, Column column) const
 {
-    if (at(row).isUav())
+    if (at(row).isUav)
         return uavText(at(row), column);
     const PlanRow& planned = at(row).row;
     if (!planned.isSeen && column == Arrival)
@@ -206,7 +213,7 @@ QString PlanModel::Lines::text(int row, Column column) const
         return missingValueText();
     switch (column) {
     case Number:
-        return at(row).number > 0 ? fixedText(at(row).number, 0, locale) : QString();
+        return planned.number ? fixedText(*planned.number, 0, locale) : QString();
     case Name:
         return planned.searches.empty() ? planned.name
                                         : PlanModel::tr("%1 (search)").arg(planned.name);
@@ -279,7 +286,7 @@ QString PlanModel::Lines::uavToolTip(const PlanLine& line) const
 
 QString PlanModel::Lines::toolTip(int row, Column column) const
 {
-    if (at(row).isUav())
+    if (at(row).isUav)
         return uavToolTip(at(row));
     const PlanRow& planned = at(row).row;
     if (column == Name) {
@@ -336,15 +343,17 @@ QVariant PlanModel::lineData(const Lines& lines, int row, int column, int role) 
     case HighlightRole:
         return line.row.id == m_highlight;
     case UavRole:
-        return line.uav;
+        return optionalData(line.uav);
+    case IsUavRole:
+        return line.isUav;
     case NumberRole:
-        return line.number;
+        return optionalData(line.row.number);
     case AssignedRole:
         return line.row.isAssigned;
     case LaterRole:
-        return !line.isUav() && (!line.row.isSeen || line.row.isLater);
+        return !line.isUav && (!line.row.isSeen || line.row.isLater);
     case DropRole:
-        return line.uav >= 0 && line.uav == m_dropUav;
+        return line.uav && line.uav == m_dropUav;
     default:
         return {};
     }
@@ -379,11 +388,11 @@ std::vector<CellColumn> PlanModel::Lines::columns(const std::shared_ptr<const Li
 Qt::ItemFlags PlanModel::flags(const QModelIndex& index) const
 {
     Qt::ItemFlags flags = CellModel::flags(index);
-    if (m_lines->lines.empty() || m_lines->lines.front().uav < 0)
+    if (m_lines->lines.empty() || !m_lines->lines.front().uav)
         return flags; // there is no other UAV to assign an iceberg to
     // Also on the root, else a view without an indicator refuses drops.
     flags |= Qt::ItemIsDropEnabled;
-    flags.setFlag(Qt::ItemIsDragEnabled, index.isValid() && !line(index.row()).isUav());
+    flags.setFlag(Qt::ItemIsDragEnabled, index.isValid() && !line(index.row()).isUav);
     return flags;
 }
 
@@ -404,7 +413,7 @@ QMimeData* PlanModel::mimeData(const QModelIndexList& indexes) const
 bool PlanModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int /*row*/,
                              int /*column*/, const QModelIndex& parent)
 {
-    if (action != Qt::MoveAction || !parent.isValid() || line(parent.row()).uav < 0 ||
+    if (action != Qt::MoveAction || !parent.isValid() || !line(parent.row()).uav ||
         data == nullptr || !data->hasFormat(kIcebergType))
         return false;
     emit assignRequested(data->data(kIcebergType).toStdString(),

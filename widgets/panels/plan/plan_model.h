@@ -14,14 +14,13 @@ namespace berg {
 struct PlanLine
 {
     PlanRow row; ///< for a UAV: id, name, length of its path and last arrival
-    int uav = -1; ///< index of the UAV in the scenario; −1 if it is the only one, which has no line
-    int number = 0; ///< place in the UAV's order, from 1; 0 for the UAV itself, −1 for none
-    int visits = 0; ///< visits of a UAV
+    /** Index of the UAV in the scenario; nullopt if it is the only one, which has no line. */
+    std::optional<int> uav = {};
+    bool isUav = false;                 ///< whether the line is that of a UAV
+    int visits = 0;                     ///< visits of a UAV
     FlightMode mode = FlightMode::Idle; ///< mode of a UAV without a plan
     bool isIdle = true;                 ///< whether a UAV neither visits nor searches
     bool operator==(const PlanLine&) const = default;
-
-    [[nodiscard]] bool isUav() const { return number == 0; }
 };
 
 /**
@@ -51,8 +50,9 @@ public:
     {
         SigmaRole = Qt::UserRole, ///< double, m^2, in the columns of sigma if it is known
         HighlightRole,            ///< bool
-        UavRole,                  ///< int, `PlanLine::uav`
-        NumberRole,               ///< int, `PlanLine::number`
+        UavRole,                  ///< int, `PlanLine::uav`, if there is one
+        IsUavRole,                ///< bool, `PlanLine::isUav`
+        NumberRole,               ///< int, `PlanRow::number`, if there is one
         LaterRole,                ///< bool: beyond the planned path
         AssignedRole,             ///< bool: assigned to that UAV alone
         DropRole                  ///< bool: an iceberg is being dragged onto this UAV
@@ -63,14 +63,14 @@ public:
     /** Sets the plan; `times` formats arrivals. */
     void setPlan(const std::vector<PlanSection>& sections, const TimesAhead& times = {});
     void setHighlight(const std::string& id);
-    /** Sets the UAV whose lines show that an iceberg is dragged onto it; −1 for none. */
-    void setDropUav(int uav);
+    /** Sets the UAV whose lines show that an iceberg is dragged onto it. */
+    void setDropUav(std::optional<int> uav);
 
     /** Returns the id of the iceberg or UAV of a row. */
     [[nodiscard]] const std::string& idOf(int row) const;
     [[nodiscard]] const PlanLine& line(int row) const;
-    /** Returns the row, or −1 if the id is not in the plan. */
-    [[nodiscard]] int rowOf(const std::string& id) const;
+    /** Returns the row, or nullopt if the id is not in the plan. */
+    [[nodiscard]] std::optional<int> rowOf(const std::string& id) const;
 
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     [[nodiscard]] QStringList mimeTypes() const override;
@@ -103,7 +103,7 @@ private:
     QLocale m_locale;
     std::shared_ptr<const Lines> m_lines;
     std::string m_highlight;
-    int m_dropUav = -1;
+    std::optional<int> m_dropUav;
 };
 
 } // namespace berg

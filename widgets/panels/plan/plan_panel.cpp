@@ -340,7 +340,7 @@ void PlanPanel::updateSpans()
 {
     std::vector<int> rows;
     for (int row = 0; row < m_model->rowCount(); ++row)
-        if (m_model->line(row).isUav())
+        if (m_model->line(row).isUav)
             rows.push_back(row);
     if (rows == m_spannedRows)
         return;
@@ -415,20 +415,20 @@ void PlanPanel::selectRows()
     const QScopedValueRollback selecting(m_isSelecting, true);
     const std::set<std::string_view> ids(m_selected.begin(), m_selected.end());
     QItemSelection rows;
-    int last = -1;
+    std::optional<int> last;
     for (int row = 0; row < m_model->rowCount(); ++row)
         if (ids.contains(m_model->idOf(row))) {
             rows.select(m_model->index(row, 0), m_model->index(row, PlanModel::ColumnCount - 1));
             last = row;
         }
     QItemSelectionModel& shown = *m_table->selectionModel();
-    if (last < 0) {
+    if (!last) {
         shown.clear();
         return;
     }
     shown.select(rows, QItemSelectionModel::ClearAndSelect);
     if (!shown.isRowSelected(shown.currentIndex().row()))
-        shown.setCurrentIndex(m_model->index(last, 0), QItemSelectionModel::NoUpdate);
+        shown.setCurrentIndex(m_model->index(*last, 0), QItemSelectionModel::NoUpdate);
 }
 
 void PlanPanel::setHighlight(const std::string& id)
@@ -469,7 +469,7 @@ void PlanPanel::requestMenu(const QContextMenuEvent& event)
 void PlanPanel::showDropUav(const QPoint& at)
 {
     const QModelIndex index = m_table->indexAt(at);
-    m_model->setDropUav(index.isValid() ? m_model->line(index.row()).uav : -1);
+    m_model->setDropUav(index.isValid() ? m_model->line(index.row()).uav : std::nullopt);
 }
 
 bool PlanPanel::eventFilter(QObject* watched, QEvent* event)
@@ -480,7 +480,7 @@ bool PlanPanel::eventFilter(QObject* watched, QEvent* event)
         else if (event->type() == QEvent::DragMove)
             showDropUav(static_cast<QDragMoveEvent*>(event)->position().toPoint());
         else if (event->type() == QEvent::DragLeave || event->type() == QEvent::Drop)
-            m_model->setDropUav(-1);
+            m_model->setDropUav(std::nullopt);
     }
     if (event->type() == QEvent::ContextMenu) {
         requestMenu(*static_cast<QContextMenuEvent*>(event));

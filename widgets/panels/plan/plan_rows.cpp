@@ -40,7 +40,7 @@ PlanRow rowOf(const MissionSnapshot& now, int iceberg)
     return {.id = now.icebergs[index].id,
             .name = shownName(now.icebergs[index]),
             .sigma_m2 = now.world.tracks[index].sigma_m2,
-            .isAssigned = index < now.assigned.size() && now.assigned[index] >= 0};
+            .isAssigned = index < now.assigned.size() && now.assigned[index]};
 }
 
 /** Computes the courses of straight legs of one scenario. */
@@ -156,7 +156,6 @@ void addSearches(std::vector<PlanRow>& rows, const MissionSnapshot& now, const P
         search.time_s -= now.time_s;
         PlanRow& row =
             byIceberg.try_emplace(search.iceberg, rowOf(now, search.iceberg)).first->second;
-        row.number = -1;
         // The iceberg is at only one of the places.
         row.chance = row.chance.value_or(0) + search.chance;
         row.searches.push_back(search);
@@ -265,7 +264,7 @@ PlanOutlook aimedOutlook(const MissionSnapshot& shown, const Scenario& scenario)
 /** Adds the bound; for a time before the end it needs the complete curve. */
 void addBound(PlanOutlook& outlook, const KnownBound& bound)
 {
-    if (bound.zeta_m2s <= 0 || (outlook.until_s && !bound.whole))
+    if (!bound.zeta_m2s || (outlook.until_s && !bound.whole))
         return;
     outlook.bound_m2s = outlook.until_s ? bound.whole->by_m2s(*outlook.until_s) : bound.zeta_m2s;
     outlook.boundShare = bound.share;

@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct PlanRow
     /** Chance of being in view on arrival; nullopt if it depends on the aim. */
     std::optional<double> chance = {};
     std::vector<PlannedSearch> searches = {}; ///< places where a lost iceberg is searched for
-    int number = 0;          ///< place in the order, from 1; 0 means the row's place, −1 a search
+    std::optional<int> number = {};           ///< place in the order, from 1; nullopt for a search
     bool isSeen = true;      ///< if false, plan or run ends before, and leg and arrival are unknown
     bool isAssigned = false; ///< whether it is assigned to this one of several UAVs
     /** Time from now to the next visit of a patrol after `arrival_s`; nullopt if there is none. */

@@ -65,7 +65,7 @@ void TauStrip::alignWith(const QSlider* slider)
 void TauStrip::setCurve(const TauCurve& curve)
 {
     m_curve = curve;
-    setHovered(underMouse() ? intervalNear(mapFromGlobal(QCursor::pos()).x()) : -1);
+    setHovered(underMouse() ? intervalNear(mapFromGlobal(QCursor::pos()).x()) : std::nullopt);
     describe();
 }
 
@@ -132,16 +132,16 @@ double TauStrip::tauAt(double x_px) const
     return std::clamp((x_px - span.from_px) / (span.to_px - span.from_px), 0.0, 1.0) * kEnd;
 }
 
-const CurveInterval* TauStrip::interval(int index) const
+const CurveInterval* TauStrip::interval(std::optional<int> index) const
 {
-    return index < 0 ? nullptr : &m_curve.intervals[static_cast<std::size_t>(index)];
+    return index ? &m_curve.intervals[static_cast<std::size_t>(*index)] : nullptr;
 }
 
-int TauStrip::intervalNear(double x_px) const
+std::optional<int> TauStrip::intervalNear(double x_px) const
 {
     // The bar of the present plan may be wider than its interval.
-    const int present = presentInterval(m_curve, m_tau);
-    if (present >= 0) {
+    const std::optional<int> present = presentInterval(m_curve, m_tau);
+    if (present) {
         const QRectF shown = bar(*interval(present));
         if (x_px >= shown.left() && x_px < shown.right())
             return present;
@@ -216,8 +216,8 @@ void TauStrip::paintTicks(QPainter& painter, const QRectF& band) const
     // Crisp lines on any scale: each tick on whole device pixels, no two on the same.
     const double pixel = 1 / devicePixelRatioF();
     const double width_px = std::max(1.0, std::round(devicePixelRatioF())) * pixel;
-    const int present = presentInterval(m_curve, m_tau);
-    double last_px = -1;
+    const std::optional<int> present = presentInterval(m_curve, m_tau);
+    std::optional<double> last_px;
     for (int i = 0; i + 1 < static_cast<int>(m_curve.intervals.size()); ++i) {
         if (i == present || i + 1 == present)
             continue; // its bar ends there
@@ -249,24 +249,24 @@ void TauStrip::paintPresent(QPainter& painter, const QRectF& band) const
     painter.restore();
 }
 
-void TauStrip::setHovered(int index)
+void TauStrip::setHovered(std::optional<int> index)
 {
     m_hovered = index;
     const QString computing =
         m_curve.complete ? QString() : tr("The plans for every τ are being computed.");
-    setToolTip(index < 0 ? computing : intervalText(*interval(index), locale()));
+    setToolTip(index ? intervalText(*interval(index), locale()) : computing);
     update();
 }
 
 void TauStrip::mouseMoveEvent(QMouseEvent* event)
 {
-    if (const int index = intervalNear(event->position().x()); index != m_hovered)
+    if (const std::optional<int> index = intervalNear(event->position().x()); index != m_hovered)
         setHovered(index);
 }
 
 void TauStrip::leaveEvent(QEvent* /*event*/)
 {
-    setHovered(-1);
+    setHovered(std::nullopt);
 }
 
 void TauStrip::mousePressEvent(QMouseEvent* event)

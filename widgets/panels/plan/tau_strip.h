@@ -62,10 +62,11 @@ private:
     };
     [[nodiscard]] Span scale() const;
     [[nodiscard]] QRectF bar(const CurveInterval& interval) const;
-    /** Returns the interval below a position, or −1 if there is none. */
-    [[nodiscard]] int intervalNear(double x_px) const;
-    [[nodiscard]] const CurveInterval* interval(int index) const;
-    void setHovered(int index);
+    /** Returns the index of the interval below a position, or nullopt if there is none. */
+    [[nodiscard]] std::optional<int> intervalNear(double x_px) const;
+    /** Returns the interval with this index; null without an index. */
+    [[nodiscard]] const CurveInterval* interval(std::optional<int> index) const;
+    void setHovered(std::optional<int> index);
     void choose(std::optional<double> tau);
     void describe();
     void paintBand(QPainter& painter, const QRectF& band) const;
@@ -75,7 +76,7 @@ private:
     Theme m_theme = Theme::light();
     TauCurve m_curve{.intervals = {}, .complete = true};
     double m_tau = 1;
-    int m_hovered = -1;
+    std::optional<int> m_hovered;
     QPointer<const QSlider> m_slider;
 };
 

@@ -94,11 +94,9 @@ QString clockDifference(double other_s, double reference_s)
     return signedText(difference_s, clockText(std::abs(difference_s)));
 }
 
-QString icebergName(const ComparedRun& run, int iceberg)
+QString icebergName(const ComparedRun& run, std::optional<std::size_t> iceberg)
 {
-    if (iceberg < 0)
-        return missingValueText();
-    return shownName(run.icebergs[static_cast<std::size_t>(iceberg)]);
+    return iceberg ? shownName(run.icebergs[*iceberg]) : missingValueText();
 }
 
 UavTotals totalsOf(const RunFigures& figures, std::size_t uav)
@@ -108,9 +106,7 @@ UavTotals totalsOf(const RunFigures& figures, std::size_t uav)
 
 double longest_s(const RunFigures& figures)
 {
-    return figures.longestUnseen < 0
-               ? 0
-               : figures.unseen[static_cast<std::size_t>(figures.longestUnseen)].longest_s;
+    return figures.longestUnseen ? figures.unseen[*figures.longestUnseen].longest_s : 0;
 }
 
 } // namespace

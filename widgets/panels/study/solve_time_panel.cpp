@@ -73,7 +73,7 @@ SolveTimePanel::SolveTimePanel(BenchmarkRunner& runner, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
     column->setSpacing(kGap_px);
-    addSettings();
+    addInputs();
     m_chart = new SolveTimeChart(Theme::light());
     m_chart->setObjectName(u"solveTimeChart"_s);
     column->addWidget(m_chart, 1);
@@ -93,7 +93,7 @@ SolveTimePanel::SolveTimePanel(BenchmarkRunner& runner, QWidget* parent)
         m_second.start();
 }
 
-void SolveTimePanel::addSettings()
+void SolveTimePanel::addInputs()
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(kGap_px);

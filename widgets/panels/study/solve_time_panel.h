@@ -42,7 +42,7 @@ signals:
     void saveRequested();
 
 private:
-    void addSettings();
+    void addInputs();
     void addRun();
     void startOrCancel();
     void showProgress(qulonglong done, qulonglong count);

@@ -42,7 +42,7 @@ StudyResults::StudyResults(StudyRunner& runner, QWidget* parent) : QWidget(paren
     addHeader(*column);
     auto* split = new QSplitter(Qt::Vertical);
     split->setChildrenCollapsible(false);
-    split->addWidget(makePictures());
+    split->addWidget(makeFigures());
     split->addWidget(makeTables());
     split->setSizes({3, 2});
     split->setStretchFactor(0, 3);
@@ -118,27 +118,27 @@ void StudyResults::addHeader(QBoxLayout& column)
     column.addLayout(recommended);
 }
 
-QWidget* StudyResults::makePictures()
+QWidget* StudyResults::makeFigures()
 {
-    m_pictures = new QTabWidget;
-    m_pictures->setObjectName(u"studyPictures"_s);
-    m_pictures->setDocumentMode(true);
+    m_figures = new QTabWidget;
+    m_figures->setObjectName(u"studyFigures"_s);
+    m_figures->setDocumentMode(true);
     m_chart = new StudyChart(Theme::light());
     m_chart->setObjectName(u"studyChart"_s);
     m_differences = new DifferenceChart(Theme::light());
     m_differences->setObjectName(u"differenceChart"_s);
-    m_pictures->addTab(m_chart, tr("ζ against τ"));
-    m_pictures->addTab(m_differences, tr("Differences"));
-    connectPicture(*m_chart);
-    connectPicture(*m_differences);
-    return m_pictures;
+    m_figures->addTab(m_chart, tr("ζ against τ"));
+    m_figures->addTab(m_differences, tr("Differences"));
+    connectFigure(*m_chart);
+    connectFigure(*m_differences);
+    return m_figures;
 }
 
-void StudyResults::connectPicture(StudyFigure& picture)
+void StudyResults::connectFigure(StudyFigure& figure)
 {
-    connect(&picture, &FigureView::itemChosen, this,
+    connect(&figure, &FigureView::itemChosen, this,
             [this](std::size_t setting) { choose(setting); });
-    connect(&picture, &FigureView::itemActivated, this, &StudyResults::drillDown);
+    connect(&figure, &FigureView::itemActivated, this, &StudyResults::drillDown);
 }
 
 QTableView* StudyResults::makeTable(const char* name, const QString& title, CellModel& model)
@@ -311,9 +311,9 @@ void StudyResults::choose(std::optional<std::size_t> setting)
     m_chart->setChosen(setting);
     m_differences->setChosen(setting);
     if (setting)
-        if (const int row = m_settingsModel->shownRow(static_cast<int>(*setting));
-            row >= 0 && row != m_settingsTable->currentIndex().row())
-            m_settingsTable->setCurrentIndex(m_settingsModel->index(row, 0));
+        if (const std::optional<int> row = m_settingsModel->shownRow(static_cast<int>(*setting));
+            row && *row != m_settingsTable->currentIndex().row())
+            m_settingsTable->setCurrentIndex(m_settingsModel->index(*row, 0));
     if (isNew)
         showCases();
 }
@@ -408,7 +408,7 @@ void StudyResults::updateEnabled()
 
 StudyFigure* StudyResults::front() const
 {
-    return qobject_cast<StudyFigure*>(m_pictures->currentWidget());
+    return qobject_cast<StudyFigure*>(m_figures->currentWidget());
 }
 
 QString StudyResults::pictureName() const
@@ -419,24 +419,23 @@ QString StudyResults::pictureName() const
 void StudyResults::writePicture(const QString& path) const
 {
     // A separate chart, so that selection and pointer are not in the image.
-    const auto write = [&](StudyFigure& picture) {
-        picture.resize(kPage_px);
-        picture.setTitleShown(true);
-        picture.setResult(m_runner.result());
-        berg::writePicture(
-            {.size_px = kPage_px,
-             .title = picture.accessibleName(),
-             .description = picture.accessibleDescription(),
-             .paint = [&picture](QPainter& painter) { picture.paintPicture(painter); }},
-            path);
+    const auto write = [&](StudyFigure& figure) {
+        figure.resize(kPage_px);
+        figure.setTitleShown(true);
+        figure.setResult(m_runner.result());
+        berg::writePicture({.size_px = kPage_px,
+                            .title = figure.accessibleName(),
+                            .description = figure.accessibleDescription(),
+                            .paint = [&figure](QPainter& painter) { figure.paintFigure(painter); }},
+                           path);
     };
     const Theme& theme = front()->theme();
     if (front() == m_chart) {
-        StudyChart picture(theme);
-        write(picture);
+        StudyChart figure(theme);
+        write(figure);
     } else {
-        DifferenceChart picture(theme);
-        write(picture);
+        DifferenceChart figure(theme);
+        write(figure);
     }
 }
 

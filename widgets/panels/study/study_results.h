@@ -58,10 +58,10 @@ private:
     void addHeader(QBoxLayout& column);
     QToolButton* addButton(QBoxLayout& row, const char* name, const QString& text,
                            const QString& toolTip);
-    [[nodiscard]] QWidget* makePictures();
+    [[nodiscard]] QWidget* makeFigures();
     [[nodiscard]] QWidget* makeTables();
     [[nodiscard]] QTableView* makeTable(const char* name, const QString& title, CellModel& model);
-    void connectPicture(StudyFigure& picture);
+    void connectFigure(StudyFigure& figure);
     void showResult();
     [[nodiscard]] QString contendersText(const StudySummary& summary) const;
     [[nodiscard]] std::optional<std::size_t> offeredSetting() const;
@@ -89,7 +89,7 @@ private:
     QPushButton* m_useBest = nullptr; ///< takes over the setting that is named there
     QToolButton* m_openStudy = nullptr;
     std::array<QToolButton*, 4> m_exports{};
-    QTabWidget* m_pictures = nullptr;
+    QTabWidget* m_figures = nullptr;
     StudyChart* m_chart = nullptr;
     DifferenceChart* m_differences = nullptr;
     QTabWidget* m_tables = nullptr;

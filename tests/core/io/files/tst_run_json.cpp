@@ -337,7 +337,7 @@ private slots:
             run.keyframes[2].tracks[7].sigma_m2 += 1e-12;
             break;
         case 2:
-            run.keyframes[6].uavs[0].target = -1;
+            run.keyframes[6].uavs[0].target.reset();
             break;
         case 3:
             run.keyframes[9].tracks.pop_back();
@@ -349,7 +349,7 @@ private slots:
             run.plans[1].time_s += 0.1;
             break;
         case 6:
-            run.plans[0].target = -1;
+            run.plans[0].target.reset();
             break;
         case 7:
             std::swap(run.plans[0].order[1], run.plans[0].order[2]);
@@ -392,8 +392,8 @@ private slots:
         changed[6].zeta_m2s += 1;
         changed[7].uavs[0].flown_m += 1;
         changed[8].uavs[0].mode = FlightMode::Circle;
-        changed[9].uavs[0].target += 1;
-        changed[10].uavs[0].lastReached += 1;
+        changed[9].uavs[0].target = state.uavs[0].target.value_or(0) + 1;
+        changed[10].uavs[0].lastReached = state.uavs[0].lastReached.value_or(0) + 1;
         changed[11].uavs[0].guidance.gains.lookahead_m += 1;
         changed[12].uavs[0].guidance.gains.integral_mps += 1;
         changed[13].uavs[0].guidance.gains.turn_1ps += 1;

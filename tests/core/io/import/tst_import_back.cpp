@@ -240,7 +240,7 @@ private slots:
         const ExportContent content = planContent(scenario, fourIcebergPlan(), options);
         const ImportResult result = back(isPlan ? qgcPlan(content) : wplText(content), scenario);
         std::vector<Visit> visits = content.uavs.front().visits;
-        std::erase_if(visits, [](const Visit& visit) { return visit.iceberg < 0; });
+        std::erase_if(visits, [](const Visit& visit) { return !visit.iceberg; });
         QCOMPARE(result.rejected.count, std::size_t{0});
         QCOMPARE(result.scenario.icebergs.size(), visits.size());
         for (std::size_t i = 0; i < visits.size(); ++i)

@@ -64,7 +64,7 @@ private slots:
         QFETCH(const QByteArray, text);
         QFETCH(const int, line);
         const SightingTable table = readText(text.toStdString());
-        QCOMPARE(table.headerLine, static_cast<std::size_t>(line));
+        QCOMPARE(table.headerLine.value_or(0), static_cast<std::size_t>(line));
         QCOMPARE(table.sightings.size(), std::size_t{1});
         QCOMPARE(table.rejected.count, std::size_t{0});
         QCOMPARE(table.sightings[0].line, static_cast<std::size_t>(line) + 1);
@@ -79,10 +79,10 @@ private slots:
         const std::string text = "Report\nwho;up;right\na;47,5;-48,25\n";
         const ColumnMapping mapping{{SightingField::Latitude, "up"},
                                     {SightingField::Longitude, "right"}};
-        QCOMPARE(readText(text, {.mapping = mapping}).headerLine, std::size_t{2});
+        QCOMPARE(readText(text, {.mapping = mapping}).headerLine, std::optional(std::size_t{2}));
         const std::string two = "id;lat;lon\na;1;1\n\nid;lat;lon\nb;47,5;-48,25\n";
         const SightingTable chosen = readText(two, {.headerLine = 4});
-        QCOMPARE(chosen.headerLine, std::size_t{4});
+        QCOMPARE(chosen.headerLine, std::optional(std::size_t{4}));
         QCOMPARE(chosen.sightings.size(), std::size_t{1});
         QCOMPARE(chosen.sightings[0].line, std::size_t{5});
         QCOMPARE(readText(text, {.mapping = mapping, .headerLine = 2}).sightings[0].line,

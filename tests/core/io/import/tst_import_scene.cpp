@@ -206,9 +206,9 @@ private slots:
                            .ceiling_m = 5000},
                           {.corners_m = {{9000, 2000}, {9900, 2000}, {9900, 2800}}}};
         const bool isMission = format >= 0 && kFormats[std::size_t(format)].mission;
-        const ExportContent content =
-            planContent(scenario, planFromStart(scenario),
-                        {.uav = isMission ? scenario.uavs.front().id : std::string()});
+        const ExportContent content = planContent(
+            scenario, planFromStart(scenario),
+            {.uav = isMission ? std::optional(scenario.uavs.front().id) : std::nullopt});
         const ImportResult result = importedAsNew(
             format < 0 ? czmlText(content) : kFormats[std::size_t(format)].write(content));
         const Scenario& found = result.scenario;

@@ -149,9 +149,8 @@ private slots:
         const RunFile run = runFromJson(runToJson(runOf(mission)), "text");
         QVERIFY(compareRun(run, runOf(replay(run))).empty());
         const std::vector<PlanEvent>& plans = mission.plans();
-        const auto toCluster = std::ranges::count_if(plans, [](const PlanEvent& plan) {
-            return !clusterWith(plan.clusters, plan.target).empty();
-        });
+        const auto toCluster = std::ranges::count_if(
+            plans, [](const PlanEvent& plan) { return !clusterOfTarget(plan).empty(); });
         QVERIFY2(toCluster >= 5, QByteArray::number(static_cast<qlonglong>(toCluster)));
         QVERIFY2(plans.size() < 300, QByteArray::number(static_cast<qlonglong>(plans.size())));
         for (int i = 0; i < 14; ++i)
@@ -235,7 +234,7 @@ private slots:
         const std::vector<Visit> visits = plannedVisits(scenario, planOfTwoTogether());
         QCOMPARE(visits.size(), std::size_t{3});
         const Visit& visit = visits[1];
-        QCOMPARE(visit.iceberg, 0);
+        QCOMPARE(visit.iceberg, std::optional(0));
         QCOMPARE(visit.members, (std::vector<int>{0, 2}));
         std::vector<Point> then_m;
         for (const int member : visit.members) {
@@ -257,7 +256,7 @@ private slots:
         for (const Visit& visit : flownVisits(mission)) {
             const Simulation then = instantAt(mission, visit.time_s).simulation;
             if (visit.members.empty()) {
-                QVERIFY(visit.position_m == then.truth_m(visit.iceberg));
+                QVERIFY(visit.position_m == then.truth_m(visit.iceberg.value()));
                 continue;
             }
             std::vector<Point> places_m;
@@ -266,7 +265,7 @@ private slots:
                 places_m.push_back(then.truth_m(member));
             }
             QVERIFY(visit.position_m == enclosingCircle(places_m).centre_m);
-            QVERIFY(std::ranges::find(visit.members, visit.iceberg) != visit.members.end());
+            QVERIFY(std::ranges::find(visit.members, visit.iceberg.value()) != visit.members.end());
             ++clusters;
         }
         QVERIFY(clusters >= 3);

@@ -182,10 +182,9 @@ private slots:
             last_s = record[0].toDouble();
             ++count[record[1]];
             QCOMPARE(record[2], QByteArray("uav-1"));
-            const QByteArray id =
-                event.iceberg < 0
-                    ? QByteArray()
-                    : bytes(mission.icebergs()[static_cast<std::size_t>(event.iceberg)].id);
+            const QByteArray id = event.iceberg
+                                      ? bytes(mission.icebergs()[toIndex(*event.iceberg)].id)
+                                      : QByteArray();
             QCOMPARE(record[3], id);
             QCOMPARE(record[4], bytes(eventDetail(event, mission)));
         }
@@ -264,7 +263,7 @@ private slots:
         Point from_m = scenario.uavs[0].position_m;
         for (std::size_t i = 0; i < visits.size(); ++i) {
             const Record& record = records[static_cast<qsizetype>(i) + 1];
-            const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(visits[i].iceberg)];
+            const Iceberg& iceberg = scenario.icebergs[toIndex(visits[i].iceberg.value())];
             QCOMPARE(record.size(), 13);
             QCOMPARE(record[11], QByteArray("uav-1"));
             QCOMPARE(record[12].toDouble(), 1.0); // 300 m to each side, 5 m of deviation

@@ -61,7 +61,7 @@ private slots:
             for (double tau = 0.02; tau < 3; tau += 0.11) {
                 problem.mu = fleetTuningWeight(problem, apart_m, tau).mu;
                 const CurveInterval& here =
-                    curve.intervals[static_cast<std::size_t>(intervalAt(curve, tau))];
+                    curve.intervals[static_cast<std::size_t>(intervalAt(curve, tau).value())];
                 const double shift = objectiveShift(problem);
                 const double best = bruteForceFleet(problem) + shift;
                 COMPARE_NEAR(fleetObjective(problem, here.plan) + shift, best, 1e-9 * best);
@@ -86,7 +86,7 @@ private slots:
         problem.mu = fleetTuningWeight(problem, task.betweenStarts_m, 1).mu;
         const double shift = objectiveShift(problem);
         const double planned = planFromStart(scenario).outcome.objective + shift;
-        const auto at = static_cast<std::size_t>(intervalAt(curve, 1));
+        const auto at = static_cast<std::size_t>(intervalAt(curve, 1).value());
         QVERIFY(fleetObjective(problem, curve.intervals[at].plan) + shift < 1.02 * planned);
     }
 
@@ -99,7 +99,8 @@ private slots:
             const FleetTask task = visitationTask(request, Route::Open);
             const PlanAnswer plan = planFromStart(scenario);
             const TauCurve curve = tauCurve(task.problem, task.betweenStarts_m, {});
-            const auto at = static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau));
+            const auto at =
+                static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau).value());
             const std::vector<std::vector<int>> orders =
                 ordersInIds(request, task, curve.intervals[at].plan);
             for (std::size_t u = 0; u < 2; ++u)

@@ -163,7 +163,7 @@ private slots:
                 double best = std::numeric_limits<double>::infinity();
                 for (const auto& [distance_m, reward_m2] : lines)
                     best = std::min(best, mu * distance_m - reward_m2);
-                const int index = intervalAt(curve, tau);
+                const int index = intervalAt(curve, tau).value();
                 seen.insert(index);
                 const VisitOrder& order = curve.intervals[static_cast<std::size_t>(index)].order();
                 COMPARE_NEAR(costAt(problem, order, tau), best + shift, 1e-9 * (best + shift));
@@ -241,7 +241,7 @@ private slots:
             const double tau = k % 2 == 0 ? random.uniform(0, 5) : random.uniform(0, 1);
             problem.mu = tuningWeight(problem, tau).mu;
             const SolveOutcome best = SubsetSolver().solve(problem, {});
-            const int index = intervalAt(curve, tau);
+            const int index = intervalAt(curve, tau).value();
             const VisitOrder& order = curve.intervals[static_cast<std::size_t>(index)].order();
             const double cost = best.objective + objectiveShift(problem);
             COMPARE_NEAR(objective(problem, order) + objectiveShift(problem), cost, 1e-9 * cost);
@@ -289,14 +289,14 @@ private slots:
     void intervalsAreFound()
     {
         TauCurve curve;
-        QCOMPARE(intervalAt(curve, 1), -1);
+        QVERIFY(!intervalAt(curve, 1));
         curve.intervals = {{.tauFrom = 0, .tauTo = 1}, {.tauFrom = 1, .tauTo = 5}};
-        QCOMPARE(intervalAt(curve, 0), 0);
-        QCOMPARE(intervalAt(curve, 0.999), 0);
-        QCOMPARE(intervalAt(curve, 1), 1);
-        QCOMPARE(intervalAt(curve, 5), 1);
-        QCOMPARE(intervalAt(curve, 90), 1);
-        QCOMPARE(intervalAt(curve, -1), 0);
+        QCOMPARE(intervalAt(curve, 0), std::optional(0));
+        QCOMPARE(intervalAt(curve, 0.999), std::optional(0));
+        QCOMPARE(intervalAt(curve, 1), std::optional(1));
+        QCOMPARE(intervalAt(curve, 5), std::optional(1));
+        QCOMPARE(intervalAt(curve, 90), std::optional(1));
+        QCOMPARE(intervalAt(curve, -1), std::optional(0));
     }
 
     /** Each report is a whole curve, never worse anywhere than the one before. */
@@ -312,7 +312,7 @@ private slots:
             checkShape(curve, problem, 5);
             for (double tau = 0.05; tau < 5 && !last.intervals.empty(); tau += 0.1) {
                 const auto at = [tau](const TauCurve& c) {
-                    return c.intervals[static_cast<std::size_t>(intervalAt(c, tau))];
+                    return c.intervals[static_cast<std::size_t>(intervalAt(c, tau).value())];
                 };
                 QVERIFY(costAt(problem, at(curve).order(), tau) <=
                         costAt(problem, at(last).order(), tau) * (1 + 1e-12));
@@ -424,7 +424,7 @@ private slots:
             QCOMPARE(task.problem.route, plan.problem.route);
 
             const TauCurve curve = tauCurve(task.problem, task.betweenStarts_m, {});
-            const int index = intervalAt(curve, scenario.planner.tau);
+            const int index = intervalAt(curve, scenario.planner.tau).value();
             QCOMPARE(curve.intervals[static_cast<std::size_t>(index)].order(),
                      plan.outcome.order());
         }

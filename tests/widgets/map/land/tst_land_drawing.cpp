@@ -10,16 +10,17 @@ using namespace berg;
 
 namespace {
 
-const LandStyle kLook{.sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
+const LandStyle kLandStyle{
+    .sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
 
-struct Place
+struct KnownPlace
 {
     const char* name;
     LatLon at;
     bool isLand;
 };
 
-const std::vector<Place> kPlaces = {
+const std::vector<KnownPlace> kPlaces = {
     {"Greenland, interior", {72, -40}, true},
     {"Greenland, far north", {82, -35}, true},
     {"Newfoundland", {48.5, -56}, true},
@@ -58,7 +59,7 @@ QImage around(const MapPlane& plane, LatLon place, double scale_pxpm, int side_p
     QPainter painter(&image);
     const QRectF rect(0, 0, side_px, side_px);
     paintLand(painter, plane, MapViewTransform(toPlane(plane, place), rect.center(), scale_pxpm),
-              rect, kLook);
+              rect, kLandStyle);
     return image;
 }
 
@@ -112,12 +113,13 @@ private slots:
     {
         QFETCH(MapPlane, plane);
         int seen = 0;
-        for (const Place& place : kPlaces) {
+        for (const KnownPlace& place : kPlaces) {
             if (!isWithinReach(plane, place.at))
                 continue;
             for (const double scale_pxpm : {1e-4, 1e-3, 0.1}) {
                 const QImage image = around(plane, place.at, scale_pxpm, 5);
-                QVERIFY2(image.pixelColor(2, 2) == (place.isLand ? kLook.land : kLook.sea),
+                QVERIFY2(image.pixelColor(2, 2) ==
+                             (place.isLand ? kLandStyle.land : kLandStyle.sea),
                          place.name);
             }
             ++seen;
@@ -153,7 +155,8 @@ private slots:
         QFETCH(double, latitude_deg);
         QFETCH(double, longitude_deg);
         QFETCH(double, scale_pxpm);
-        QVERIFY(isAll(around(plane, {latitude_deg, longitude_deg}, scale_pxpm, 160), kLook.land));
+        QVERIFY(
+            isAll(around(plane, {latitude_deg, longitude_deg}, scale_pxpm, 160), kLandStyle.land));
     }
 
     void coastIsDrawnWhereLandMeetsSea()
@@ -167,7 +170,7 @@ private slots:
                 coast +=
                     image.pixelColor(x, y).green() < 120 && image.pixelColor(x, y).blue() < 120;
         QVERIFY(coast > 50);
-        QVERIFY(!isAll(image, kLook.land));
+        QVERIFY(!isAll(image, kLandStyle.land));
     }
 
     void nothingIsShownBeyondReach()
@@ -178,10 +181,12 @@ private slots:
         const int side_px = 2 * static_cast<int>(reach_px) + 100;
         const QImage image = around(plane, {72, -50}, scale_pxpm, side_px);
         const int middle = side_px / 2;
-        QCOMPARE(image.pixelColor(1, 1), kLook.beyond);
-        QCOMPARE(image.pixelColor(middle, middle + static_cast<int>(reach_px) + 4), kLook.beyond);
-        QVERIFY(image.pixelColor(middle, middle + static_cast<int>(reach_px) - 4) != kLook.beyond);
-        QVERIFY(image.pixelColor(middle, middle) != kLook.beyond);
+        QCOMPARE(image.pixelColor(1, 1), kLandStyle.beyond);
+        QCOMPARE(image.pixelColor(middle, middle + static_cast<int>(reach_px) + 4),
+                 kLandStyle.beyond);
+        QVERIFY(image.pixelColor(middle, middle + static_cast<int>(reach_px) - 4) !=
+                kLandStyle.beyond);
+        QVERIFY(image.pixelColor(middle, middle) != kLandStyle.beyond);
     }
 
     /** A part of the map is the same whether it is drawn by itself or in a larger rectangle. */
@@ -194,11 +199,11 @@ private slots:
         QImage alone(400, 300, QImage::Format_RGB32);
         {
             QPainter painter(&whole);
-            paintLand(painter, plane, view, whole.rect(), kLook);
+            paintLand(painter, plane, view, whole.rect(), kLandStyle);
         }
         {
             QPainter painter(&alone);
-            paintLand(painter, plane, view, part, kLook);
+            paintLand(painter, plane, view, part, kLandStyle);
         }
         const QImage a = whole.copy(part);
         const QImage b = alone.copy(part);

@@ -9,7 +9,8 @@ using namespace berg;
 
 namespace {
 
-const LandStyle kLook{.sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
+const LandStyle kLandStyle{
+    .sea = Qt::blue, .land = Qt::green, .coast = Qt::black, .beyond = Qt::red};
 constexpr QSize kSize(320, 200);
 
 /** Disko Bay, an area full of islands and fjords. */
@@ -19,7 +20,7 @@ LandRequest request(double scale_pxpm = 2e-3)
             .view = MapViewTransform(Point::Zero(), QRectF(QPointF(), kSize).center(), scale_pxpm),
             .rect = QRectF(QPointF(), kSize),
             .ratio = 1,
-            .style = kLook};
+            .style = kLandStyle};
 }
 
 QImage shown(LandLayer& layer, const LandRequest& wanted)
@@ -69,7 +70,7 @@ private slots:
         const QSignalSpy updated(&layer, &LandLayer::updated);
         const LandRequest wanted = request();
         const QImage first = shown(layer, wanted);
-        QCOMPARE(first.pixelColor(10, 10), kLook.sea);
+        QCOMPARE(first.pixelColor(10, 10), kLandStyle.sea);
         QTRY_COMPARE(updated.size(), 1);
         QCOMPARE(difference(shown(layer, wanted), drawnNow(wanted)), 0.0);
     }
@@ -125,7 +126,7 @@ private slots:
         (void)settled(layer, request());
         LandRequest other = request();
         other.plane = LocalFrame({47, -48});
-        QCOMPARE(shown(layer, other).pixelColor(100, 100), kLook.sea);
+        QCOMPARE(shown(layer, other).pixelColor(100, 100), kLandStyle.sea);
         layer.finish();
         LandRequest dark = request();
         dark.style.land = Qt::darkGreen;

@@ -70,7 +70,7 @@ private slots:
         const double once_px = layoutOf(picture).labels[1].rect.width();
         picture.routes.front().plan = {0, 1, 2, 1, 3, 1};
         std::vector<MapStop> stops = stopsOf(picture);
-        QCOMPARE(stops[1].order, 2);
+        QCOMPARE(stops[1].order.value(), 2);
         QCOMPARE(stops[1].later, std::vector<int>({4, 6}));
         QVERIFY(stops[0].later.empty());
         QVERIFY(layoutOf(picture).labels[1].rect.width() > once_px + 2 * kLaterDisk_px);

@@ -263,7 +263,7 @@ private slots:
     {
         MapPicture picture = test::randomPicture(12);
         picture.routes[0].plan = {0, 1, 2};
-        picture.routes[0].planPaths = twoWays(picture.uavs[0].position_m);
+        picture.routes[0].planPaths = twoPaths(picture.uavs[0].position_m);
         const MapLayout high = layoutOf(picture, {960, 800});
         const MapLayout low = layoutOf(picture, {960, 445});
         QVERIFY(!high.isLegendCompact && low.isLegendCompact);
@@ -345,7 +345,7 @@ private slots:
                              1e-6);
         }
         for (int k = 0; k < 5; ++k)
-            QCOMPARE(layout.stops[static_cast<std::size_t>(k)].order, k + 1);
+            QCOMPARE(layout.stops[static_cast<std::size_t>(k)].order.value(), k + 1);
     }
 
     void driftArrowsAreTrueToTheMap()

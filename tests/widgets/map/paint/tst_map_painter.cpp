@@ -222,7 +222,7 @@ private slots:
     }
 
     /** Turns and lines in place of lines from symbol to symbol; the aims are marked. */
-    void waysAreDrawnAsTheyAreFlown()
+    void pathsAreDrawnAsTheyAreFlown()
     {
         const Theme theme = Theme::light();
         const MapStyle style{.theme = theme, .locale = kLocale};
@@ -232,7 +232,7 @@ private slots:
         picture.routes[0].plan = {0, 2};
         QVERIFY(planLegs(picture, layoutOf(picture, size), 0)[0].size() == 2);
         const double legend_px = layoutOf(picture, size).legend.height();
-        picture.routes[0].planPaths = twoWays(picture.uavs[0].position_m);
+        picture.routes[0].planPaths = twoPaths(picture.uavs[0].position_m);
         const MapLayout layout = layoutOf(picture, size);
         QVERIFY(layout.legend.height() > legend_px); // a row for the aims
         const std::vector<QPolygonF> legs = planLegs(picture, layout, 0);
@@ -251,7 +251,7 @@ private slots:
         QVERIFY(isDrawn(from_m + 1000 * Point(std::sin(1.2), 1 - std::cos(1.2))));
 
         picture.routes[0].formerPlan = {2, 0};
-        picture.routes[0].formerPaths = twoWays(picture.uavs[0].position_m - Point(300, 0));
+        picture.routes[0].formerPaths = twoPaths(picture.uavs[0].position_m - Point(300, 0));
         QCOMPARE(formerLegs(picture, layout, 0)[0].size(), qsizetype{12});
     }
 

@@ -72,11 +72,11 @@ private slots:
         const Theme theme = Theme::light();
         const MapLayout layout =
             arrangeMap(picture, {.theme = theme, .locale = QLocale::c()}, {0, 0, 1000, 700});
-        QCOMPARE(layout.stops[0].order, 1);
-        QCOMPARE(layout.stops[1].order, 1); // first for the second UAV, third for the first
+        QCOMPARE(layout.stops[0].order.value(), 1);
+        QCOMPARE(layout.stops[1].order.value(), 1); // first for the second UAV, third for the first
         QCOMPARE(layout.stops[1].uav, std::size_t{1});
         QCOMPARE(layout.stops[3].uav, std::size_t{0});
-        QCOMPARE(layout.stops[2].order, 2);
+        QCOMPARE(layout.stops[2].order.value(), 2);
     }
 
     void routesStayWithTheirUavs()
@@ -92,12 +92,12 @@ private slots:
         QVERIFY(shown.routes[1].plan.empty());
     }
 
-    void keptIcebergsHaveAPin()
+    void assignedIcebergsHaveAPin()
     {
         const Theme theme = Theme::dark();
         MapPicture picture = withScenario({}, twoUavs());
-        QCOMPARE(picture.icebergs[0].assignedUav, 1);
-        QCOMPARE(picture.icebergs[1].assignedUav, -1);
+        QCOMPARE(picture.icebergs[0].assignedUav, std::optional(1));
+        QVERIFY(!picture.icebergs[1].assignedUav);
         const MapStyle style{.theme = theme, .locale = QLocale::c()};
         const QSize size(1000, 700);
         const MapLayout layout = arrangeMap(picture, style, QRectF(QPointF(0, 0), size));
@@ -109,7 +109,7 @@ private slots:
         QVERIFY(!isPinned(1));
         QVERIFY(legendTexts(picture).contains(u"Assigned to the UAV of this colour"_s));
         picture.uavs[0].label.clear(); // the only one
-        picture.icebergs[0].assignedUav = -1;
+        picture.icebergs[0].assignedUav.reset();
         QVERIFY(!isPinned(0));
         QVERIFY(!legendTexts(picture).contains(u"Assigned to the UAV of this colour"_s));
     }
@@ -216,7 +216,7 @@ private slots:
         picture.uavs.pop_back();
         picture.routes.pop_back();
         picture.uavs[0].label.clear(); // the only one
-        picture.icebergs[0].assignedUav = -1;
+        picture.icebergs[0].assignedUav.reset();
         COMPARE_NEAR(LegendUavs(picture, theme, 220).height_px(), 0, 0);
         QVERIFY(legendSize(picture, style, {}, false).height() <= legend_px - two_px);
     }

@@ -24,11 +24,11 @@ QColor colourAt(const QImage& image, const QPointF& at)
 }
 
 /** A shown one of `side_px` square. */
-struct Shown
+struct ShownInset
 {
     OverviewInset overview;
 
-    explicit Shown(int side_px)
+    explicit ShownInset(int side_px)
     {
         overview.resize(side_px, side_px);
         overview.show();
@@ -46,7 +46,7 @@ private slots:
 
     void showsTheHemisphereOfThePlace()
     {
-        Shown shown(400);
+        ShownInset shown(400);
         shown.overview.setPlace({78, 15});
         QCOMPARE(shown.overview.pole(), Pole::North);
         const Theme theme = Theme::light();
@@ -62,7 +62,7 @@ private slots:
 
     void greenlandIsBelowTheNorthPole()
     {
-        Shown shown(400);
+        ShownInset shown(400);
         const QPointF pole = shown.overview.pixelOf({90, 0});
         COMPARE_NEAR(pole.x(), 200, 1);
         COMPARE_NEAR(pole.y(), 200, 1);
@@ -74,7 +74,7 @@ private slots:
 
     void marksPlaceAndExtent()
     {
-        Shown shown(400);
+        ShownInset shown(400);
         const Theme theme = Theme::light();
         shown.overview.setPlace({85, 170});
         QCOMPARE(colourAt(picture(shown.overview), shown.overview.pixelOf({85, 170})), theme.uav);
@@ -88,7 +88,7 @@ private slots:
 
     void pixelsAndPlacesAgree()
     {
-        Shown shown(300);
+        ShownInset shown(300);
         for (const LatLon place : {LatLon{80, 20}, LatLon{47, -48}, LatLon{35, 179.9}}) {
             const std::optional<LatLon> back =
                 shown.overview.placeAt(shown.overview.pixelOf(place));
@@ -101,7 +101,7 @@ private slots:
 
     void clickPicks()
     {
-        Shown shown(300);
+        ShownInset shown(300);
         QSignalSpy picked(&shown.overview, &OverviewInset::placePicked);
         const QPoint at = shown.overview.pixelOf({60, 10}).toPoint();
         QTest::mouseClick(&shown.overview, Qt::LeftButton, {}, at);
@@ -116,7 +116,7 @@ private slots:
 
     void navigableOneZoomsAndMoves()
     {
-        Shown shown(300);
+        ShownInset shown(300);
         shown.overview.setNavigable(true);
         const LatLon place{70, 20};
         const QPointF at = shown.overview.pixelOf(place);
@@ -136,7 +136,7 @@ private slots:
 
     void wheelZoomsOnlyWhenNavigable()
     {
-        Shown shown(300);
+        ShownInset shown(300);
         const QPointF before = shown.overview.pixelOf({60, 0});
         const auto turnWheel = [&] {
             QWheelEvent event({100, 100}, {100, 100}, {}, {0, 120}, Qt::NoButton, {},
@@ -152,7 +152,7 @@ private slots:
 
     void cursorShowsItsPlace()
     {
-        Shown shown(300);
+        ShownInset shown(300);
         const QImage without = picture(shown.overview);
         QTest::mouseMove(&shown.overview, {150, 80});
         QTRY_VERIFY(picture(shown.overview) != without);
@@ -198,7 +198,7 @@ private slots:
 
     void coversNoMoreThanItsDisk()
     {
-        Shown shown(200);
+        ShownInset shown(200);
         const QImage image = picture(shown.overview);
         QVERIFY(colourAt(image, {10, 10}) != Theme::light().sea);
         QVERIFY(colourAt(image, {190, 190}) != Theme::light().land);

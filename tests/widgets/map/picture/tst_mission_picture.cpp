@@ -194,13 +194,13 @@ private slots:
         QCOMPARE(missionPicture(record, kLocale).readouts.size(), std::size_t{3});
     }
 
-    void whoIcebergsAreKeptFor()
+    void assignedUavsAreInThePicture()
     {
         FlightRecord record = recordOf(fleetFlown(0));
         record.now.assigned[1] = 2;
         const MapPicture picture = missionPicture(record, kLocale);
-        QCOMPARE(picture.icebergs[0].assignedUav, -1);
-        QCOMPARE(picture.icebergs[1].assignedUav, 2);
+        QVERIFY(!picture.icebergs[0].assignedUav);
+        QCOMPARE(picture.icebergs[1].assignedUav, std::optional(2));
     }
 
     void zetaChartEndsAtTheMetrics()

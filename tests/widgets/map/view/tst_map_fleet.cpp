@@ -254,7 +254,7 @@ private slots:
         QVERIFY(!hasErrors(validate(map.scenario())));
     }
 
-    void whatWasKeptForADeletedOneIsAnybodys()
+    void icebergsOfADeletedUavAreUnassigned()
     {
         FleetFixture map;
         map.selection.set({"uav-2"});
@@ -288,11 +288,11 @@ private slots:
     {
         FleetFixture map;
         Scenario there = map.scenario();
-        const std::vector<Iceberg> kept{there.icebergs[0]};
-        (void)addCopies(there, kept, {10, 10});
+        const std::vector<Iceberg> assigned{there.icebergs[0]};
+        (void)addCopies(there, assigned, {10, 10});
         QCOMPARE(there.icebergs.back().uav, std::string("uav-2"));
         Scenario elsewhere = test::MapFixture::fourIcebergs();
-        (void)addCopies(elsewhere, kept, {10, 10});
+        (void)addCopies(elsewhere, assigned, {10, 10});
         QVERIFY(elsewhere.icebergs.back().uav.empty());
     }
 

@@ -79,7 +79,7 @@ private slots:
         const QAbstractItemModelTester tester(&model);
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);
         const int rows = model.rowCount();
-        const int next = history.plans.back().target;
+        const int next = history.plans.back().target.value();
         add(400.1, next, PlanReason::HoldFlown);
         add(400.2, next, PlanReason::HoldFlown);
         add(400.3, next == 0 ? 1 : 0, PlanReason::HoldFlown);
@@ -87,9 +87,9 @@ private slots:
         QCOMPARE(model.rowCount(), rows + 1);
         QCOMPARE(model.time_s(rows), 400.3);
         model.setShown(history.events.size() - 1);
-        QCOMPARE(model.lastShown(), rows - 1);
+        QCOMPARE(model.shownRows(), rows);
         model.setShown(history.events.size());
-        QCOMPARE(model.lastShown(), rows);
+        QCOMPARE(model.shownRows(), rows + 1);
     }
 
     /** A UAV with nothing to visit is planned at every step: that is listed once. */
@@ -97,7 +97,7 @@ private slots:
     {
         FlightRecord record = recordUntil(400);
         MissionHistory& history = record.history;
-        const auto add = [&](double time_s, int iceberg) {
+        const auto add = [&](double time_s, std::optional<int> iceberg) {
             history.events.push_back({.time_s = time_s, .iceberg = iceberg, .uav = 0});
             history.plans.push_back({.time_s = time_s,
                                      .reason = PlanReason::OutOfView,
@@ -108,12 +108,12 @@ private slots:
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);
         const int rows = model.rowCount();
         for (int step = 1; step <= 50; ++step)
-            add(400 + 0.1 * step, -1);
+            add(400 + 0.1 * step, std::nullopt);
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);
         QCOMPARE(model.rowCount(), rows + 1);
         QCOMPARE(model.time_s(rows), 400.1);
         add(406, 0);
-        add(407, -1);
+        add(407, std::nullopt);
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);
         QCOMPARE(model.rowCount(), rows + 3); // it had something to visit in between
     }

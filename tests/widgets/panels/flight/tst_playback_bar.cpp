@@ -122,31 +122,31 @@ private slots:
     void rateIsEmittedByTheUserOnly()
     {
         PlaybackBarFixture f;
-        QCOMPARE(f.bar.rate(), 10.0);
+        QCOMPARE(f.bar.rate(), FlightRate(10));
         f.bar.setRate(50);
-        QCOMPARE(f.bar.rate(), 50.0);
+        QCOMPARE(f.bar.rate(), FlightRate(50));
         QCOMPARE(f.rateEdited.count(), 0);
         QTest::keyClick(&f.rate, Qt::Key_End);
         QCOMPARE(f.rateEdited.count(), 1);
-        QCOMPARE(f.rateEdited.front().front().toDouble(), 0.0);
-        QCOMPARE(f.bar.rate(), 0.0);
+        QCOMPARE(f.rateEdited.front().front().value<FlightRate>(), kFastestRate);
+        QCOMPARE(f.bar.rate(), kFastestRate);
     }
 
     void nearestRateIsChosen_data()
     {
-        QTest::addColumn<double>("asked");
-        QTest::addColumn<double>("chosen");
-        QTest::newRow("on offer") << 20.0 << 20.0;
-        QTest::newRow("between") << 40.0 << 50.0;
-        QTest::newRow("beyond") << 1e6 << 1000.0;
-        QTest::newRow("slow motion") << 0.11 << 0.1;
-        QTest::newRow("as fast as possible") << 0.0 << 0.0;
+        QTest::addColumn<FlightRate>("asked");
+        QTest::addColumn<FlightRate>("chosen");
+        QTest::newRow("on offer") << FlightRate(20) << FlightRate(20);
+        QTest::newRow("between") << FlightRate(40) << FlightRate(50);
+        QTest::newRow("beyond") << FlightRate(1e6) << FlightRate(1000);
+        QTest::newRow("slow motion") << FlightRate(0.11) << FlightRate(0.1);
+        QTest::newRow("as fast as possible") << kFastestRate << kFastestRate;
     }
 
     void nearestRateIsChosen()
     {
-        QFETCH(double, asked);
-        QFETCH(double, chosen);
+        QFETCH(FlightRate, asked);
+        QFETCH(FlightRate, chosen);
         PlaybackBarFixture f;
         f.bar.setRate(asked);
         QCOMPARE(f.bar.rate(), chosen);
@@ -196,12 +196,12 @@ private slots:
         PlaybackBarFixture f;
         f.bar.setRate(500);
         f.bar.stepRate(+1);
-        QCOMPARE(f.bar.rate(), 1000.0);
+        QCOMPARE(f.bar.rate(), FlightRate(1000));
         f.bar.stepRate(+5);
-        QCOMPARE(f.bar.rate(), 0.0);
+        QCOMPARE(f.bar.rate(), kFastestRate);
         f.bar.setRate(0.1);
         f.bar.stepRate(-1);
-        QCOMPARE(f.bar.rate(), 0.1);
+        QCOMPARE(f.bar.rate(), FlightRate(0.1));
     }
 
     void barLeavesTheMapNarrow()

@@ -94,12 +94,12 @@ void searchesAreNoVisits(PlanSection section)
     model.setPlan({section});
     const auto visits = std::ranges::count_if(
         section.rows, [](const PlanRow& row) { return row.searches.empty(); });
-    const QModelIndex told = model.index(0, PlanModel::Sigma);
-    QVERIFY(told.data().toString().startsWith(QString::number(visits) + u' '));
+    const QModelIndex shown = model.index(0, PlanModel::Sigma);
+    QVERIFY(shown.data().toString().startsWith(QString::number(visits) + u' '));
     std::erase_if(section.rows, [](const PlanRow& row) { return row.searches.empty(); });
     model.setPlan({section});
-    QVERIFY(told.data().toString().startsWith(u"0 "_s));
-    QVERIFY(told.siblingAtColumn(PlanModel::Leg).data().toString().contains(u'm'));
+    QVERIFY(shown.data().toString().startsWith(u"0 "_s));
+    QVERIFY(shown.siblingAtColumn(PlanModel::Leg).data().toString().contains(u'm'));
 }
 
 } // namespace
@@ -174,7 +174,7 @@ private slots:
         QVERIFY(!searches().empty());
         const MissionSnapshot& now = desk.record().now;
         const std::vector<PlanSection> sections = planSections(now, scenario);
-        std::size_t told = 0;
+        std::size_t shown = 0;
         for (const PlanRow& row : sections.front().rows) {
             if (row.searches.empty())
                 continue;
@@ -188,9 +188,9 @@ private slots:
             }
             COMPARE_NEAR(*row.chance, chance, 1e-12);
             QVERIFY(chance > 0 && chance <= 1);
-            told += row.searches.size();
+            shown += row.searches.size();
         }
-        QCOMPARE(told, searches().size());
+        QCOMPARE(shown, searches().size());
         const auto isBefore = [](const PlanRow& a, const PlanRow& b) {
             return a.isSeen && (!b.isSeen || a.arrival_s < b.arrival_s);
         };

@@ -73,7 +73,8 @@ private slots:
                           .leg_m = 1852,
                           .arrival_s = 86,
                           .sigma_m2 = 8.1,
-                          .arrivalSigma_m2 = 10.25};
+                          .arrivalSigma_m2 = 10.25,
+                          .number = 1};
         f.panel.showPlan(planOf(std::vector{row}));
         QCOMPARE(f.cell(0, PlanModel::ArrivalSigma), u"10.3"_s);
         QCOMPARE(f.cell(0, PlanModel::Number), u"1"_s);

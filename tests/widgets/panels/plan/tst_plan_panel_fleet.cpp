@@ -33,7 +33,7 @@ private slots:
         now.world.tracks[1] = {.anchor_m = Point(300, 1000), .sigma_m2 = 7, .q_m2ps = 0.1};
         now.plan->order = {0};
         now.plans = {*now.plan, {.uav = 1, .sameSolve = true, .order = {1}}};
-        now.assigned = {-1, 1};
+        now.assigned = {std::nullopt, 1};
         const std::vector<PlanSection> sections = planSections(now, scenario);
         QCOMPARE(sections.size(), std::size_t{2});
         QCOMPARE(sections[0].rows.size(), std::size_t{1});
@@ -131,10 +131,10 @@ private slots:
     {
         PlanPanelFixture f;
         f.panel.showPlan(twoUavSections());
-        const QModelIndex kept = f.model.index(4, PlanModel::Name);
-        QVERIFY(kept.data(PlanModel::AssignedRole).toBool());
+        const QModelIndex assigned = f.model.index(4, PlanModel::Name);
+        QVERIFY(assigned.data(PlanModel::AssignedRole).toBool());
         QVERIFY(!f.model.index(1, PlanModel::Name).data(PlanModel::AssignedRole).toBool());
-        QVERIFY(kept.data(Qt::ToolTipRole).toString().endsWith(u"Assigned to uav-2"_s));
+        QVERIFY(assigned.data(Qt::ToolTipRole).toString().endsWith(u"Assigned to uav-2"_s));
         QSignalSpy changed(&f.model, &QAbstractItemModel::dataChanged);
         std::vector<PlanSection> sections = twoUavSections();
         sections[1].rows[0].isAssigned = false; // no text says so

@@ -49,7 +49,7 @@ private slots:
         MissionSnapshot now = twoIcebergs(scenario);
         now.world.tracks.clear();
         now.active.assign(500, true);
-        now.assigned.assign(500, -1);
+        now.assigned.assign(500, std::nullopt);
         now.plan->order.clear();
         for (int i = 0; i < 500; ++i) {
             const double side = i % 2 == 0 ? 1 : -1;

@@ -257,11 +257,11 @@ private slots:
         const int better = a.zeta_m2s < b.zeta_m2s ? 1 : 2;
         QVERIFY(f.figures.item(0, better)->font().bold());
         QVERIFY(!f.figures.item(0, 3 - better)->font().bold());
-        const auto longest = static_cast<std::size_t>(a.longestUnseen);
+        const std::size_t longest = a.longestUnseen.value();
         QCOMPARE(f.figures.item(6, 1)->text(),
                  QString::fromStdString(comparison.reference->icebergs[longest].id));
         QCOMPARE(f.unseen.rowCount(), static_cast<int>(a.unseen.size()));
-        QCOMPARE(f.unseen.item(a.longestUnseen, 1)->text(), f.figures.item(5, 1)->text());
+        QCOMPARE(f.unseen.item(static_cast<int>(longest), 1)->text(), f.figures.item(5, 1)->text());
     }
 
     void percentTextIsRelative_data()

@@ -275,10 +275,10 @@ private slots:
         QCOMPARE(f.start().text(), u"Start study"_s);
         QVERIFY(f.state().contains(u" of 840"_s)); // 20 000 scenarios, 42 settings
         QVERIFY(carryOn.isVisible());
-        const std::size_t kept = f.runner.flown();
+        const std::size_t flownBefore = f.runner.flown();
         carryOn.click();
         QVERIFY(f.runner.isRunning());
-        QVERIFY(QTest::qWaitFor([&] { return f.runner.flown() > kept; }, kPatience_ms));
+        QVERIFY(QTest::qWaitFor([&] { return f.runner.flown() > flownBefore; }, kPatience_ms));
         f.start().click();
         QVERIFY(f.ends(2));
     }
@@ -321,12 +321,12 @@ private slots:
     {
         StudyPanelFixture f;
         auto& use = f.get<QPushButton>(u"useRecommendedSetting"_s);
-        const auto& told = f.get<QLabel>(u"studyRecommendation"_s);
-        QVERIFY(!use.isVisible() && !told.isVisible());
+        const auto& recommendation = f.get<QLabel>(u"studyRecommendation"_s);
+        QVERIFY(!use.isVisible() && !recommendation.isVisible());
         f.show(test::clearWinner());
-        QVERIFY(use.isVisible() && told.isVisible());
-        QVERIFY(told.text().startsWith(u"Recommended: τ 2.00. Its ζ is −"_s));
-        QVERIFY(told.text().contains(u"against τ 1.00, the closest other setting"_s));
+        QVERIFY(use.isVisible() && recommendation.isVisible());
+        QVERIFY(recommendation.text().startsWith(u"Recommended: τ 2.00. Its ζ is −"_s));
+        QVERIFY(recommendation.text().contains(u"against τ 1.00, the closest other setting"_s));
         QSignalSpy wanted(&f.panel.results(), &StudyResults::settingRequested);
         use.click();
         QCOMPARE(wanted.count(), 1);

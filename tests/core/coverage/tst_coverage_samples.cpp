@@ -51,7 +51,7 @@ Scenario oneAhead()
  * Tests coverage with measurements, with which a sample leaves some sigma and keeping an iceberg in
  * view may pay.
  */
-class TestCoverageLooks : public QObject
+class TestCoverageSamples : public QObject
 {
     Q_OBJECT
 
@@ -108,7 +108,7 @@ private slots:
     {
         const CoverageModel model = modelOf(oneAhead());
         CoverageState state = model.start();
-        QVERIFY(model.paysForLooks());
+        QVERIFY(model.paysForSamples());
         QVERIFY(model.fly(state, {.iceberg = 0}));
         const double before_m2 = model.sigma_m2(state, 0);
         QVERIFY(before_m2 > 9);
@@ -183,12 +183,12 @@ private slots:
         Scenario scenario = oneAhead();
         scenario.icebergs[0].position_m = {0, 260};
         const auto inView = [&](double sigma_m2) {
-            PredictionInput picture = *planRequest(Simulation(scenario)).uavs[0].prediction;
-            picture.tracks[0].inView = false;
-            picture.tracks[0].anchor_m = {0, 260};
-            picture.tracks[0].sigma_m2 = sigma_m2;
-            picture.uav.position_m = {-600, 0};
-            const CoverageModel model(picture, {.length_s = 100});
+            PredictionInput input = *planRequest(Simulation(scenario)).uavs[0].prediction;
+            input.tracks[0].inView = false;
+            input.tracks[0].anchor_m = {0, 260};
+            input.tracks[0].sigma_m2 = sigma_m2;
+            input.uav.position_m = {-600, 0};
+            const CoverageModel model(input, {.length_s = 100});
             CoverageState state = model.start();
             (void)model.fly(state, holdOf(600 / 22.0));
             return model.inView(state, 0);
@@ -200,11 +200,11 @@ private slots:
     /** No plan flies to and fro between icebergs that are not found. */
     void lostIcebergsAreWorthLess()
     {
-        PredictionInput picture = *planRequest(Simulation(oneAhead())).uavs[0].prediction;
+        PredictionInput input = *planRequest(Simulation(oneAhead())).uavs[0].prediction;
         const auto total_m2s = [&](double chance) {
-            picture.tracks[0].status = TrackStatus::GivenUp;
-            picture.chances = {chance, 1};
-            const CoverageModel model(picture, {.length_s = 300});
+            input.tracks[0].status = TrackStatus::GivenUp;
+            input.chances = {chance, 1};
+            const CoverageModel model(input, {.length_s = 300});
             CoverageState state = model.start();
             (void)model.fly(state, {.iceberg = 0});
             return model.total_m2s(state);
@@ -217,11 +217,11 @@ private slots:
     void placesOfALostOne()
     {
         const Scenario scenario = oneAhead();
-        PredictionInput picture = *planRequest(Simulation(scenario)).uavs[0].prediction;
-        picture.tracks[0].status = TrackStatus::Lost;
-        picture.places = {
+        PredictionInput input = *planRequest(Simulation(scenario)).uavs[0].prediction;
+        input.tracks[0].status = TrackStatus::Lost;
+        input.places = {
             {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
-        const CoverageModel model(picture, {.length_s = 300});
+        const CoverageModel model(input, {.length_s = 300});
         QCOMPARE(model.placeCount(), 3); // There are two icebergs and one more place.
         QCOMPARE(model.icebergAt(2), 0);
         CoverageState state = model.start();
@@ -249,13 +249,13 @@ private slots:
     {
         const Scenario scenario = oneAhead();
         PlanRequest request = planRequest(Simulation(scenario));
-        PredictionInput picture = *request.uavs[0].prediction;
-        picture.tracks[0].status = TrackStatus::Lost;
-        picture.places = {
+        PredictionInput input = *request.uavs[0].prediction;
+        input.tracks[0].status = TrackStatus::Lost;
+        input.places = {
             {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
-        request.uavs[0].prediction = std::make_shared<const PredictionInput>(picture);
+        request.uavs[0].prediction = std::make_shared<const PredictionInput>(input);
         request.uavs[0].available[0] = false;
-        const std::vector<CoverageModel> models(2, CoverageModel(picture, {.length_s = 300}));
+        const std::vector<CoverageModel> models(2, CoverageModel(input, {.length_s = 300}));
         const CoveragePlan plan{{.iceberg = 2}, {.iceberg = 0}, {.iceberg = 2}, {.iceberg = 1}};
         const AimedOutlook alone = describe(models[0], request.uavs[0], request.ids, plan).outlook;
         QCOMPARE(alone.searches.size(), std::size_t{2});
@@ -264,7 +264,7 @@ private slots:
         for (const PlannedSearch& search : alone.searches) {
             QCOMPARE(search.iceberg, 0);
             const double offset_m = search.chance > 0.3 ? 600 : -600;
-            const Point there_m = picture.tracks[0].estimate_m(search.time_s);
+            const Point there_m = input.tracks[0].estimate_m(search.time_s);
             QVERIFY((search.place_m - there_m - Point(0, offset_m)).norm() < 1e-9);
         }
         CoverageState state = models[0].start();
@@ -284,11 +284,11 @@ private slots:
     /** A place that another UAV has in view counts as searched, once. */
     void othersSearchToo()
     {
-        PredictionInput picture = *planRequest(Simulation(oneAhead())).uavs[0].prediction;
-        picture.tracks[0].status = TrackStatus::Lost;
-        picture.places = {
+        PredictionInput input = *planRequest(Simulation(oneAhead())).uavs[0].prediction;
+        input.tracks[0].status = TrackStatus::Lost;
+        input.places = {
             {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
-        CoverageModel model(picture, {.length_s = 300});
+        CoverageModel model(input, {.length_s = 300});
         const double alone_m2s = model.total_m2s(model.start());
         model.setOthers({{.iceberg = 2, .enter_s = 20, .leave_s = 30}});
         const double second_m2s = model.total_m2s(model.start());
@@ -312,20 +312,20 @@ private slots:
     /** The rest of a plan goes to the same places, even if their numbers have changed. */
     void placesAreKept()
     {
-        PredictionInput picture = *planRequest(Simulation(oneAhead())).uavs[0].prediction;
-        picture.tracks[0].status = TrackStatus::Lost;
+        PredictionInput input = *planRequest(Simulation(oneAhead())).uavs[0].prediction;
+        input.tracks[0].status = TrackStatus::Lost;
         const SearchPlace north{.offset_m = {0, 600}, .chance = 0.5};
         const SearchPlace south{.offset_m = {0, -600}, .chance = 0.25};
-        picture.places = {{north, south}, {}};
-        const CoverageModel before(picture, {.length_s = 300});
+        input.places = {{north, south}, {}};
+        const CoverageModel before(input, {.length_s = 300});
         const std::vector<int> ids{7, 9};
         const KeptPlan kept =
             keptPlan({{.iceberg = 2}, {.iceberg = 1}, {.iceberg = 0}}, before, ids);
         const auto placesNow = [&](std::vector<SearchPlace> places) {
-            picture.places = {std::move(places), {}};
+            input.places = {std::move(places), {}};
             std::vector<int> now;
             for (const CoverageLeg& leg :
-                 restOf(kept, CoverageModel(picture, {.length_s = 300}), ids))
+                 restOf(kept, CoverageModel(input, {.length_s = 300}), ids))
                 now.push_back(leg.iceberg);
             return now;
         };
@@ -439,8 +439,8 @@ private slots:
             addIceberg(square, x_m, y_m);
         const double speed_mps = square.uavs[0].spec.airspeed_mps;
         const auto length_s = [](const Scenario& scenario, std::size_t uavs = 1) {
-            const PredictionInput picture = *planRequest(Simulation(scenario)).uavs[0].prediction;
-            return horizonOf(std::vector<PredictionInput>(uavs, picture)).length_s;
+            const PredictionInput input = *planRequest(Simulation(scenario)).uavs[0].prediction;
+            return horizonOf(std::vector<PredictionInput>(uavs, input)).length_s;
         };
         // The horizon is the usual one because sigma is 0 in view.
         QCOMPARE(length_s(square), 800.0);
@@ -472,5 +472,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCoverageLooks)
-#include "tst_coverage_looks.moc"
+QTEST_APPLESS_MAIN(TestCoverageSamples)
+#include "tst_coverage_samples.moc"

@@ -37,7 +37,7 @@ struct PredictionInput
     /** Weight of the sigma of each track in the search for a plan; an empty list means 1 each. */
     std::vector<double> weights;
     /** Probability, for each track, that a lost iceberg is found at its estimate; an empty list
-     * means that nobody has looked for it yet. */
+     * means that no search for it has failed yet. */
     std::vector<double> chances;
     /** Places, for each track, where a lost iceberg may be, likeliest first; one without places is
      * searched for at its estimate with its chance. */

@@ -25,7 +25,7 @@ public:
      */
     VisitCovariance(const Track& track, const ObserverSpec& observer, double weight);
 
-    /** Returns the weighted variances of the track at the time of its picture. */
+    /** Returns the weighted variances of the track at the start of the prediction. */
     [[nodiscard]] const DriftVariances& start() const { return m_start; }
     /**
      * Returns the standard deviation along one axis, in metres, that belongs to a weighted variance
@@ -78,7 +78,7 @@ public:
      * Advances `known` by `seen_s` seconds in view. Returns the integral of sigma, in m2 s; with
      * the simple observer both are 0.
      */
-    double look(DriftVariances& known, double seen_s) const
+    double sample(DriftVariances& known, double seen_s) const
     {
         if (m_information_1pm2s > 0)
             return filter(known, seen_s);
@@ -90,7 +90,7 @@ public:
      * Updates `known` for a lost iceberg whose estimate comes into view: the result is the mean
      * over finding it, with probability `chance`, and not finding it.
      */
-    void lookForLost(DriftVariances& known, double chance) const;
+    void searchLost(DriftVariances& known, double chance) const;
 
 private:
     /** Returns the growth with a fading velocity. Copies `from`: the caller's stays in registers.

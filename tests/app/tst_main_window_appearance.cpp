@@ -85,7 +85,7 @@ QString paletteDifference(const QWidget& a, const QWidget& b)
 } // namespace
 
 /** Language, appearance and sizes of the window. */
-class TestMainWindowLooks : public QObject
+class TestMainWindowAppearance : public QObject
 {
     Q_OBJECT
 
@@ -96,7 +96,7 @@ private slots:
         installLanguage(u"en"_s); // others choose another one
     }
 
-    void fullScreenIsTold()
+    void fullScreenIsReported()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         w.window().setWindowState(Qt::WindowFullScreen); // by the desktop
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(!w.settings.contains("view/swept"));
     }
 
-    void layersAreKept()
+    void layersAreSaved()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         auto& rings = test::child<QSlider>(w.window(), u"ringsLayer"_s);
@@ -342,7 +342,7 @@ private slots:
         QTRY_COMPARE(ink(), Theme::light().text.rgb());
     }
 
-    void appearanceIsChosenAndKept()
+    void appearanceIsChosenAndSaved()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         QVERIFY(w.action(u"view/appearance-0"_s).isChecked()); // like the system, at first
@@ -397,7 +397,7 @@ private slots:
     }
 
     /** The chosen text size is stored and used at the next start. */
-    void textSizeIsChosenAndKept()
+    void textSizeIsChosenAndSaved()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         QVERIFY(w.action(u"view/scale-100"_s).isChecked());
@@ -470,5 +470,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMainWindowLooks)
-#include "tst_main_window_looks.moc"
+QTEST_MAIN(TestMainWindowAppearance)
+#include "tst_main_window_appearance.moc"

@@ -1,4 +1,4 @@
-#include "core/coverage/covariance_account.h"
+#include "core/coverage/visit_covariance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@ namespace berg {
 namespace {
 
 /** Longest time in view that is treated as one step; with 5 s sigma is right within 0.4 %. */
-constexpr double kLongestLook_s = 10;
+constexpr double kLongestPart_s = 10;
 /** Measurements with less noise than this count as this good. */
 constexpr double kLeastSd_m = 0.01;
 /** Time in view, in the mean, of an iceberg that is found again. */
@@ -59,7 +59,7 @@ double VisitCovariance::filter(DriftVariances& known, double seen_s) const
 {
     if (!(seen_s > 0))
         return 0;
-    const double steps = seen_s > kLongestLook_s ? std::ceil(seen_s / kLongestLook_s) : 1;
+    const double steps = seen_s > kLongestPart_s ? std::ceil(seen_s / kLongestPart_s) : 1;
     const double step_s = steps > 1 ? seen_s / steps : seen_s;
     const double information_1pm2 = m_information_1pm2s * step_s;
     double product = 1;
@@ -79,10 +79,10 @@ double VisitCovariance::filter(DriftVariances& known, double seen_s) const
     return grown_m2s + std::log(product) / m_information_1pm2s;
 }
 
-void VisitCovariance::lookForLost(DriftVariances& known, double chance) const
+void VisitCovariance::searchLost(DriftVariances& known, double chance) const
 {
     DriftVariances found = known;
-    look(found, kFound_s);
+    sample(found, kFound_s);
     known.position_m2 += chance * (found.position_m2 - known.position_m2);
     known.mixed_m2ps += chance * (found.mixed_m2ps - known.mixed_m2ps);
     known.velocity_m2ps2 += chance * (found.velocity_m2ps2 - known.velocity_m2ps2);

@@ -1,4 +1,4 @@
-#include "core/coverage/covariance_account.h"
+#include "core/coverage/visit_covariance.h"
 #include "tests/support/approx.h"
 
 #include <QTest>
@@ -28,7 +28,7 @@ Track unseenTrack(double velocitySd_mps, double velocityTime_s = 0)
 }
 
 /** Returns sigma of the filter after samples in the middle of each second, and its integral. */
-VisitCovariance::Growth lookByLook(Track& track, double seconds, double variance_m2)
+VisitCovariance::Growth sampleBySample(Track& track, double seconds, double variance_m2)
 {
     VisitCovariance::Growth result;
     constexpr int kSteps = 100; // Steps of a second.
@@ -46,7 +46,7 @@ VisitCovariance::Growth lookByLook(Track& track, double seconds, double variance
 
 } // namespace
 
-class TestCovarianceAccount : public QObject
+class TestVisitCovariance : public QObject
 {
     Q_OBJECT
 
@@ -75,7 +75,7 @@ private slots:
     }
 
     /** Sigma in view agrees with the filter, sample by sample. */
-    void lookedAtIsTheFilter_data()
+    void samplesAreTheFilter_data()
     {
         QTest::addColumn<double>("velocitySd_mps");
         QTest::addColumn<double>("seconds");
@@ -89,7 +89,7 @@ private slots:
                                       velocityTime_s, seconds, sd_m)
                             << velocitySd_mps << seconds << sd_m << velocityTime_s;
     }
-    void lookedAtIsTheFilter()
+    void samplesAreTheFilter()
     {
         QFETCH(double, velocitySd_mps);
         QFETCH(double, seconds);
@@ -98,8 +98,8 @@ private slots:
         Track track = unseenTrack(velocitySd_mps, velocityTime_s);
         const VisitCovariance account(track, kalman(sd_m), 1);
         DriftVariances known = account.start();
-        const double predicted_m2s = account.look(known, seconds);
-        const VisitCovariance::Growth flown = lookByLook(track, seconds, sd_m * sd_m);
+        const double predicted_m2s = account.sample(known, seconds);
+        const VisitCovariance::Growth flown = sampleBySample(track, seconds, sd_m * sd_m);
         QVERIFY(std::abs(known.position_m2 / flown.sigma_m2 - 1) < 0.02);
         track.grow(200);
         QVERIFY(std::abs(account.growth(known, 200).sigma_m2 / track.sigma_m2 - 1) < 0.01);
@@ -114,14 +114,14 @@ private slots:
     {
         const VisitCovariance account(unseenTrack(0.1), kalman(5, 0.6), 1);
         DriftVariances whole = account.start();
-        const double whole_m2s = account.look(whole, 20);
+        const double whole_m2s = account.sample(whole, 20);
         DriftVariances known = account.start();
         double sum_m2s = 0;
         for (int k = 0; k < 20; ++k)
-            sum_m2s += account.look(known, 1);
+            sum_m2s += account.sample(known, 1);
         QVERIFY(std::abs(known.position_m2 / whole.position_m2 - 1) < 0.03);
         QVERIFY(std::abs(sum_m2s / whole_m2s - 1) < 0.03);
-        QCOMPARE(account.look(known, 0), 0.0);
+        QCOMPARE(account.sample(known, 0), 0.0);
     }
 
     /** A weight multiplies the cost and changes nothing else. */
@@ -132,8 +132,8 @@ private slots:
         const VisitCovariance three(track, kalman(5), 3);
         DriftVariances known = one.start();
         DriftVariances weighted = three.start();
-        const double cost_m2s = one.grow(known, 10) + one.look(known, 15);
-        const double weighted_m2s = three.grow(weighted, 10) + three.look(weighted, 15);
+        const double cost_m2s = one.grow(known, 10) + one.sample(known, 15);
+        const double weighted_m2s = three.grow(weighted, 10) + three.sample(weighted, 15);
         QVERIFY(std::abs(weighted_m2s / cost_m2s - 3) < 1e-9);
         QVERIFY(std::abs(weighted.velocity_m2ps2 / known.velocity_m2ps2 - 3) < 1e-9);
         QVERIFY(std::abs(three.deviation_m(weighted.position_m2) -
@@ -158,7 +158,7 @@ private slots:
         const VisitCovariance account({.sigma_m2 = 7, .q_m2ps = kQ_m2ps}, {}, 2);
         DriftVariances known = account.start();
         QCOMPARE(account.grow(known, 10), 10 * (14 + 10 * kQ_m2ps));
-        QCOMPARE(account.look(known, 5), 0.0);
+        QCOMPARE(account.sample(known, 5), 0.0);
         QCOMPARE(known.position_m2, 0.0);
     }
 
@@ -166,17 +166,17 @@ private slots:
     {
         const VisitCovariance account(unseenTrack(0.1), kalman(5), 1);
         DriftVariances never = account.start();
-        account.lookForLost(never, 0);
+        account.searchLost(never, 0);
         QVERIFY(never == account.start());
         DriftVariances surely = account.start();
-        account.lookForLost(surely, 1);
+        account.searchLost(surely, 1);
         DriftVariances half = account.start();
-        account.lookForLost(half, 0.5);
+        account.searchLost(half, 0.5);
         QVERIFY(surely.position_m2 < 10);
         QCOMPARE(half.position_m2, (never.position_m2 + surely.position_m2) / 2);
         QCOMPARE(half.velocity_m2ps2, (never.velocity_m2ps2 + surely.velocity_m2ps2) / 2);
     }
 };
 
-QTEST_APPLESS_MAIN(TestCovarianceAccount)
-#include "tst_covariance_account.moc"
+QTEST_APPLESS_MAIN(TestVisitCovariance)
+#include "tst_visit_covariance.moc"
