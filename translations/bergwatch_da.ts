@@ -5853,6 +5853,14 @@ Tilstødende område %4</translation>
         <source>1 flight in 20: %1 or less above the reserve</source>
         <translation>1 ud af 20 flyvninger: %1 eller mindre over reserven</translation>
     </message>
+    <message>
+        <source>It follows from visit rates: how often icebergs can be visited.</source>
+        <translation>Den følger af besøgshyppigheder: hvor ofte isbjerge kan besøges.</translation>
+    </message>
+    <message>
+        <source>It follows from visit sequences: how soon icebergs can be visited one after the other.</source>
+        <translation>Den følger af besøgsrækkefølger: hvor hurtigt isbjerge kan besøges efter hinanden.</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>

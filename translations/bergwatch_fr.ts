@@ -5853,6 +5853,14 @@ Zone adjacente %4</translation>
         <source>1 flight in 20: %1 or less above the reserve</source>
         <translation>1 vol sur 20 : %1 ou moins au-dessus de la réserve</translation>
     </message>
+    <message>
+        <source>It follows from visit rates: how often icebergs can be visited.</source>
+        <translation>Elle découle des fréquences de visite : à quel rythme les icebergs peuvent être visités.</translation>
+    </message>
+    <message>
+        <source>It follows from visit sequences: how soon icebergs can be visited one after the other.</source>
+        <translation>Elle découle des suites de visites : en combien de temps les icebergs peuvent être visités l&apos;un après l&apos;autre.</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>

@@ -5853,6 +5853,14 @@ Tilstøtende område %4</translation>
         <source>1 flight in 20: %1 or less above the reserve</source>
         <translation>1 av 20 flyginger: %1 eller mindre over reserven</translation>
     </message>
+    <message>
+        <source>It follows from visit rates: how often icebergs can be visited.</source>
+        <translation>Den følger av besøkshyppigheter: hvor ofte isfjell kan besøkes.</translation>
+    </message>
+    <message>
+        <source>It follows from visit sequences: how soon icebergs can be visited one after the other.</source>
+        <translation>Den følger av besøksrekkefølger: hvor raskt isfjell kan besøkes etter hverandre.</translation>
+    </message>
 </context>
 <context>
     <name>PolicyText</name>

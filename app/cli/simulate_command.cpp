@@ -120,7 +120,7 @@ Flown replayRun(const SimulateArguments& arguments, const std::string& text,
 
 /** Returns a lower bound on the zeta of any flight at the time reached; nullopt if it was
  * interrupted. */
-std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
+std::optional<BoundPoint> lowerBound(const Mission& mission, bool quiet,
                                      const std::stop_token& stop)
 {
     const auto isAny = [&mission](auto member) {
@@ -144,7 +144,7 @@ std::optional<double> lowerBound_m2s(const Mission& mission, bool quiet,
                              }});
     if (bound.cancelled)
         return std::nullopt;
-    return bound.by_m2s(mission.simulation().time_s());
+    return bound.by(mission.simulation().time_s());
 }
 
 /** Visits and distance of each UAV, and the least distance between two of them. */
@@ -159,18 +159,24 @@ std::string fleetLines(const Mission& mission)
     return text;
 }
 
-std::string summary(const Mission& mission, std::optional<double> bound_m2s, double elapsed_s,
-                    bool replayed)
+std::string boundLine(const BoundPoint& bound, double zeta_m2s)
+{
+    return (isUsefulBound(bound.zeta_m2s, zeta_m2s)
+                ? "bound     lower bound on zeta "
+                : "bound     no useful lower bound on zeta; proven are ") +
+           grouped(bound.zeta_m2s) + " m2 s, from visit " +
+           (bound.isFromRates ? "rates" : "sequences") + '\n';
+}
+
+std::string summary(const Mission& mission, const std::optional<BoundPoint>& bound,
+                    double elapsed_s, bool replayed)
 {
     const Metrics metrics = mission.metrics();
     const Scenario& scenario = mission.scenario();
     std::string text = scenario.name.empty() ? "" : word(scenario.name) + '\n';
     text += "zeta      " + grouped(metrics.zeta_m2s) + " m2 s\n";
-    if (bound_m2s)
-        text += (isUsefulBound(*bound_m2s, metrics.zeta_m2s)
-                     ? "bound     lower bound on zeta "
-                     : "bound     no useful lower bound on zeta; proven are ") +
-                grouped(*bound_m2s) + " m2 s\n";
+    if (bound)
+        text += boundLine(*bound, metrics.zeta_m2s);
     text += "visits    " + std::to_string(metrics.visits) + "   plans " +
             std::to_string(metrics.replans) + "\nflown     " + grouped(metrics.flown_m) + " m in " +
             grouped(mission.simulation().time_s()) + " s  (policy " +
@@ -201,12 +207,15 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
     const Flown flown =
         replayed ? replayRun(arguments, text, stop) : flyScenario(arguments, text, stop);
     const Mission& mission = flown.mission;
+    std::optional<BoundPoint> bound;
     std::optional<double> bound_m2s;
     if (arguments.bound)
-        bound_m2s = lowerBound_m2s(mission, arguments.json, stop);
+        bound = lowerBound(mission, arguments.json, stop);
+    if (bound)
+        bound_m2s = bound->zeta_m2s;
     const std::string result = arguments.json
                                    ? simulateJson(mission, bound_m2s, watch.elapsed_s())
-                                   : summary(mission, bound_m2s, watch.elapsed_s(), replayed);
+                                   : summary(mission, bound, watch.elapsed_s(), replayed);
     deliver(result, [&flown] {
         if (!flown.files)
             return;

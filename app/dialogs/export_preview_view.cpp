@@ -104,9 +104,9 @@ CellSheet waypointSheet(const ExportPreviewPointer& preview, const QLocale& loca
                      .text =
                          [preview, rowOf](int row) {
                              const Visit& visit = *rowOf(row).visit;
-                             return visit.iceberg < 0
-                                        ? ExportPreviewView::tr("Home")
-                                        : QString::fromStdString(titleOf(preview->content, visit));
+                             return visit.iceberg
+                                        ? QString::fromStdString(titleOf(preview->content, visit))
+                                        : ExportPreviewView::tr("Home");
                          }},
                     {.title = ExportPreviewView::tr("Position"),
                      .text =

@@ -117,19 +117,23 @@ public:
         if (m_frequency)
             bound.frequency_m2s = m_frequency->zeta_m2s.back();
         double aloft_m2s = 0;
+        bool isFromRates = false;
         for (int block = 0; block < m_motion.blocks(); ++block) {
             const auto k = static_cast<std::size_t>(block);
             const double length_s = m_motion.edge_s(block + 1) - m_motion.edge_s(block);
             aloft_m2s += floors_m2[k] * length_s;
-            bound.zeta_m2s =
-                std::max(bound.zeta_m2s + floors_m2[k] * length_s * (1 - kRoundingShare),
-                         aloft_m2s + ground_m2s[k] * (1 - kRoundingShare));
-            if (m_frequency)
-                bound.zeta_m2s =
-                    std::max(bound.zeta_m2s, m_frequency->by_m2s(m_motion.edge_s(block + 1)));
-            bound.curve.push_back({.time_s = m_motion.edge_s(block + 1),
+            const double atHome_m2s = aloft_m2s + ground_m2s[k] * (1 - kRoundingShare);
+            bound.zeta_m2s += floors_m2[k] * length_s * (1 - kRoundingShare);
+            isFromRates = isFromRates && bound.zeta_m2s >= atHome_m2s;
+            bound.zeta_m2s = std::max(bound.zeta_m2s, atHome_m2s);
+            const double time_s = m_motion.edge_s(block + 1);
+            const double rates_m2s = m_frequency ? m_frequency->by_m2s(time_s) : 0;
+            isFromRates = isFromRates || rates_m2s > bound.zeta_m2s;
+            bound.zeta_m2s = std::max(bound.zeta_m2s, rates_m2s);
+            bound.curve.push_back({.time_s = time_s,
                                    .sigma_m2 = floors_m2[k],
-                                   .zeta_m2s = bound.zeta_m2s});
+                                   .zeta_m2s = bound.zeta_m2s,
+                                   .isFromRates = isFromRates});
         }
         return bound;
     }
@@ -262,10 +266,10 @@ private:
 
 } // namespace
 
-double ZetaBound::by_m2s(double time_s) const
+BoundPoint ZetaBound::by(double time_s) const
 {
     const auto after = std::ranges::upper_bound(curve, time_s, {}, &BoundPoint::time_s);
-    return after == curve.begin() ? 0 : std::prev(after)->zeta_m2s;
+    return after == curve.begin() ? BoundPoint() : *std::prev(after);
 }
 
 ZetaBound zetaLowerBound(const Scenario& scenario, const ZetaBoundOptions& options)

@@ -37,6 +37,8 @@ struct BoundPoint
     double time_s = 0;
     double sigma_m2 = 0; ///< Lower bound on the sum of sigma over the whole block.
     double zeta_m2s = 0; ///< Lower bound on zeta by then.
+    /** `zeta_m2s` follows from visit rates (`frequencyBound`), else from sequences of visits. */
+    bool isFromRates = false;
     bool operator==(const BoundPoint&) const = default;
 };
 
@@ -63,7 +65,9 @@ struct ZetaBound
      * Returns the lower bound on zeta in m2 s at the last point of the curve that is no later than
      * `time_s`, which must not be negative.
      */
-    [[nodiscard]] double by_m2s(double time_s) const;
+    [[nodiscard]] double by_m2s(double time_s) const { return by(time_s).zeta_m2s; }
+    /** Returns the last point of the curve that is no later than `time_s`. */
+    [[nodiscard]] BoundPoint by(double time_s) const;
 };
 
 /**

@@ -95,6 +95,7 @@ private:
     [[nodiscard]] FoundPlans planPatrol(const PlanRequest& request,
                                         std::span<const PredictionInput> inputs,
                                         const SolveOptions& options, const SolveWatch& watch) const;
+    [[nodiscard]] bool wantsRest(const PlanRequest& request) const;
     [[nodiscard]] PatrolRoutes restOfPatrol(const PlanRequest& request,
                                             std::span<const CoverageModel> models) const;
     [[nodiscard]] std::optional<CoveragePlans>
@@ -118,8 +119,9 @@ private:
     /** Last plan of a UAV. */
     struct Flown
     {
-        KeptPlan plan;        ///< The legs, followed by the patrol.
-        std::size_t legs = 0; ///< Number of legs without the patrol.
+        KeptPlan plan; ///< The legs, followed by the patrol.
+        /** Number of legs without the patrol; 0 if the UAV has flown home since. */
+        std::size_t legs = 0;
         double planned_s = 0;
         /** Predicted sighting of the first leg; nullopt for a hold. */
         std::optional<double> sighting_s;
@@ -237,10 +239,10 @@ void CoveragePolicy::keep(const PlanRequest& request, const FoundPlans& plans,
     for (std::size_t u = 0; u < plans.found.plans.size(); ++u) {
         CoveragePlan plan = plans.found.plans[u];
         m_last.erase(request.uavs[u].uav);
-        if (plan.empty())
-            continue;
         if (plans.tails)
             plan.insert(plan.end(), plans.patrols[u].begin(), plans.patrols[u].end());
+        if (plan.empty())
+            continue;
         Flown& last = m_last[request.uavs[u].uav];
         last = {.plan = keptPlan(plan, plans.models[u], request.ids),
                 .legs = plans.found.plans[u].size(),
@@ -293,6 +295,24 @@ FleetCoverage CoveragePolicy::next(FleetCoverageSearch& search,
 }
 
 /**
+ * Returns whether a patrol continues the last one. The request has no rest of the last legs if a
+ * warm start is not wanted, but also if these have all been flown.
+ */
+bool CoveragePolicy::wantsRest(const PlanRequest& request) const
+{
+    return std::ranges::all_of(request.uavs, [&](const UavRequest& uav) {
+        const auto last = m_last.find(uav.uav);
+        if (last == m_last.end() || !uav.lastRest.empty())
+            return true;
+        const auto legs = std::span(last->second.plan).first(last->second.legs);
+        return std::ranges::none_of(legs, [&](const KeptLeg& kept) {
+            const auto at = std::ranges::find(request.ids, kept.id) - request.ids.begin();
+            return at < std::ssize(request.ids) && uav.available[static_cast<std::size_t>(at)];
+        });
+    });
+}
+
+/**
  * Returns the visits that are left of the last plans, or no visits if these are not continued. An
  * iceberg in view has been visited, although the UAV may have flown to another one.
  */
@@ -300,8 +320,7 @@ PatrolRoutes CoveragePolicy::restOfPatrol(const PlanRequest& request,
                                           std::span<const CoverageModel> models) const
 {
     PatrolRoutes routes(models.size());
-    if (std::ranges::all_of(request.uavs,
-                            [](const UavRequest& uav) { return uav.lastRest.empty(); }))
+    if (!wantsRest(request))
         return {};
     bool isEmpty = true;
     for (std::size_t u = 0; u < models.size(); ++u) {
@@ -414,7 +433,10 @@ PlanAnswer CoveragePolicy::explore(const PlanRequest& request, const SolveOption
         m_solver = makeSolver(Backend::Auto);
         m_latency = makePolicy({.policy = PolicyKind::Latency}, *m_solver);
     }
-    PlanAnswer answer = m_latency->plan(request, options);
+    SolveOptions limited = options;
+    const std::int64_t most = m_lastKind == LastPlan::None ? kFirstOrderWork : kNextOrderWork;
+    limited.workLimit = std::min(most, options.workLimit.value_or(most));
+    PlanAnswer answer = m_latency->plan(request, limited);
     if (answer.outcome.reason == StopReason::Cancelled)
         return answer;
     m_last.clear();
@@ -449,6 +471,10 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& 
         answer.outcome.work = plans.work;
         answer.outcome.hintUsed = plans.wasWarm;
         keep(request, plans, answer);
+    } else {
+        for (const UavRequest& uav : request.uavs) // The legs that are left are for later.
+            if (const auto last = m_last.find(uav.uav); last != m_last.end())
+                last->second.legs = 0;
     }
     m_inVain = std::move(inVain);
     answer.outcome.status = SolveStatus::Feasible;

@@ -27,6 +27,12 @@ inline constexpr std::int64_t kWorkOfSamples = 2;
 inline constexpr double kShareOfStart = 0.15;
 /** Work of each order that the search starts from, in the solver's units. */
 inline constexpr std::int64_t kOrderWork = 5'000'000;
+/**
+ * Work of the orders that are flown while velocities are unknown, in the solver's units: the first
+ * one and each later one.
+ */
+inline constexpr std::int64_t kFirstOrderWork = 150'000'000;
+inline constexpr std::int64_t kNextOrderWork = 3'000'000;
 /** Temperature at which searches begin, as a share of the predicted cost. */
 inline constexpr double kHeat = 0.0008;
 /**

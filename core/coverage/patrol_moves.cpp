@@ -25,8 +25,7 @@ constexpr std::uint64_t kAllMoves = kMoveStretch + 8;
 constexpr std::uint64_t kTransfers = 12;
 
 constexpr std::size_t kNeighbours = 12;
-/** Draws of neighbours and of places prefer the first ones by these powers. */
-constexpr double kNearestPower = 1.5;
+/** Draws of places prefer the first ones by this power. */
 constexpr double kEarlyPower = 1.2;
 /**
  * Two visits that are changed together are no farther apart than this in a route. The second limit
@@ -88,12 +87,14 @@ const std::vector<int>& PatrolSearch::neighbours(int i, double time_s)
     return near;
 }
 
+/** Draws a neighbour; the nearer ones are drawn more often. */
 int PatrolSearch::neighbour(int i, double time_s)
 {
     const std::vector<int>& near = neighbours(i, time_s);
     if (near.empty())
         return i;
-    const double share = std::pow(m_random.uniform(), kNearestPower);
+    const double uniform = m_random.uniform();
+    const double share = uniform * std::sqrt(uniform);
     return near[std::min(near.size() - 1,
                          static_cast<std::size_t>(share * static_cast<double>(near.size())))];
 }
@@ -233,7 +234,7 @@ bool PatrolSearch::step(double limit_m2s)
     if (uavs > 1 && m_random.below(100) < kTransfers)
         return transfer(limit_m2s);
     const std::size_t uav = uavs > 1 ? m_random.below(uavs) : 0;
-    if (!propose(m_change, uav) || changeOfCost_m2s(m_change) >= limit_m2s)
+    if (!propose(m_change, uav) || !costsLess(m_change, limit_m2s))
         return false;
     apply(m_change);
     return true;

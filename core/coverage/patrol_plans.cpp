@@ -33,7 +33,7 @@ constexpr double kPass_s = 20;
 
 constexpr std::size_t kStarts = 4;
 constexpr PatrolEffort kFirstEffort{.startMoves = 35'000, .moves = 120'000, .headWork = 1'200'000};
-constexpr PatrolEffort kNextEffort{.moves = 6'000, .headWork = 200'000};
+constexpr PatrolEffort kNextEffort{.moves = 5'000, .headWork = 200'000};
 /** Duration of a move with several UAVs, relative to one with a single UAV. */
 constexpr double kCostOfFleetMove = 1.5;
 /**

@@ -37,18 +37,33 @@ Point aimOf(const PatrolUav& uav, const Point& from_m, const Point& centre_m, co
     return centre_m - toCentre_m * (uav.reach_m / away_m);
 }
 
-/** Returns by how many seconds a turn of theta at the limit and the line after it take longer than
- * the line to a place far away: (theta - sin theta) radius / speed. The arc cosine is that of
- * Abramowitz and Stegun (1964), 4.4.45, within 7e-5. */
-double turn_s(const PatrolUav& uav, const Point& before, const Point& after)
+/** Returns by how many metres a turn of theta at the limit and the line after it are longer than
+ * the line to a place far away: (theta - sin theta) radius. The arc cosine is that of Abramowitz
+ * and Stegun (1964), 4.4.45, within 7e-5. */
+double turn_m(const PatrolUav& uav, const Point& before, const Point& after)
 {
     const double cosine = std::clamp(after.dot(before), -1.0, 1.0);
     const double halfCosine = std::sqrt((1 + cosine) / 2);
-    const double halfSine = std::sqrt((1 - cosine) / 2);
     const double half_rad =
         std::sqrt(1 - halfCosine) *
         (1.5707288 + halfCosine * (-0.2121144 + halfCosine * (0.0742610 - 0.0187293 * halfCosine)));
-    return std::max(0.0, 2 * (half_rad - halfSine * halfCosine)) * uav.radius_m / uav.speed_mps;
+    const double sine = std::abs(cross(before, after));
+    return std::max(0.0, 2 * half_rad - sine) * uav.radius_m;
+}
+
+/**
+ * Returns the time between coming home from a stop and the end of the sortie, negative if the UAV
+ * would be late. Where much time is left, the result is a quick lower limit.
+ */
+double spare_s(const PatrolUav& uav, const PatrolStop& stop)
+{
+    constexpr double kPlenty_s = 600;
+    constexpr double kLongestTurn_rad = 3.1416;
+    const double left_s = stop.sortieEnd_s - stop.time_s;
+    const Point way_m = uav.sorties->home.at(stop.time_s) - stop.place_m;
+    const double longest_m = way_m.lpNorm<1>() + kLongestTurn_rad * uav.radius_m;
+    const double quick_s = left_s - longest_m / uav.speed_mps;
+    return quick_s > kPlenty_s ? quick_s : left_s - patrolTimeHome_s(uav, stop);
 }
 
 PatrolStop directLeg(const PatrolUav& uav, const PatrolStop& from, const DriftingPlace& to,
@@ -60,6 +75,7 @@ PatrolStop directLeg(const PatrolUav& uav, const PatrolStop& from, const Driftin
     centre_m += to.velocity_mps * flight_s;
     PatrolStop stop = from;
     stop.tookOff = false;
+    stop.missing_s = std::numeric_limits<double>::infinity();
     if ((centre_m - from.place_m).squaredNorm() <= uav.reach_m * uav.reach_m)
         return stop;
     Point onward_m = Point::Zero();
@@ -71,7 +87,7 @@ PatrolStop directLeg(const PatrolUav& uav, const PatrolStop& from, const Driftin
     if (length_m < kNoLeg_m)
         return stop;
     stop.ahead = leg_m / length_m;
-    stop.time_s += length_m / uav.speed_mps + turn_s(uav, from.ahead, stop.ahead);
+    stop.time_s += (length_m + turn_m(uav, from.ahead, stop.ahead)) / uav.speed_mps;
     return stop;
 }
 
@@ -91,15 +107,19 @@ double patrolTimeHome_s(const PatrolUav& uav, const PatrolStop& from)
     const double length_m = path_m.norm();
     return length_m < kNoLeg_m
                ? 0
-               : length_m / uav.speed_mps + turn_s(uav, from.ahead, path_m / length_m);
+               : (length_m + turn_m(uav, from.ahead, path_m / length_m)) / uav.speed_mps;
 }
 
 PatrolStop patrolLeg(const PatrolUav& uav, const PatrolStop& from, const DriftingPlace& to,
                      const DriftingPlace* next)
 {
     PatrolStop stop = directLeg(uav, from, to, next);
-    if (!uav.sorties || stop.time_s + patrolTimeHome_s(uav, stop) <= from.sortieEnd_s)
+    if (!uav.sorties)
         return stop;
+    stop.spare_s = spare_s(uav, stop);
+    if (stop.spare_s >= 0)
+        return stop;
+    const double missing_s = -stop.spare_s;
     PatrolStop home = from;
     home.time_s += patrolTimeHome_s(uav, from) + uav.sorties->ground_s;
     home.place_m = uav.sorties->home.at(home.time_s);
@@ -109,7 +129,9 @@ PatrolStop patrolLeg(const PatrolUav& uav, const PatrolStop& from, const Driftin
     home.sortieEnd_s = home.time_s + uav.sorties->length_s;
     stop = directLeg(uav, home, to, next);
     stop.tookOff = true;
-    if (stop.time_s + patrolTimeHome_s(uav, stop) > stop.sortieEnd_s) // No sortie is long enough.
+    stop.missing_s = missing_s;
+    stop.spare_s = spare_s(uav, stop);
+    if (stop.spare_s < 0) // No sortie is long enough.
         stop.time_s = std::numeric_limits<double>::infinity();
     return stop;
 }

@@ -110,6 +110,14 @@ struct PatrolStop
     /** End of the sortie, by which the UAV must be home. */
     double sortieEnd_s = std::numeric_limits<double>::infinity();
     bool tookOff = false; ///< The UAV has been home since the stop before.
+    /**
+     * Time between coming home from here and the end of the sortie; where much is left, less than
+     * that.
+     */
+    double spare_s = std::numeric_limits<double>::infinity();
+    /** Time for which the sortie before was too short for this visit, if the UAV took off for it.
+     */
+    double missing_s = std::numeric_limits<double>::infinity();
 };
 
 /** Returns the state of a UAV at the beginning of its patrol. */

@@ -61,6 +61,36 @@ void PatrolSearch::fly(std::size_t uav, std::size_t from)
     }
     route.visits.resize(k);
     route.stops.resize(k);
+    if (m_problem.uavs[uav].sorties)
+        measureLeeways(route);
+}
+
+void PatrolSearch::measureLeeways(Route& route) const
+{
+    route.leeways.resize(route.stops.size());
+    Leeway leeway;
+    for (std::size_t k = route.stops.size(); k-- > 0;) {
+        const PatrolStop& stop = route.stops[k];
+        leeway.later_s = std::min(leeway.later_s, stop.spare_s);
+        route.leeways[k] = leeway;
+        if (stop.tookOff)
+            leeway = {.earlier_s = stop.missing_s};
+    }
+}
+
+/**
+ * Returns whether the visits after a place remain the same but for a shift, if the UAV reaches the
+ * place in this state.
+ */
+bool PatrolSearch::isOnlyShifted(const Route& route, int place, const PatrolStop& now) const
+{
+    if (route.leeways.empty())
+        return true;
+    const PatrolStop& before = route.stops[placeIndex(place)];
+    const Leeway& leeway = route.leeways[placeIndex(place)];
+    const double late_s = now.time_s - before.time_s - (now.sortieEnd_s - before.sortieEnd_s);
+    return now.tookOff == before.tookOff &&
+           (now.tookOff || (late_s <= leeway.later_s && late_s > -leeway.earlier_s));
 }
 
 /**
@@ -215,39 +245,96 @@ double PatrolSearch::changeOfRest_m2s(int i, const Change& change, int end, doub
     return cost_m2s;
 }
 
+/** Returns a place of a route near `near` with these two consecutive visits, or nullopt. */
+std::optional<int> PatrolSearch::formerPlace(const Route& route, std::pair<int, int> visits,
+                                             int near)
+{
+    constexpr int kFarthestMoved = 4; // Moves of stretches shift visits by this number at most.
+    const int first = std::max(0, near - kFarthestMoved);
+    const int last = std::min(static_cast<int>(route.visits.size()) - 2, near + kFarthestMoved);
+    for (int place = first; place <= last; ++place)
+        if (route.visits[placeIndex(place)] == visits.first &&
+            route.visits[placeIndex(place) + 1] == visits.second)
+            return place;
+    return std::nullopt;
+}
+
+/**
+ * Returns the state after the visit at a place of a route if the UAV comes there by the same leg as
+ * before at another time, from the state `now` at the place before; nullopt if it lands before or
+ * did so.
+ */
+std::optional<PatrolStop> PatrolSearch::shiftedStop(const Route& route, int place,
+                                                    const PatrolStop& now)
+{
+    const PatrolStop& before = route.stops[placeIndex(place - 1)];
+    PatrolStop stop = route.stops[placeIndex(place)];
+    if (stop.tookOff)
+        return std::nullopt;
+    const double shift_s = now.time_s - before.time_s;
+    stop.time_s += shift_s;
+    if (!route.leeways.empty()) {
+        stop.spare_s -= shift_s - (now.sortieEnd_s - before.sortieEnd_s);
+        stop.sortieEnd_s = now.sortieEnd_s;
+        if (stop.spare_s < 0)
+            return std::nullopt;
+    }
+    return stop;
+}
+
 /**
  * Flies the changed visits from `begin` on, and those after them until they are the same as before
  * but shifted. These are the visits from the second one after the change on and, with sorties, from
- * the first one after a take-off on.
+ * the first one on after which the UAV lands between the same visits as before. The third and later
+ * ones of consecutive visits that follow each other as before are shifted, too.
  */
-PatrolSearch::Shift PatrolSearch::flyChanged(const Change& change, int begin)
+PatrolSearch::Shift PatrolSearch::flyChanged(const Change& change, int begin, Landings landings)
 {
+    constexpr int kFlownOfRun = 2;
     const Route& route = m_routes[change.uav];
     const int count = static_cast<int>(route.visits.size());
-    const bool hasSorties = m_problem.uavs[change.uav].sorties.has_value();
     const double end_s = this->end_s(change.uav);
     m_window.assign(route.visits.begin() + begin, route.visits.begin() + change.begin);
     m_window.insert(m_window.end(), change.visits.begin(), change.visits.end());
     const int changed = static_cast<int>(m_window.size());
-    const int known = hasSorties ? count : std::min(count, change.end + 3);
-    m_window.insert(m_window.end(), route.visits.begin() + change.end,
-                    route.visits.begin() + known);
+    const int moved = change.end - changed; // Later visits have moved by this number of places.
+    const auto before = [&](int place) {
+        return place < count ? std::optional(route.visits[placeIndex(place)]) : std::nullopt;
+    };
+    const auto visitAt = [&](int w) {
+        return w < changed ? std::optional(m_window[placeIndex(w)]) : before(w + moved);
+    };
     Shift shift{.end = count};
     PatrolStop now =
         begin > 0 ? route.stops[placeIndex(begin - 1)] : patrolStart(m_problem.uavs[change.uav]);
-    for (int w = 0; w < static_cast<int>(m_window.size()); ++w) {
-        const int i = m_window[placeIndex(w)];
-        const bool isLast = w + 1 == static_cast<int>(m_window.size());
-        now = flown(change.uav, now, i,
-                    isLast ? std::nullopt : std::optional(m_window[placeIndex(w + 1)]));
+    int place = begin; // Former place of the visit if `run` is positive.
+    int run = 0;       // Number of visits up to this one that follow each other as before.
+    for (int w = 0; w < changed + count - change.end; ++w, ++place) {
+        const int i = *visitAt(w); // NOLINT(bugprone-unchecked-optional-access): `w` is in range
+        const std::optional<int> next = visitAt(w + 1);
+        if (run > 0 && before(place) == i) {
+            ++run;
+        } else {
+            const std::optional<int> former =
+                next ? formerPlace(route, {i, *next}, begin + w) : std::nullopt;
+            place = former.value_or(place);
+            run = former ? 1 : 0;
+        }
+        std::optional<PatrolStop> shifted;
+        if (run > kFlownOfRun && before(place + 1) == next)
+            shifted = shiftedStop(route, place, now);
+        now = shifted ? *shifted : flown(change.uav, now, i, next);
         if (now.time_s >= end_s)
             break;
-        const int place = change.end + w - changed;
-        if (w > changed &&
-            (!hasSorties || (now.tookOff && route.stops[placeIndex(place)].tookOff))) {
-            shift.end = place;
-            shift.shift_s = now.time_s - route.stops[placeIndex(place)].time_s;
-            break;
+        if (w > changed) {
+            const bool isExact = isOnlyShifted(route, w + moved, now);
+            const PatrolStop& old = route.stops[placeIndex(w + moved)];
+            if (isExact || (landings == Landings::AsBefore && now.tookOff == old.tookOff)) {
+                shift.isGuess = !isExact;
+                shift.end = w + moved;
+                shift.shift_s = now.time_s - old.time_s;
+                break;
+            }
         }
         touch(i, change.uav, begin);
         shift.cost_m2s += follow(m_new[placeIndex(i)], i, change.uav, now.time_s, now.time_s);
@@ -259,22 +346,43 @@ PatrolSearch::Shift PatrolSearch::flyChanged(const Change& change, int begin)
 
 double PatrolSearch::changeOfCost_m2s(const Change& change)
 {
+    return changeOfCost_m2s(change, Landings::Flown).cost_m2s;
+}
+
+PatrolSearch::Shift PatrolSearch::changeOfCost_m2s(const Change& change, Landings landings)
+{
     const Route& route = m_routes[change.uav];
     const int begin = std::max(0, change.begin - 1);
     m_touched.clear();
-    const Shift shift = flyChanged(change, begin);
-    double cost_m2s = shift.cost_m2s;
+    Shift shift = flyChanged(change, begin, landings);
     for (int k = begin; k < shift.end; ++k) {
         const int i = route.visits[placeIndex(k)];
         const double time_s = route.stops[placeIndex(k)].time_s;
         touch(i, change.uav, begin);
-        cost_m2s -= follow(m_old[placeIndex(i)], i, change.uav, time_s, time_s);
+        shift.cost_m2s -= follow(m_old[placeIndex(i)], i, change.uav, time_s, time_s);
     }
     for (const int i : m_touched) {
         m_isTouched[placeIndex(i)] = 0;
-        cost_m2s += changeOfRest_m2s(i, change, shift.end, shift.shift_s);
+        shift.cost_m2s += changeOfRest_m2s(i, change, shift.end, shift.shift_s);
     }
-    return cost_m2s;
+    return shift;
+}
+
+/**
+ * Returns whether a change costs less than the limit. With sorties, changes that would be far worse
+ * if the UAV landed after the same visits as before are refused without flying on.
+ */
+bool PatrolSearch::costsLess(const Change& change, double limit_m2s)
+{
+    /** Costs of visits by which later landings hardly ever make a change better. */
+    constexpr double kVisits = 0.3;
+    const Shift shift = changeOfCost_m2s(change, Landings::AsBefore);
+    if (!shift.isGuess)
+        return shift.cost_m2s < limit_m2s;
+    const auto visits = static_cast<double>(m_routes[change.uav].visits.size());
+    // A UAV that is late lands sooner, which makes the change even worse.
+    const double gain_m2s = shift.shift_s > 0 ? 0 : kVisits * m_cost_m2s / visits;
+    return shift.cost_m2s < limit_m2s + gain_m2s && changeOfCost_m2s(change) < limit_m2s;
 }
 
 void PatrolSearch::extend()

@@ -87,6 +87,15 @@ public:
     void apply(const Change& change);
 
 private:
+    /**
+     * Times by which a visit and the others up to the next landing may come later or earlier,
+     * compared with the end of the sortie, before that landing moves to another visit.
+     */
+    struct Leeway
+    {
+        double later_s = std::numeric_limits<double>::infinity();
+        double earlier_s = std::numeric_limits<double>::infinity();
+    };
     struct Route
     {
         std::vector<int> visits;
@@ -97,6 +106,7 @@ private:
          */
         std::vector<double> slope_m2;
         std::vector<double> bend_m2ps;
+        std::vector<Leeway> leeways; ///< One for each visit of a UAV with sorties.
     };
     /** One visit of an iceberg by any UAV. */
     struct Seen
@@ -128,6 +138,8 @@ private:
         return std::min(m_problem.length_s, m_problem.uavs[uav].until_s);
     }
     void fly(std::size_t uav, std::size_t from);
+    void measureLeeways(Route& route) const;
+    [[nodiscard]] bool isOnlyShifted(const Route& route, int place, const PatrolStop& now) const;
     void account();
     void accountFor(int iceberg);
     double follow(Chain& chain, int iceberg, std::size_t uav, double time_s, double others_s) const;
@@ -141,8 +153,22 @@ private:
         double cost_m2s = 0;
         double shift_s = 0;
         int end = 0; ///< First visit that is shifted, or the number of visits.
+        /** The UAV would land after other visits from here on, which the cost leaves out. */
+        bool isGuess = false;
     };
-    Shift flyChanged(const Change& change, int begin);
+    /** The landings after a change that is evaluated. */
+    enum class Landings
+    {
+        Flown,
+        AsBefore ///< The UAV is assumed to land after the same visits as before.
+    };
+    Shift flyChanged(const Change& change, int begin, Landings landings);
+    [[nodiscard]] Shift changeOfCost_m2s(const Change& change, Landings landings);
+    [[nodiscard]] bool costsLess(const Change& change, double limit_m2s);
+    [[nodiscard]] static std::optional<int> formerPlace(const Route& route,
+                                                        std::pair<int, int> visits, int near);
+    [[nodiscard]] static std::optional<PatrolStop> shiftedStop(const Route& route, int place,
+                                                               const PatrolStop& now);
 
     // These propose changes (patrol_moves.cpp).
     [[nodiscard]] const std::vector<int>& neighbours(int iceberg, double time_s);

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kMostVisitsOfRounds = 1500;
 constexpr int kMostSweeps = 60;
+/** Larger fields get fewer tries for their first tour. */
+constexpr double kStopsOfTries = 60;
 constexpr double kLeastGain_m = 1e-6;
 
 /** One closed tour that is being shortened. */
@@ -154,6 +156,9 @@ std::vector<int> firstTour(const PatrolProblem& problem, int tries, Random& rand
     std::vector<int> best = nearestNext(places_m, problem.uavs.front().start.position_m);
     shortenTour(best, places_m);
     double best_m = length_m(best, places_m);
+    // Shortening takes time in proportion to the square of the number of stops.
+    const double share = std::min(1.0, kStopsOfTries / static_cast<double>(places_m.size()));
+    tries = static_cast<int>(std::ceil(share * share * tries));
     for (int k = 1; k < tries; ++k) {
         std::vector<int> other = doubleBridge(best, random);
         shortenTour(other, places_m);

@@ -222,7 +222,7 @@ four="$source_dir/resources/scenarios/disko-bay-4.berg" # the bound of twelve ta
 check "simulate --bound" exits 0 "$cli" simulate "$four" --duration 200 --bound --json
 check "simulate --bound: below zeta" json '0 < d["lower_bound_m2s"] < d["zeta_m2s"]'
 check "simulate --bound in words" exits 0 "$cli" simulate "$four" --duration 200 --bound
-check "simulate --bound: the words" grep -q 'lower bound on zeta [0-9 ]* m2 s' stdout.txt
+check "simulate --bound: the words" grep -q 'lower bound on zeta [0-9 ]* m2 s, from visit sequences$' stdout.txt
 check "simulate: what befell icebergs" exits 0 "$cli" simulate "$source_dir/resources/scenarios/bonavista-lost.berg" --json
 check "simulate: lost and found" json 'd["events"]["lost"] > 0 and d["events"]["found"] > 0 and list(d)[-1] == "events"'
 check "simulate: lost and found in words" exits 0 "$cli" simulate "$source_dir/resources/scenarios/bonavista-lost.berg"

@@ -11,8 +11,11 @@ namespace {
 constexpr double kStep_s = 1.5e-7; ///< CPU time of a step of the UAV
 constexpr double kTrack_s = 2e-8;  ///< CPU time of an iceberg in a step
 constexpr double kBetweenPlans_s = 20;
-constexpr double kFirstCoverage_s = 0.2;
-constexpr double kNextCoverage_s = 0.005;
+/** Plans of `coverage`: aimed legs in runs of this length at most, patrols in longer ones. */
+constexpr double kLongestOfLegs_s = 1000;
+constexpr double kFirstLegs_s = 0.2;
+constexpr double kNextLegs_s = 0.005;
+constexpr double kFirstPatrol_s = 0.5;
 
 /** CPU time of one plan. */
 struct PlanCost
@@ -24,6 +27,8 @@ constexpr PlanCost kVisitation[] = {{4, 5e-6},  {12, 5e-5}, {16, 5e-4}, {20, 1.2
                                     {30, 6e-3}, {40, 3e-2}, {60, 0.2},  {100, 1}};
 constexpr PlanCost kLatency[] = {{4, 5e-6},  {12, 8e-5}, {16, 2e-3}, {20, 5e-3},
                                  {30, 5e-2}, {40, 0.2},  {60, 1},    {100, 1}};
+
+constexpr PlanCost kNextPatrol[] = {{40, 9e-3}, {100, 1.8e-2}, {300, 4e-2}};
 
 /** Interpolates linearly in the logarithms between the rows of the table; constant beyond them. */
 double costOf(std::span<const PlanCost> table, double icebergs)
@@ -41,11 +46,14 @@ double costOf(std::span<const PlanCost> table, double icebergs)
     return before.cpu_s * std::pow(after->cpu_s / before.cpu_s, t);
 }
 
-double planning_s(PolicyKind policy, double icebergs, double plans)
+double planning_s(PolicyKind policy, double icebergs, double duration_s)
 {
     const PolicyTraits& traits = traitsOf(policy);
+    double plans = duration_s / kBetweenPlans_s;
     if (traits.method == PolicyMethod::PredictedZeta)
-        return kFirstCoverage_s + plans * kNextCoverage_s;
+        return duration_s <= kLongestOfLegs_s
+                   ? kFirstLegs_s + plans * kNextLegs_s
+                   : kFirstPatrol_s + plans * costOf(kNextPatrol, icebergs);
     if (!traits.solves())
         return 0;
     if (traits.replanRule == ReplanRule::ToItsEnd)
@@ -63,8 +71,7 @@ double caseTime_s(const std::vector<StudySetting>& settings, const Scenario& sce
     const double flying_s = scenario.duration_s / scenario.dt_s * (kStep_s + icebergs * kTrack_s);
     double time_s = 0;
     for (const StudySetting& setting : settings)
-        time_s +=
-            flying_s + planning_s(setting.policy, icebergs, scenario.duration_s / kBetweenPlans_s);
+        time_s += flying_s + planning_s(setting.policy, icebergs, scenario.duration_s);
     return time_s;
 }
 

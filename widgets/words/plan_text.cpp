@@ -225,6 +225,16 @@ QStringList marginLines(double margin_s, double low_s)
     return {home.arg(clock(margin_s)), std::isfinite(low_s) ? low.arg(clock(low_s)) : low};
 }
 
+QStringList boundSourceLines(std::optional<bool> isFromRates)
+{
+    if (!isFromRates)
+        return {};
+    return {*isFromRates
+                ? PlanText::tr("It follows from visit rates: how often icebergs can be visited.")
+                : PlanText::tr("It follows from visit sequences: how soon icebergs can be visited "
+                               "one after the other.")};
+}
+
 QString chanceText(double chance, const QLocale& locale)
 {
     return PlanText::tr("%1 %").arg(fixedText(100 * chance, 0, locale));

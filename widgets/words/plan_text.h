@@ -70,6 +70,12 @@ struct PlanFigures
  */
 [[nodiscard]] QStringList marginLines(double margin_s, double low_s);
 
+/**
+ * Returns what a lower bound on zeta follows from, see `BoundPoint::isFromRates`; no line for
+ * nullopt.
+ */
+[[nodiscard]] QStringList boundSourceLines(std::optional<bool> isFromRates);
+
 /** Returns "87 %" for 0.87. */
 [[nodiscard]] QString chanceText(double chance, const QLocale& locale);
 

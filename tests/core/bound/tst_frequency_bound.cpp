@@ -317,6 +317,8 @@ void TestFrequencyBound::greaterOfTheTwo()
     const ZetaBound without = zetaLowerBound(s, {.workLimit = 900'000});
     QVERIFY(!without.frequency_m2s);
     QVERIFY(bound.zeta_m2s > 2 * without.zeta_m2s);
+    QVERIFY(bound.by(s.duration_s).isFromRates);
+    QVERIFY(!without.by(s.duration_s).isFromRates);
     for (std::size_t k = 1; k < bound.curve.size(); ++k)
         QVERIFY(bound.curve[k].zeta_m2s >= bound.curve[k - 1].zeta_m2s);
 }

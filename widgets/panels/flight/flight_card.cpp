@@ -4,6 +4,7 @@
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
+#include "widgets/words/plan_text.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -45,6 +46,8 @@ FlightSummary flightSummary(const FlightRecord& record,
     if (const KnownBound bound = record.boundOfFlight(); bound.zeta_m2s) {
         summary.bound_m2s = bound.zeta_m2s;
         summary.boundShare = bound.whole ? 1 : bound.share;
+        if (bound.whole)
+            summary.isBoundFromRates = bound.whole->curve.back().isFromRates;
     }
     if (const std::optional<std::size_t>& longest = figures.longestUnseen) {
         summary.longestUnseen = shownName(record.now.icebergs[*longest]);
@@ -81,8 +84,7 @@ FlightCard::FlightCard(QWidget* map)
                          tr("ζ compared with the prediction for the policy before take-off."));
     m_range = addRow(*column, u"flightCardRange"_s, tr("Predicted range"),
                      tr("Predicted range of ζ for 90 % of flights."));
-    m_bound = addRow(*column, u"flightCardBound"_s, tr("Lower bound"),
-                     tr("Lower bound on ζ for these conditions, whatever the policy."));
+    m_bound = addRow(*column, u"flightCardBound"_s, tr("Lower bound"), boundToolTip({}));
     m_visits = addRow(*column, u"flightCardVisits"_s, tr("Visits"), tr("Targets reached."));
     m_unseen = addRow(*column, u"flightCardUnseen"_s, tr("Longest unseen"),
                       tr("The iceberg that was out of view longest."));
@@ -161,6 +163,7 @@ void FlightCard::showSummary(const FlightSummary& summary)
                   ? tr("being computed, %1 %").arg(fixedText(100 * summary.boundShare, 0, locale()))
               : isUseless ? tr("no useful bound")
                           : bound);
+    m_bound->setToolTip(boundToolTip(summary));
     showValue(*m_visits, fixedText(summary.visits, 0, locale()));
     showValue(*m_unseen,
               summary.longestUnseen.isEmpty()
@@ -169,6 +172,13 @@ void FlightCard::showSummary(const FlightSummary& summary)
     place();
     show();
     raise();
+}
+
+QString FlightCard::boundToolTip(const FlightSummary& summary)
+{
+    return (QStringList(tr("Lower bound on ζ for these conditions, whatever the policy."))
+            << boundSourceLines(summary.isBoundFromRates))
+        .join(u'\n');
 }
 
 /** Returns the position of ζ in the predicted range. */

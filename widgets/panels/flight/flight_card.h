@@ -23,6 +23,8 @@ struct FlightSummary
     std::optional<double> bound_m2s; ///< lower bound on zeta of any flight
     /** Share of the work for the bound that is done; below 1 it may still rise. */
     double boundShare = 1;
+    /** Source of the complete bound, see `BoundPoint`; nullopt while it is computed. */
+    std::optional<bool> isBoundFromRates;
     int visits = 0;
     /** Whether the flight was changed, so that the prediction does not apply. */
     bool wasChanged = false;
@@ -66,6 +68,7 @@ protected:
 private:
     QLabel* addRow(QGridLayout& rows, const QString& name, const QString& caption,
                    const QString& toolTip);
+    [[nodiscard]] static QString boundToolTip(const FlightSummary& summary);
     [[nodiscard]] QString rangeText(const FlightSummary& summary) const;
     void place();
 

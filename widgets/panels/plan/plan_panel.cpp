@@ -302,7 +302,8 @@ QString PlanPanel::summaryToolTip() const
                            "sightings en route and without new plans."));
     if (m_outlook->bound_m2s)
         lines << tr("The lower bound is proven for this scenario and its random drift,\nfor any "
-                    "policy and any turn radius.");
+                    "policy and any turn radius.")
+              << boundSourceLines(m_outlook->isBoundFromRates);
     return lines.join(u'\n');
 }
 

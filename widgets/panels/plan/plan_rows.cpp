@@ -268,6 +268,9 @@ void addBound(PlanOutlook& outlook, const KnownBound& bound)
         return;
     outlook.bound_m2s = outlook.until_s ? bound.whole->by_m2s(*outlook.until_s) : bound.zeta_m2s;
     outlook.boundShare = bound.share;
+    if (bound.whole)
+        outlook.isBoundFromRates =
+            bound.whole->by(outlook.until_s.value_or(bound.whole->curve.back().time_s)).isFromRates;
 }
 
 QString namesOf(const std::vector<int>& order, const std::vector<Iceberg>& icebergs)

@@ -106,6 +106,8 @@ struct PlanOutlook
     QString before;                  ///< remaining icebergs of the former order of each changed UAV
     std::optional<double> bound_m2s; ///< lower bound on zeta of any flight, at the same time
     double boundShare = 1;           ///< share of the work for the bound that is done
+    /** Source of the complete bound, see `BoundPoint`; nullopt while it is computed. */
+    std::optional<bool> isBoundFromRates = {};
     /** Longest time that a patrol leaves an iceberg unseen; nullopt if the plan is no patrol. */
     std::optional<double> longestGap_s = {};
     QString longestGapName = {}; ///< name of that iceberg

@@ -49,10 +49,12 @@ struct SettingRows
     {
         return static_cast<std::size_t>(row) == summary().reference;
     }
-    [[nodiscard]] double bestIn(int row) const
+    /** Returns the number of cases in which a setting is best; nullopt for the best of each. */
+    [[nodiscard]] std::optional<double> bestIn(int row) const
     {
-        return isSetting(row) ? static_cast<double>(result->bestIn[static_cast<std::size_t>(row)])
-                              : -1;
+        if (!isSetting(row))
+            return std::nullopt;
+        return static_cast<double>(result->bestIn[static_cast<std::size_t>(row)]);
     }
     [[nodiscard]] double cases() const { return static_cast<double>(summary().cases.size()); }
     [[nodiscard]] QString number(double value) const { return significantText(value, 4, locale); }
@@ -82,14 +84,13 @@ struct SettingRows
                                                            changeText(difference(row).high, locale))
                                                 : missingValueText();
     }
-    /** Returns a number of cases of a setting; empty for the best tau of each case. */
-    [[nodiscard]] QString count(int row, double number) const
+    [[nodiscard]] QString count(const std::optional<double>& number) const
     {
-        return isSetting(row) ? fixedText(number, 0, locale) : QString();
+        return number ? fixedText(*number, 0, locale) : QString();
     }
-    [[nodiscard]] double stuck(int row) const
+    [[nodiscard]] std::optional<double> stuck(int row) const
     {
-        return isSetting(row) ? setting(row).stuckShare * cases() : -1;
+        return isSetting(row) ? std::optional(setting(row).stuckShare * cases()) : std::nullopt;
     }
     [[nodiscard]] QString toolTip(int row) const
     {
@@ -215,11 +216,11 @@ CellSheet studySettings(const StudyPointer& result, const Theme& theme, const QL
               .key = [of](int row) { return of.difference(row).low; }},
              {.title = StudyTables::tr("Best in"),
               .tip = StudyTables::tr("Cases in which no other setting has less ζ."),
-              .text = [of](int row) { return of.count(row, of.bestIn(row)); },
+              .text = [of](int row) { return of.count(of.bestIn(row)); },
               .key = [of](int row) { return of.bestIn(row); }},
              {.title = StudyTables::tr("Stuck"),
               .tip = StudyTables::tr("Cases that visit at most two icebergs in the second half."),
-              .text = [of](int row) { return of.count(row, of.stuck(row)); },
+              .text = [of](int row) { return of.count(of.stuck(row)); },
               .key = [of](int row) { return of.stuck(row); }}}),
         .rows = static_cast<int>(rows),
         .toolTip = [of](int row, int) { return of.toolTip(row); },

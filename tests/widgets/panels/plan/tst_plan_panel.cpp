@@ -196,6 +196,13 @@ private slots:
         f.panel.showOutlook(outlook);
         QCOMPARE(summary.text().section(u'\n', 2), u"Lower bound on ζ: 51\u202f770 m² s"_s);
         QVERIFY(summary.toolTip().contains(u"proven"_s));
+        QVERIFY(!summary.toolTip().contains(u"visit rates"_s));
+        outlook.isBoundFromRates = true;
+        f.panel.showOutlook(outlook);
+        QVERIFY(summary.toolTip().contains(u"visit rates"_s));
+        outlook.isBoundFromRates = false;
+        f.panel.showOutlook(outlook);
+        QVERIFY(summary.toolTip().contains(u"visit sequences"_s));
         outlook.bound_m2s = 0.19 * outlook.zeta_m2s; // a useless bound
         f.panel.showOutlook(outlook);
         QCOMPARE(summary.text().section(u'\n', 2), u"No useful lower bound on ζ"_s);
