@@ -418,6 +418,74 @@
         <source>%1 sightings are too far from the origin, %2, which lies in their densest group; choose others with --area</source>
         <translation>%1 observationer er for langt fra origo, %2, som ligger i den tætteste gruppe af dem: vælg andre med --area</translation>
     </message>
+    <message>
+        <source>%1: %2 is not a position such as 64.51N,59.80W</source>
+        <translation>%1: %2 er ikke en position som 64.51N,59.80W</translation>
+    </message>
+    <message>
+        <source>wind</source>
+        <translation>vind</translation>
+    </message>
+    <message>
+        <source>gust</source>
+        <translation>vindstød</translation>
+    </message>
+    <message>
+        <source>air temperature</source>
+        <translation>lufttemperatur</translation>
+    </message>
+    <message>
+        <source>fog</source>
+        <translation>tåge</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>strøm</translation>
+    </message>
+    <message>
+        <source>issued %1 h before %2; get a newer forecast</source>
+        <translation>udsendt %1 t før %2; hent en nyere prognose</translation>
+    </message>
+    <message>
+        <source>is for a place %1 km away</source>
+        <translation>gælder et sted %1 km væk</translation>
+    </message>
+    <message>
+        <source>%1: no values between %2 and %3</source>
+        <translation>%1: ingen værdier mellem %2 og %3</translation>
+    </message>
+    <message>
+        <source>--since, --until: the forecast is from %1 to %2</source>
+        <translation>--since, --until: prognosen går fra %1 til %2</translation>
+    </message>
+    <message>
+        <source>%1 needs %2</source>
+        <translation>%1 kræver %2</translation>
+    </message>
+    <message>
+        <source>the forecasts hold no wind: add one that does, or give %1</source>
+        <translation>prognoserne indeholder ingen vind: tilføj en, der gør det, eller angiv %1</translation>
+    </message>
+    <message>
+        <source>the forecasts hold no current: add one that does, or give %1</source>
+        <translation>prognoserne indeholder ingen strøm: tilføj en, der gør det, eller angiv %1</translation>
+    </message>
+    <message>
+        <source>--at: wind and current are not both known then; the forecast is from %1 to %2</source>
+        <translation>--at: vind og strøm er ikke begge kendt da; prognosen går fra %1 til %2</translation>
+    </message>
+    <message>
+        <source>wind and current are known for %1 h only</source>
+        <translation>vind og strøm er kun kendt i %1 t</translation>
+    </message>
+    <message>
+        <source>--latitude is required: growlers and bergy bits drift to the right of the wind in the north, to the left in the south</source>
+        <translation>--latitude er påkrævet: growlers og bergy bits driver til højre for vinden i nord, til venstre i syd</translation>
+    </message>
+    <message>
+        <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
+        <translation>En prognose er JSON-svaret fra MET Norges locationforecast eller oceanforecast.</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>

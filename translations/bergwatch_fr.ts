@@ -418,6 +418,74 @@
         <source>%1 sightings are too far from the origin, %2, which lies in their densest group; choose others with --area</source>
         <translation>%1 observations sont trop loin de l&apos;origine, %2, qui est dans leur groupe le plus dense : choisissez-en d&apos;autres par --area</translation>
     </message>
+    <message>
+        <source>%1: %2 is not a position such as 64.51N,59.80W</source>
+        <translation>%1 : %2 n&apos;est pas une position telle que 64.51N,59.80W</translation>
+    </message>
+    <message>
+        <source>wind</source>
+        <translation>vent</translation>
+    </message>
+    <message>
+        <source>gust</source>
+        <translation>rafales</translation>
+    </message>
+    <message>
+        <source>air temperature</source>
+        <translation>température de l&apos;air</translation>
+    </message>
+    <message>
+        <source>fog</source>
+        <translation>brouillard</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>courant</translation>
+    </message>
+    <message>
+        <source>issued %1 h before %2; get a newer forecast</source>
+        <translation>émise %1 h avant %2 ; obtenez une prévision plus récente</translation>
+    </message>
+    <message>
+        <source>is for a place %1 km away</source>
+        <translation>concerne un lieu à %1 km de là</translation>
+    </message>
+    <message>
+        <source>%1: no values between %2 and %3</source>
+        <translation>%1 : aucune valeur entre %2 et %3</translation>
+    </message>
+    <message>
+        <source>--since, --until: the forecast is from %1 to %2</source>
+        <translation>--since, --until : la prévision va de %1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 needs %2</source>
+        <translation>%1 exige %2</translation>
+    </message>
+    <message>
+        <source>the forecasts hold no wind: add one that does, or give %1</source>
+        <translation>les prévisions ne contiennent pas de vent : ajoutez-en une qui en contient, ou donnez %1</translation>
+    </message>
+    <message>
+        <source>the forecasts hold no current: add one that does, or give %1</source>
+        <translation>les prévisions ne contiennent pas de courant : ajoutez-en une qui en contient, ou donnez %1</translation>
+    </message>
+    <message>
+        <source>--at: wind and current are not both known then; the forecast is from %1 to %2</source>
+        <translation>--at : le vent et le courant ne sont pas tous deux connus alors ; la prévision va de %1 à %2</translation>
+    </message>
+    <message>
+        <source>wind and current are known for %1 h only</source>
+        <translation>le vent et le courant ne sont connus que pendant %1 h</translation>
+    </message>
+    <message>
+        <source>--latitude is required: growlers and bergy bits drift to the right of the wind in the north, to the left in the south</source>
+        <translation>--latitude est requis : les bourguignons et les fragments d&apos;iceberg dérivent à droite du vent au nord, à gauche au sud</translation>
+    </message>
+    <message>
+        <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
+        <translation>Une prévision est la réponse JSON de locationforecast ou d&apos;oceanforecast de MET Norway.</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>

@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
+#include "app/cli/typed_values.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/import/import_airspace.h"
@@ -56,18 +57,6 @@ constexpr const char* kAirspaceFormat = "airspace"; ///< no sightings: added to 
 std::string formatList()
 {
     return "auto, " + joined(importFormats(), ", ", &ImportFormat::id) + ", " + kAirspaceFormat;
-}
-
-std::optional<UtcTime> timeOf(const std::string& option, const std::string& text)
-{
-    if (text.empty())
-        return std::nullopt;
-    const std::optional<UtcTime> time = parseTypedTime(text);
-    if (!time)
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine",
-                                           "%1: %2 is not a UTC time such as 2026-05-01T12:00:00Z"),
-                         {option, text});
-    return time;
 }
 
 /** "S,W,N,E" in degrees. */

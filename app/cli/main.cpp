@@ -18,6 +18,8 @@ int main(int argc, char** argv)
         addExportCommand(app, action, argv);
         addFileCommands(app, action);
         addImportCommand(app, action);
+        addForecastCommand(app, action);
+        addDriftCommand(app, action);
     };
     return runProgram(
         {.name = "bergwatch-cli",

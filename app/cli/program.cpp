@@ -63,16 +63,24 @@ std::string hintOf(const Error& error, const std::string& command)
          QT_TRANSLATE_NOOP("CommandLine", "This is a run: use 'simulate' or 'export'.")},
         {"bergwatch-study", QT_TRANSLATE_NOOP("CommandLine", "This is a study: use 'study'.")}};
     const IssueReason& reason = error.issues().front().reason;
-    if (reason.id == IssueId::UnknownFormat)
+    if (reason.id == IssueId::UnknownFormat && command == "import")
         return said(
             QT_TRANSLATE_NOOP(
                 "CommandLine",
                 "Name the columns of a table: --map latitude=COLUMN --map longitude=COLUMN."),
             {});
     constexpr std::int64_t kLiteral = 5; // a word may begin as "false" does
-    if (reason.id == IssueId::JsonSyntax && command != "import" &&
-        std::get<std::int64_t>(reason.arguments[0]) == 1 &&
-        std::get<std::int64_t>(reason.arguments[1]) <= kLiteral)
+    const bool isOtherText = reason.id == IssueId::JsonSyntax &&
+                             std::get<std::int64_t>(reason.arguments[0]) == 1 &&
+                             std::get<std::int64_t>(reason.arguments[1]) <= kLiteral;
+    if (command == "forecast" || command == "drift")
+        return isOtherText || reason.id == IssueId::Missing
+                   ? said(QT_TRANSLATE_NOOP("CommandLine",
+                                            "A forecast is the JSON reply of MET Norway's "
+                                            "locationforecast or oceanforecast."),
+                          {})
+                   : std::string();
+    if (isOtherText && command != "import")
         return said(
             QT_TRANSLATE_NOOP("CommandLine",
                               "This is not a Bergwatch file. To read sightings, use 'import'."),

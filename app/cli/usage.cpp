@@ -277,6 +277,12 @@ void addExamples(CLI::App& app)
                    "export run.bergrun --format brief --output brief.pdf"},
         {"validate", "validate *.berg"},
         {"import", "import sightings.csv --output field.berg --map id=name"},
+        {"forecast", "forecast locationforecast.json oceanforecast.json --since 2026-05-01T12:00Z"},
+        {"drift", "drift --length 120 --wind-speed 10 --wind-from 270 --current-speed 0.3 "
+                  "--current-to 0\n"
+                  "drift --size medium --forecast locationforecast.json --forecast "
+                  "oceanforecast.json\n"
+                  "drift --size medium --current-speed 0.2 --current-to 180 --track beacon.csv"},
         {"completion", "completion bash > bergwatch-cli.bash"}};
     app.footer(
         "Files:\n  -" + std::string(kHelpColumn - 3, ' ') +

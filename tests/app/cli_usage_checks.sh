@@ -65,9 +65,9 @@ check "help: tells of -" grep -q 'standard input or output' <("$cli" --help)
 
 # --- numbers ---------------------------------------------------------------------------------
 # Every option that takes one, in every command, refuses what is none.
-for command in solve plan curve simulate sweep benchmark export import; do
+for command in solve plan curve simulate sweep benchmark export import drift; do
     others=(four.berg)
-    [ "$command" = benchmark ] && others=()
+    [[ $command = benchmark || $command = drift ]] && others=()
     [[ $command = export || $command = import ]] && others+=(--output none.kml)
     options=$("$cli" "$command" --help | grep -oE '^ +(-., *)?--[a-z-]+ (FLOAT|INT)' | grep -oE -- '--[a-z-]+')
     check "$command: takes numbers" test -n "$options"
@@ -97,7 +97,7 @@ done
 # --- help ------------------------------------------------------------------------------------
 check "help" exits 0 "$cli" help
 check "help: is --help" cmp -s stdout.txt <("$cli" --help)
-for command in solve plan curve simulate sweep study benchmark export validate import completion; do
+for command in solve plan curve simulate sweep study benchmark export validate import forecast drift completion; do
     check "help: lists $command" grep -q "^  $command " <("$cli" help)
     check "help $command" exits 0 "$cli" help $command
     check "help $command: is $command --help" cmp -s stdout.txt <("$cli" $command --help)

@@ -7,6 +7,7 @@
 #include "core/io/files/scenario_json.h"
 #include "core/io/files/tsplib.h"
 #include "core/io/import/import_airspace.h"
+#include "core/io/import/import_forecast.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_scenario.h"
 #include "core/io/import/map_shapes.h"
@@ -108,6 +109,13 @@ void readAsMap(const std::string& text)
                 fail("a shape without places");
 }
 
+void readAsForecast(const std::string& text)
+{
+    const Forecast forecast = forecastFromJson(text, kSubject);
+    if (cut(forecast, std::nullopt, std::nullopt).series.size() != forecast.series.size())
+        fail("a forecast whose times do not rise");
+}
+
 void readAsStudy(const std::string& text)
 {
     if (isReport(text))
@@ -161,7 +169,7 @@ void readAsFormat(const std::string& text)
 /** Sometimes also tries the other readers of text, whatever the file is called. */
 constexpr std::array kReaders{readAsScenario, readAsRun,       readAsProblem,  readAsStudy,
                               readAsFormat,   readAsSightings, readAsIcebergs, readAsPlace,
-                              readAsAirspace, readAsMap,       readAsTsplib};
+                              readAsAirspace, readAsMap,       readAsTsplib,   readAsForecast};
 
 using Reader = void (*)(const std::string&);
 
@@ -171,6 +179,8 @@ Reader readerOf(const std::filesystem::path& file)
         {".berg", readAsScenario},   {".bergrun", readAsRun}, {".bergstudy", readAsStudy},
         {".json", readAsProblem},    {".tsp", readAsTsplib},  {".atsp", readAsTsplib},
         {".openair", readAsAirspace}};
+    if (file.parent_path().filename() == "forecast")
+        return readAsForecast;
     const auto it = kByEnding.find(file.extension().string());
     return it == kByEnding.end() ? readAsSightings : it->second;
 }

@@ -7,6 +7,7 @@
 #include "core/io/import/import_quantity.h"
 #include "core/scenario/scenario.h"
 #include "core/scenario/text_checks.h"
+#include "core/tracking/iceberg_size.h"
 
 #include <algorithm>
 #include <charconv>
@@ -55,20 +56,12 @@ std::optional<double> degreesOf(std::string_view text, char positive, char negat
     return sign * *value;
 }
 
-/** Half the mean length of a size class (FIELD-NOTES 4); for the open class half its minimum. */
+/** Returns half the length of a size class, or nullopt for another text. */
 std::optional<double> radiusOfClass(std::string_view size)
 {
-    struct Class
-    {
-        std::string_view name;
-        double length_m;
-    };
-    constexpr std::array kClasses = {Class{"gr", 2.5}, Class{"bb", 10},  Class{"sm", 37.5},
-                                     Class{"med", 90}, Class{"lg", 160}, Class{"vlg", 200}};
-    const std::string plain = plainName(size);
-    const auto it = std::find_if(kClasses.begin(), kClasses.end(),
-                                 [&](const Class& c) { return c.name == plain; });
-    return it == kClasses.end() ? std::nullopt : std::optional(it->length_m / 2);
+    const auto* const found =
+        std::ranges::find(kIcebergSizes, plainName(size), &IcebergSize::code);
+    return found == kIcebergSizes.end() ? std::nullopt : std::optional(found->length_m / 2);
 }
 
 /** Whether commas separate groups of three digits, as in 1,200, which may also mean 1.2. */
