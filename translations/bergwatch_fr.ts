@@ -1175,16 +1175,16 @@
         <translation>Retour à la base</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Éléments de mission avec altitude, vitesse et rayons, la barrière virtuelle et un point de ralliement à la base ; ni décollage ni atterrissage. Lu aussi par Mission Planner et MAVSDK. Un fichier par drone.</translation>
-    </message>
-    <message>
         <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
         <translation>Éléments de mission au format QGC WPL 110, la base en première ligne, pour Mission Planner et MAVProxy. Sans barrière virtuelle. Un fichier par drone.</translation>
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
         <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; avec une seconde page s&apos;il y a un volume d&apos;exploitation.</translation>
+    </message>
+    <message>
+        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Éléments de mission avec altitude, vitesse et rayons, la barrière virtuelle et un point de ralliement à la base ; ni décollage ni atterrissage. Lu aussi par Mission Planner et MAVSDK. Un fichier par drone.</translation>
     </message>
 </context>
 <context>
@@ -2820,6 +2820,98 @@ Zone adjacente %4</translation>
     <message>
         <source>Change %1</source>
         <translation>Modifier : %1</translation>
+    </message>
+    <message>
+        <source>ArduPilot, fixed wing</source>
+        <translation>ArduPilot, voilure fixe</translation>
+    </message>
+    <message>
+        <source>ArduPilot, flying wing launched by hand</source>
+        <translation>ArduPilot, aile volante lancée à la main</translation>
+    </message>
+    <message>
+        <source>ArduPilot, VTOL</source>
+        <translation>ArduPilot, ADAV</translation>
+    </message>
+    <message>
+        <source>ArduPilot, multirotor</source>
+        <translation>ArduPilot, multirotors</translation>
+    </message>
+    <message>
+        <source>PX4, fixed wing</source>
+        <translation>PX4, voilure fixe</translation>
+    </message>
+    <message>
+        <source>PX4, VTOL</source>
+        <translation>PX4, ADAV</translation>
+    </message>
+    <message>
+        <source>PX4, multirotor</source>
+        <translation>PX4, multirotors</translation>
+    </message>
+    <message>
+        <source>as set below</source>
+        <translation>comme réglé ci-dessous</translation>
+    </message>
+    <message>
+        <source>Aircraft profile</source>
+        <translation>Profil de l&apos;appareil</translation>
+    </message>
+    <message>
+        <source>Sets all values of this group at once.</source>
+        <translation>Règle d&apos;un coup toutes les valeurs de ce groupe.</translation>
+    </message>
+    <message>
+        <source>Choose aircraft profile</source>
+        <translation>Choisir le profil de l&apos;appareil</translation>
+    </message>
+    <message>
+        <source>by mission item</source>
+        <translation>par un élément de la mission</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <source>return to launch</source>
+        <translation>retour au lancement</translation>
+    </message>
+    <message>
+        <source>landing pattern</source>
+        <translation>circuit d&apos;atterrissage</translation>
+    </message>
+    <message>
+        <source>loiter and wait</source>
+        <translation>attente en cercle</translation>
+    </message>
+    <message>
+        <source>not in the mission</source>
+        <translation>absente de la mission</translation>
+    </message>
+    <message>
+        <source>by distance</source>
+        <translation>selon la distance</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>selon le temps</translation>
+    </message>
+    <message>
+        <source>fixed wing</source>
+        <translation>voilure fixe</translation>
+    </message>
+    <message>
+        <source>VTOL</source>
+        <translation>ADAV</translation>
+    </message>
+    <message>
+        <source>multirotor</source>
+        <translation>multirotors</translation>
+    </message>
+    <message>
+        <source>Autopilot mission</source>
+        <translation>Mission de l&apos;autopilote</translation>
     </message>
 </context>
 <context>
@@ -8604,6 +8696,142 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
         <translation>Les drones sont maintenus à cette distance les uns des autres, sauf si leurs altitudes diffèrent de %1.</translation>
+    </message>
+    <message>
+        <source>Autopilot</source>
+        <translation>Autopilote</translation>
+    </message>
+    <message>
+        <source>Firmware for which missions are exported.</source>
+        <translation>Micrologiciel pour lequel les missions sont exportées.</translation>
+    </message>
+    <message>
+        <source>Airframe</source>
+        <translation>Cellule</translation>
+    </message>
+    <message>
+        <source>A VTOL and a multirotor fly over icebergs without loiter circles.</source>
+        <translation>Un ADAV et un multirotors survolent les icebergs sans tours d&apos;attente.</translation>
+    </message>
+    <message>
+        <source>Take-off</source>
+        <translation>Décollage</translation>
+    </message>
+    <message>
+        <source>By mission item, or by hand: then the mission is started in the air.</source>
+        <translation>Par un élément de la mission, ou à la main : la mission est alors démarrée en vol.</translation>
+    </message>
+    <message>
+        <source>Take-off altitude</source>
+        <translation>Altitude de décollage</translation>
+    </message>
+    <message>
+        <source>Height above home at which the first leg begins.</source>
+        <translation>Hauteur au-dessus de la base où commence le premier segment.</translation>
+    </message>
+    <message>
+        <source>Take-off pitch</source>
+        <translation>Assiette au décollage</translation>
+    </message>
+    <message>
+        <source>Least pitch of a fixed wing in the take-off.</source>
+        <translation>Assiette minimale d&apos;une voilure fixe au décollage.</translation>
+    </message>
+    <message>
+        <source>End of the mission</source>
+        <translation>Fin de la mission</translation>
+    </message>
+    <message>
+        <source>What the last items of an exported mission do, unless it ends over the last iceberg.</source>
+        <translation>Ce que font les derniers éléments d&apos;une mission exportée, sauf si elle finit au-dessus du dernier iceberg.</translation>
+    </message>
+    <message>
+        <source>Approach leg</source>
+        <translation>Segment d&apos;approche</translation>
+    </message>
+    <message>
+        <source>Distance from the loiter in which the UAV descends to the landing place.</source>
+        <translation>Distance entre l&apos;attente où le drone descend et le lieu d&apos;atterrissage.</translation>
+    </message>
+    <message>
+        <source>Approach altitude</source>
+        <translation>Altitude d&apos;approche</translation>
+    </message>
+    <message>
+        <source>Height above home to which the UAV descends before the approach.</source>
+        <translation>Hauteur au-dessus de la base à laquelle le drone descend avant l&apos;approche.</translation>
+    </message>
+    <message>
+        <source>into the wind</source>
+        <translation>face au vent</translation>
+    </message>
+    <message>
+        <source>Approach course</source>
+        <translation>Route d&apos;approche</translation>
+    </message>
+    <message>
+        <source>Course of the approach, clockwise from north; 360 is north.</source>
+        <translation>Route de l&apos;approche, dans le sens horaire depuis le nord ; 360 est le nord.</translation>
+    </message>
+    <message>
+        <source>tightest turn</source>
+        <translation>virage le plus serré</translation>
+    </message>
+    <message>
+        <source>Loiter radius</source>
+        <translation>Rayon d&apos;attente</translation>
+    </message>
+    <message>
+        <source>Radius of loiters in missions; never less than the tightest turn in the wind.</source>
+        <translation>Rayon des attentes dans les missions ; jamais inférieur au virage le plus serré dans le vent.</translation>
+    </message>
+    <message>
+        <source>Hover speed</source>
+        <translation>Vitesse en stationnaire</translation>
+    </message>
+    <message>
+        <source>Speed of a VTOL while it flies like a multirotor.</source>
+        <translation>Vitesse d&apos;un ADAV tant qu&apos;il vole comme un multirotors.</translation>
+    </message>
+    <message>
+        <source>Speed in the mission</source>
+        <translation>Vitesse dans la mission</translation>
+    </message>
+    <message>
+        <source>Off: the autopilot flies at the speed of its own parameters.</source>
+        <translation>Désactivé : l&apos;autopilote vole à la vitesse de ses propres paramètres.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>What triggers the camera over an iceberg; it is off between icebergs.</source>
+        <translation>Ce qui déclenche la caméra au-dessus d&apos;un iceberg ; elle est arrêtée entre les icebergs.</translation>
+    </message>
+    <message>
+        <source>Trigger distance</source>
+        <translation>Distance de déclenchement</translation>
+    </message>
+    <message>
+        <source>Distance flown between two pictures.</source>
+        <translation>Distance parcourue entre deux photos.</translation>
+    </message>
+    <message>
+        <source>Trigger interval</source>
+        <translation>Intervalle de déclenchement</translation>
+    </message>
+    <message>
+        <source>Time between two pictures.</source>
+        <translation>Temps entre deux photos.</translation>
+    </message>
+    <message>
+        <source>Gimbal down</source>
+        <translation>Nacelle vers le bas</translation>
+    </message>
+    <message>
+        <source>An item of the mission points the gimbal straight down.</source>
+        <translation>Un élément de la mission pointe la nacelle à la verticale vers le bas.</translation>
     </message>
 </context>
 <context>

@@ -1175,16 +1175,16 @@
         <translation>Fly hjem</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Oppdraget med høyde, fart og radier, geogjerdet og et samlingspunkt hjemme; ingen avgang og ingen landing. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
-    </message>
-    <message>
         <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
         <translation>Oppdraget som QGC WPL 110, første rad er hjem, for Mission Planner og MAVProxy. Uten geogjerde. Én fil per UAV.</translation>
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
         <translation>Til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler; og en side til hvis det er et operasjonsvolum.</translation>
+    </message>
+    <message>
+        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Oppdraget med høyde, fart og radier, geogjerdet og et samlingspunkt hjemme; ingen avgang og ingen landing. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
     </message>
 </context>
 <context>
@@ -2820,6 +2820,98 @@ Tilstøtende område %4</translation>
     <message>
         <source>Change %1</source>
         <translation>Endre %1</translation>
+    </message>
+    <message>
+        <source>ArduPilot, fixed wing</source>
+        <translation>ArduPilot, fastvinget</translation>
+    </message>
+    <message>
+        <source>ArduPilot, flying wing launched by hand</source>
+        <translation>ArduPilot, flygende vinge kastet for hånd</translation>
+    </message>
+    <message>
+        <source>ArduPilot, VTOL</source>
+        <translation>ArduPilot, VTOL-fly</translation>
+    </message>
+    <message>
+        <source>ArduPilot, multirotor</source>
+        <translation>ArduPilot, multirotorfartøy</translation>
+    </message>
+    <message>
+        <source>PX4, fixed wing</source>
+        <translation>PX4, fastvinget</translation>
+    </message>
+    <message>
+        <source>PX4, VTOL</source>
+        <translation>PX4, VTOL-fly</translation>
+    </message>
+    <message>
+        <source>PX4, multirotor</source>
+        <translation>PX4, multirotorfartøy</translation>
+    </message>
+    <message>
+        <source>as set below</source>
+        <translation>som angitt nedenfor</translation>
+    </message>
+    <message>
+        <source>Aircraft profile</source>
+        <translation>Flyprofil</translation>
+    </message>
+    <message>
+        <source>Sets all values of this group at once.</source>
+        <translation>Setter alle verdiene i denne gruppen på én gang.</translation>
+    </message>
+    <message>
+        <source>Choose aircraft profile</source>
+        <translation>Velg flyprofil</translation>
+    </message>
+    <message>
+        <source>by mission item</source>
+        <translation>med et punkt i oppdraget</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>for hånd</translation>
+    </message>
+    <message>
+        <source>return to launch</source>
+        <translation>retur hjem</translation>
+    </message>
+    <message>
+        <source>landing pattern</source>
+        <translation>landingsrunde</translation>
+    </message>
+    <message>
+        <source>loiter and wait</source>
+        <translation>vent i sirkel</translation>
+    </message>
+    <message>
+        <source>not in the mission</source>
+        <translation>ikke i oppdraget</translation>
+    </message>
+    <message>
+        <source>by distance</source>
+        <translation>etter avstand</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>etter tid</translation>
+    </message>
+    <message>
+        <source>fixed wing</source>
+        <translation>fastvinget</translation>
+    </message>
+    <message>
+        <source>VTOL</source>
+        <translation>VTOL-fly</translation>
+    </message>
+    <message>
+        <source>multirotor</source>
+        <translation>multirotorfartøy</translation>
+    </message>
+    <message>
+        <source>Autopilot mission</source>
+        <translation>Oppdrag for autopiloten</translation>
     </message>
 </context>
 <context>
@@ -8604,6 +8696,142 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
         <translation>UAV-er holdes så langt fra hverandre, med mindre høydene deres skiller seg med %1.</translation>
+    </message>
+    <message>
+        <source>Autopilot</source>
+        <translation>Autopilotprogram</translation>
+    </message>
+    <message>
+        <source>Firmware for which missions are exported.</source>
+        <translation>Fastvaren som oppdrag eksporteres for.</translation>
+    </message>
+    <message>
+        <source>Airframe</source>
+        <translation>Flytype</translation>
+    </message>
+    <message>
+        <source>A VTOL and a multirotor fly over icebergs without loiter circles.</source>
+        <translation>En VTOL og en multirotor flyr over isfjell uten sirkler.</translation>
+    </message>
+    <message>
+        <source>Take-off</source>
+        <translation>Avgang</translation>
+    </message>
+    <message>
+        <source>By mission item, or by hand: then the mission is started in the air.</source>
+        <translation>Med et punkt i oppdraget, eller for hånd: da startes oppdraget i luften.</translation>
+    </message>
+    <message>
+        <source>Take-off altitude</source>
+        <translation>Avgangshøyde</translation>
+    </message>
+    <message>
+        <source>Height above home at which the first leg begins.</source>
+        <translation>Høyden over hjemstedet der den første etappen begynner.</translation>
+    </message>
+    <message>
+        <source>Take-off pitch</source>
+        <translation>Stigning ved avgang</translation>
+    </message>
+    <message>
+        <source>Least pitch of a fixed wing in the take-off.</source>
+        <translation>Minste stigning for et fastvinget fly ved avgang.</translation>
+    </message>
+    <message>
+        <source>End of the mission</source>
+        <translation>Slutten på oppdraget</translation>
+    </message>
+    <message>
+        <source>What the last items of an exported mission do, unless it ends over the last iceberg.</source>
+        <translation>Hva de siste punktene i et eksportert oppdrag gjør, unntatt når det slutter over det siste isfjellet.</translation>
+    </message>
+    <message>
+        <source>Approach leg</source>
+        <translation>Innflyging</translation>
+    </message>
+    <message>
+        <source>Distance from the loiter in which the UAV descends to the landing place.</source>
+        <translation>Avstand fra sirkelen der UAV-en går ned, til landingsstedet.</translation>
+    </message>
+    <message>
+        <source>Approach altitude</source>
+        <translation>Innflygingshøyde</translation>
+    </message>
+    <message>
+        <source>Height above home to which the UAV descends before the approach.</source>
+        <translation>Høyden over hjemstedet som UAV-en går ned til før innflygingen.</translation>
+    </message>
+    <message>
+        <source>into the wind</source>
+        <translation>mot vinden</translation>
+    </message>
+    <message>
+        <source>Approach course</source>
+        <translation>Innflygingskurs</translation>
+    </message>
+    <message>
+        <source>Course of the approach, clockwise from north; 360 is north.</source>
+        <translation>Kursen på innflygingen, med klokken fra nord; 360 er nord.</translation>
+    </message>
+    <message>
+        <source>tightest turn</source>
+        <translation>krappeste sving</translation>
+    </message>
+    <message>
+        <source>Loiter radius</source>
+        <translation>Venteradius</translation>
+    </message>
+    <message>
+        <source>Radius of loiters in missions; never less than the tightest turn in the wind.</source>
+        <translation>Radius når UAV-en venter i oppdrag; aldri mindre enn den krappeste svingen i vinden.</translation>
+    </message>
+    <message>
+        <source>Hover speed</source>
+        <translation>Svevefart</translation>
+    </message>
+    <message>
+        <source>Speed of a VTOL while it flies like a multirotor.</source>
+        <translation>Farten til en VTOL mens den flyr som en multirotor.</translation>
+    </message>
+    <message>
+        <source>Speed in the mission</source>
+        <translation>Fart i oppdraget</translation>
+    </message>
+    <message>
+        <source>Off: the autopilot flies at the speed of its own parameters.</source>
+        <translation>Av: autopiloten flyr med farten i sine egne parametere.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>What triggers the camera over an iceberg; it is off between icebergs.</source>
+        <translation>Hva som utløser kameraet over et isfjell; det er av mellom isfjell.</translation>
+    </message>
+    <message>
+        <source>Trigger distance</source>
+        <translation>Utløseravstand</translation>
+    </message>
+    <message>
+        <source>Distance flown between two pictures.</source>
+        <translation>Avstanden som flys mellom to bilder.</translation>
+    </message>
+    <message>
+        <source>Trigger interval</source>
+        <translation>Utløserintervall</translation>
+    </message>
+    <message>
+        <source>Time between two pictures.</source>
+        <translation>Tiden mellom to bilder.</translation>
+    </message>
+    <message>
+        <source>Gimbal down</source>
+        <translation>Gimbal ned</translation>
+    </message>
+    <message>
+        <source>An item of the mission points the gimbal straight down.</source>
+        <translation>Et punkt i oppdraget peker gimbalen rett ned.</translation>
     </message>
 </context>
 <context>
