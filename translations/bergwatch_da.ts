@@ -1183,8 +1183,12 @@
         <translation>Til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler; og en side mere, hvis der er et operationsvolumen.</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Missionspunkter med højde, fart og radier, geohegnet og et samlingspunkt ved hjemmepunktet; ingen start og ingen landing. Læses også af Mission Planner og MAVSDK. Én fil pr. drone.</translation>
+        <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Missionen fra start til landing for dronens autopilot, geohegnet og et samlingspunkt hjemme. Læses også af Mission Planner og MAVSDK. Én fil pr. drone.</translation>
+    </message>
+    <message>
+        <source>Check before the flight</source>
+        <translation>Kontrollér før flyvningen</translation>
     </message>
 </context>
 <context>
@@ -1603,6 +1607,10 @@
         <source>Speed</source>
         <comment>over ground</comment>
         <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Autopilot mission: %1.</source>
+        <translation>Mission til autopiloten: %1.</translation>
     </message>
 </context>
 <context>
@@ -4336,6 +4344,74 @@ Tilstødende område %4</translation>
             <numerusform>%n tal uden for det tilladte område udeladt</numerusform>
             <numerusform>%n tal uden for det tilladte område udeladt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>there is no take-off item: launch the UAV by hand and start the mission in the air</source>
+        <translation>der er intet startpunkt: kast dronen med hånden, og start missionen i luften</translation>
+    </message>
+    <message>
+        <source>after the last iceberg the mission returns home, %1 m that the plan does not include</source>
+        <translation>efter det sidste isbjerg går missionen hjem, %1 m som ikke er med i planen</translation>
+    </message>
+    <message>
+        <source>the mission ends in an endless loiter: command the return yourself</source>
+        <translation>missionen slutter med kredsning uden grænse: giv selv kommando om retur</translation>
+    </message>
+    <message>
+        <source>%1 has no loiter by turns: the time that they take is written</source>
+        <translation>%1 har ingen kredsninger efter antal: den tid, de tager, skrives</translation>
+    </message>
+    <message>
+        <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
+        <translation>kredsninger er udeladt: en VTOL eller multirotor flyver over hvert isbjerg</translation>
+    </message>
+    <message>
+        <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
+        <translation>%1 bruger acceptradius i sin parameter %2, ikke den i filen</translation>
+    </message>
+    <message>
+        <source>%1 keeps to the fence only if its parameter %2 says so</source>
+        <translation>%1 holder sig kun til hegnet, hvis parameteren %2 siger det</translation>
+    </message>
+    <message>
+        <source>the first row is home, which %1 does not have: upload the file with QGroundControl</source>
+        <translation>den første række er hjem, som %1 ikke har: upload filen med QGroundControl</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start, but the climb takes %1 m</source>
+        <translation>det første isbjerg er %2 m fra starten, men stigningen tager %1 m</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)</source>
+        <translation>det første isbjerg er %2 m fra starten: %1 kan afvise mere end %3 m (MIS_DIST_1WP)</translation>
+    </message>
+    <message>
+        <source>legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1</source>
+        <translation>etaper ved start, retur og landing, der går ud af geohegnet eller gennem et flyveforbudsområde: %1</translation>
+    </message>
+    <message>
+        <source>the landing approach leads over land</source>
+        <translation>indflyvningen går over land</translation>
+    </message>
+    <message>
+        <source>the landing approach descends at %1°, more than the usual %2°: make it longer or lower</source>
+        <translation>indflyvningen går ned med %1°, mere end de sædvanlige %2°: gør den længere eller lavere</translation>
+    </message>
+    <message>
+        <source>waypoints within their acceptance radius of the one before, which the UAV may skip: %1</source>
+        <translation>rutepunkter inden for deres acceptradius fra det forrige, som dronen kan springe over: %1</translation>
+    </message>
+    <message>
+        <source>the mission has %2 items; %1 holds about %3</source>
+        <translation>missionen har %2 punkter; %1 rummer omkring %3</translation>
+    </message>
+    <message>
+        <source>airspace areas that the mission enters at its altitudes: %1</source>
+        <translation>luftrumsområder, som missionen går ind i, i sine højder: %1</translation>
+    </message>
+    <message>
+        <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
+        <translation>med stigning, retur og landing tager missionen %1 min; udholdenheden uden reserve er %2 min</translation>
     </message>
 </context>
 <context>

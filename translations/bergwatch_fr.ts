@@ -1183,8 +1183,12 @@
         <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; avec une seconde page s&apos;il y a un volume d&apos;exploitation.</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Éléments de mission avec altitude, vitesse et rayons, la barrière virtuelle et un point de ralliement à la base ; ni décollage ni atterrissage. Lu aussi par Mission Planner et MAVSDK. Un fichier par drone.</translation>
+        <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Éléments de la mission du décollage à l&apos;atterrissage pour l&apos;autopilote du drone, barrière virtuelle et point de ralliement à la base. Aussi lu par Mission Planner et MAVSDK. Un fichier par drone.</translation>
+    </message>
+    <message>
+        <source>Check before the flight</source>
+        <translation>À vérifier avant le vol</translation>
     </message>
 </context>
 <context>
@@ -1603,6 +1607,10 @@
         <source>Speed</source>
         <comment>over ground</comment>
         <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Autopilot mission: %1.</source>
+        <translation>Mission de l&apos;autopilote : %1.</translation>
     </message>
 </context>
 <context>
@@ -4336,6 +4344,74 @@ Zone adjacente %4</translation>
             <numerusform>%n nombre hors limites omis</numerusform>
             <numerusform>%n nombres hors limites omis</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>there is no take-off item: launch the UAV by hand and start the mission in the air</source>
+        <translation>il n&apos;y a pas d&apos;élément de décollage : lancez le drone à la main et démarrez la mission en vol</translation>
+    </message>
+    <message>
+        <source>after the last iceberg the mission returns home, %1 m that the plan does not include</source>
+        <translation>après le dernier iceberg, la mission rentre à la base, %1 m que le plan ne comprend pas</translation>
+    </message>
+    <message>
+        <source>the mission ends in an endless loiter: command the return yourself</source>
+        <translation>la mission se termine par une attente sans fin : commandez le retour vous-même</translation>
+    </message>
+    <message>
+        <source>%1 has no loiter by turns: the time that they take is written</source>
+        <translation>%1 n&apos;a pas d&apos;attente par tours : c&apos;est leur durée qui est écrite</translation>
+    </message>
+    <message>
+        <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
+        <translation>les tours d&apos;attente sont omis : un ADAV ou un multirotors survole chaque iceberg</translation>
+    </message>
+    <message>
+        <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
+        <translation>%1 utilise le rayon d&apos;acceptation de son paramètre %2, pas celui du fichier</translation>
+    </message>
+    <message>
+        <source>%1 keeps to the fence only if its parameter %2 says so</source>
+        <translation>%1 ne respecte la barrière que si son paramètre %2 le demande</translation>
+    </message>
+    <message>
+        <source>the first row is home, which %1 does not have: upload the file with QGroundControl</source>
+        <translation>la première ligne est la base, que %1 n&apos;a pas : chargez le fichier avec QGroundControl</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start, but the climb takes %1 m</source>
+        <translation>le premier iceberg est à %2 m du départ, mais la montée prend %1 m</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)</source>
+        <translation>le premier iceberg est à %2 m du départ : %1 peut refuser plus de %3 m (MIS_DIST_1WP)</translation>
+    </message>
+    <message>
+        <source>legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1</source>
+        <translation>segments de décollage, de retour et d&apos;atterrissage qui sortent de la barrière virtuelle ou traversent une zone interdite : %1</translation>
+    </message>
+    <message>
+        <source>the landing approach leads over land</source>
+        <translation>l&apos;approche survole la terre</translation>
+    </message>
+    <message>
+        <source>the landing approach descends at %1°, more than the usual %2°: make it longer or lower</source>
+        <translation>l&apos;approche descend à %1°, plus que les %2° habituels : allongez-la ou abaissez-la</translation>
+    </message>
+    <message>
+        <source>waypoints within their acceptance radius of the one before, which the UAV may skip: %1</source>
+        <translation>points de cheminement à moins de leur rayon d&apos;acceptation du précédent, que le drone peut sauter : %1</translation>
+    </message>
+    <message>
+        <source>the mission has %2 items; %1 holds about %3</source>
+        <translation>la mission a %2 éléments ; %1 en contient environ %3</translation>
+    </message>
+    <message>
+        <source>airspace areas that the mission enters at its altitudes: %1</source>
+        <translation>espaces aériens où la mission entre à ses altitudes : %1</translation>
+    </message>
+    <message>
+        <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
+        <translation>avec montée, retour et atterrissage, la mission prend %1 min ; l&apos;autonomie sans réserve est de %2 min</translation>
     </message>
 </context>
 <context>

@@ -1183,8 +1183,12 @@
         <translation>Til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler; og en side til hvis det er et operasjonsvolum.</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Oppdraget med høyde, fart og radier, geogjerdet og et samlingspunkt hjemme; ingen avgang og ingen landing. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
+        <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Oppdraget fra avgang til landing for autopiloten i UAV-en, geogjerdet og et samlingspunkt hjemme. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
+    </message>
+    <message>
+        <source>Check before the flight</source>
+        <translation>Kontroller før flygingen</translation>
     </message>
 </context>
 <context>
@@ -1603,6 +1607,10 @@
         <source>Speed</source>
         <comment>over ground</comment>
         <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Autopilot mission: %1.</source>
+        <translation>Oppdrag for autopiloten: %1.</translation>
     </message>
 </context>
 <context>
@@ -4336,6 +4344,74 @@ Tilstøtende område %4</translation>
             <numerusform>%n tall utenfor gyldig område utelatt</numerusform>
             <numerusform>%n tall utenfor gyldig område utelatt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>there is no take-off item: launch the UAV by hand and start the mission in the air</source>
+        <translation>det er ikke noe avgangspunkt: kast UAV-en for hånd og start oppdraget i luften</translation>
+    </message>
+    <message>
+        <source>after the last iceberg the mission returns home, %1 m that the plan does not include</source>
+        <translation>etter det siste isfjellet går oppdraget hjem, %1 m som ikke er med i planen</translation>
+    </message>
+    <message>
+        <source>the mission ends in an endless loiter: command the return yourself</source>
+        <translation>oppdraget slutter med venting uten grense: gi selv kommando om retur</translation>
+    </message>
+    <message>
+        <source>%1 has no loiter by turns: the time that they take is written</source>
+        <translation>%1 har ikke venting etter runder: tiden som de tar, blir skrevet</translation>
+    </message>
+    <message>
+        <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
+        <translation>runder over isfjell er utelatt: en VTOL eller multirotor flyr over hvert isfjell</translation>
+    </message>
+    <message>
+        <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
+        <translation>%1 bruker godkjenningsradien i sin parameter %2, ikke den i filen</translation>
+    </message>
+    <message>
+        <source>%1 keeps to the fence only if its parameter %2 says so</source>
+        <translation>%1 holder seg til gjerdet bare dersom parameteren %2 sier det</translation>
+    </message>
+    <message>
+        <source>the first row is home, which %1 does not have: upload the file with QGroundControl</source>
+        <translation>den første raden er hjem, som %1 ikke har: last opp filen med QGroundControl</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start, but the climb takes %1 m</source>
+        <translation>det første isfjellet er %2 m fra starten, men stigningen tar %1 m</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)</source>
+        <translation>det første isfjellet er %2 m fra starten: %1 kan avvise mer enn %3 m (MIS_DIST_1WP)</translation>
+    </message>
+    <message>
+        <source>legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1</source>
+        <translation>etapper ved avgang, retur og landing som går ut av geogjerdet eller gjennom et flyforbudsområde: %1</translation>
+    </message>
+    <message>
+        <source>the landing approach leads over land</source>
+        <translation>innflygingen går over land</translation>
+    </message>
+    <message>
+        <source>the landing approach descends at %1°, more than the usual %2°: make it longer or lower</source>
+        <translation>innflygingen går ned med %1°, mer enn de vanlige %2°: gjør den lengre eller lavere</translation>
+    </message>
+    <message>
+        <source>waypoints within their acceptance radius of the one before, which the UAV may skip: %1</source>
+        <translation>veipunkter innenfor godkjenningsradien sin fra det forrige, som UAV-en kan hoppe over: %1</translation>
+    </message>
+    <message>
+        <source>the mission has %2 items; %1 holds about %3</source>
+        <translation>oppdraget har %2 punkter; %1 rommer omtrent %3</translation>
+    </message>
+    <message>
+        <source>airspace areas that the mission enters at its altitudes: %1</source>
+        <translation>luftromsområder som oppdraget går inn i, i høydene sine: %1</translation>
+    </message>
+    <message>
+        <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
+        <translation>med stigning, retur og landing tar oppdraget %1 min; utholdenheten uten reserve er %2 min</translation>
     </message>
 </context>
 <context>
