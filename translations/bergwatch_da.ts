@@ -1243,16 +1243,20 @@
         <translation>Flyv hjem</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Missionspunkter med højde, fart og radier, geohegnet og et samlingspunkt ved hjemmepunktet; ingen start og ingen landing. Læses også af Mission Planner og MAVSDK. Én fil pr. drone.</translation>
-    </message>
-    <message>
         <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
         <translation>Missionspunkter som QGC WPL 110, første række er hjemmepunktet, til Mission Planner og MAVProxy. Uden geohegn. Én fil pr. drone.</translation>
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
         <translation>Til at udskrive og tage med: kort, rækkefølge med koordinater, etaper og tider, vind, advarsler; plus en anden side, hvis der er et operationsvolumen.</translation>
+    </message>
+    <message>
+        <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Missionen fra start til landing for dronens autopilot, geohegnet og et samlingspunkt hjemme. Læses også af Mission Planner og MAVSDK. Én fil pr. drone.</translation>
+    </message>
+    <message>
+        <source>Check before the flight</source>
+        <translation>Kontrollér før flyvningen</translation>
     </message>
 </context>
 <context>
@@ -1671,6 +1675,10 @@
         <source>Speed</source>
         <comment>over ground</comment>
         <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Autopilot mission: %1.</source>
+        <translation>Mission til autopiloten: %1.</translation>
     </message>
 </context>
 <context>
@@ -2888,6 +2896,98 @@ Tilstødende område %4</translation>
     <message>
         <source>Change %1</source>
         <translation>Ændr %1</translation>
+    </message>
+    <message>
+        <source>ArduPilot, fixed wing</source>
+        <translation>ArduPilot, fastvinget</translation>
+    </message>
+    <message>
+        <source>ArduPilot, flying wing launched by hand</source>
+        <translation>ArduPilot, flyvende vinge kastet med hånden</translation>
+    </message>
+    <message>
+        <source>ArduPilot, VTOL</source>
+        <translation>ArduPilot, VTOL-fly</translation>
+    </message>
+    <message>
+        <source>ArduPilot, multirotor</source>
+        <translation>ArduPilot, multirotorfartøj</translation>
+    </message>
+    <message>
+        <source>PX4, fixed wing</source>
+        <translation>PX4, fastvinget</translation>
+    </message>
+    <message>
+        <source>PX4, VTOL</source>
+        <translation>PX4, VTOL-fly</translation>
+    </message>
+    <message>
+        <source>PX4, multirotor</source>
+        <translation>PX4, multirotorfartøj</translation>
+    </message>
+    <message>
+        <source>as set below</source>
+        <translation>som angivet nedenfor</translation>
+    </message>
+    <message>
+        <source>Aircraft profile</source>
+        <translation>Flyprofil</translation>
+    </message>
+    <message>
+        <source>Sets all values of this group at once.</source>
+        <translation>Sætter alle værdier i denne gruppe på én gang.</translation>
+    </message>
+    <message>
+        <source>Choose aircraft profile</source>
+        <translation>Vælg flyprofil</translation>
+    </message>
+    <message>
+        <source>by mission item</source>
+        <translation>med et punkt i missionen</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>med hånden</translation>
+    </message>
+    <message>
+        <source>return to launch</source>
+        <translation>retur hjem</translation>
+    </message>
+    <message>
+        <source>landing pattern</source>
+        <translation>landingsrunde</translation>
+    </message>
+    <message>
+        <source>loiter and wait</source>
+        <translation>kreds og vent</translation>
+    </message>
+    <message>
+        <source>not in the mission</source>
+        <translation>ikke i missionen</translation>
+    </message>
+    <message>
+        <source>by distance</source>
+        <translation>efter afstand</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>efter tid</translation>
+    </message>
+    <message>
+        <source>fixed wing</source>
+        <translation>fastvinget</translation>
+    </message>
+    <message>
+        <source>VTOL</source>
+        <translation>VTOL-fly</translation>
+    </message>
+    <message>
+        <source>multirotor</source>
+        <translation>multirotorfartøj</translation>
+    </message>
+    <message>
+        <source>Autopilot mission</source>
+        <translation>Mission til autopiloten</translation>
     </message>
 </context>
 <context>
@@ -4312,6 +4412,74 @@ Tilstødende område %4</translation>
             <numerusform>%n tal uden for grænserne udeladt</numerusform>
             <numerusform>%n tal uden for grænserne udeladt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>there is no take-off item: launch the UAV by hand and start the mission in the air</source>
+        <translation>der er intet startpunkt: kast dronen med hånden, og start missionen i luften</translation>
+    </message>
+    <message>
+        <source>after the last iceberg the mission returns home, %1 m that the plan does not include</source>
+        <translation>efter det sidste isbjerg går missionen hjem, %1 m som ikke er med i planen</translation>
+    </message>
+    <message>
+        <source>the mission ends in an endless loiter: command the return yourself</source>
+        <translation>missionen slutter med kredsning uden grænse: giv selv kommando om retur</translation>
+    </message>
+    <message>
+        <source>%1 has no loiter by turns: the time that they take is written</source>
+        <translation>%1 har ingen kredsninger efter antal: den tid, de tager, skrives</translation>
+    </message>
+    <message>
+        <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
+        <translation>kredsninger er udeladt: en VTOL eller multirotor flyver over hvert isbjerg</translation>
+    </message>
+    <message>
+        <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
+        <translation>%1 bruger acceptradius i sin parameter %2, ikke den i filen</translation>
+    </message>
+    <message>
+        <source>%1 keeps to the fence only if its parameter %2 says so</source>
+        <translation>%1 holder sig kun til hegnet, hvis parameteren %2 siger det</translation>
+    </message>
+    <message>
+        <source>the first row is home, which %1 does not have: upload the file with QGroundControl</source>
+        <translation>den første række er hjem, som %1 ikke har: upload filen med QGroundControl</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start, but the climb takes %1 m</source>
+        <translation>det første isbjerg er %2 m fra starten, men stigningen tager %1 m</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)</source>
+        <translation>det første isbjerg er %2 m fra starten: %1 kan afvise mere end %3 m (MIS_DIST_1WP)</translation>
+    </message>
+    <message>
+        <source>legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1</source>
+        <translation>etaper ved start, retur og landing, der går ud af geohegnet eller gennem et flyveforbudsområde: %1</translation>
+    </message>
+    <message>
+        <source>the landing approach leads over land</source>
+        <translation>indflyvningen går over land</translation>
+    </message>
+    <message>
+        <source>the landing approach descends at %1°, more than the usual %2°: make it longer or lower</source>
+        <translation>indflyvningen går ned med %1°, mere end de sædvanlige %2°: gør den længere eller lavere</translation>
+    </message>
+    <message>
+        <source>waypoints within their acceptance radius of the one before, which the UAV may skip: %1</source>
+        <translation>rutepunkter inden for deres acceptradius fra det forrige, som dronen kan springe over: %1</translation>
+    </message>
+    <message>
+        <source>the mission has %2 items; %1 holds about %3</source>
+        <translation>missionen har %2 punkter; %1 rummer omkring %3</translation>
+    </message>
+    <message>
+        <source>airspace areas that the mission enters at its altitudes: %1</source>
+        <translation>luftrumsområder, som missionen går ind i, i sine højder: %1</translation>
+    </message>
+    <message>
+        <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
+        <translation>med stigning, retur og landing tager missionen %1 min; udholdenheden uden reserve er %2 min</translation>
     </message>
 </context>
 <context>
@@ -8680,6 +8848,142 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
         <translation>Mindste afstand mellem droner med mindre end %1 højdeforskel.</translation>
+    </message>
+    <message>
+        <source>Autopilot</source>
+        <translation>Autopilotprogram</translation>
+    </message>
+    <message>
+        <source>Firmware for which missions are exported.</source>
+        <translation>Den firmware, som missioner eksporteres til.</translation>
+    </message>
+    <message>
+        <source>Airframe</source>
+        <translation>Flytype</translation>
+    </message>
+    <message>
+        <source>A VTOL and a multirotor fly over icebergs without loiter circles.</source>
+        <translation>En VTOL og en multirotor flyver over isbjerge uden kredsninger.</translation>
+    </message>
+    <message>
+        <source>Take-off</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>By mission item, or by hand: then the mission is started in the air.</source>
+        <translation>Med et punkt i missionen, eller med hånden: så startes missionen i luften.</translation>
+    </message>
+    <message>
+        <source>Take-off altitude</source>
+        <translation>Starthøjde</translation>
+    </message>
+    <message>
+        <source>Height above home at which the first leg begins.</source>
+        <translation>Højden over hjemmepunktet, hvor den første etape begynder.</translation>
+    </message>
+    <message>
+        <source>Take-off pitch</source>
+        <translation>Hældning ved start</translation>
+    </message>
+    <message>
+        <source>Least pitch of a fixed wing in the take-off.</source>
+        <translation>Mindste hældning for et fastvinget fly ved start.</translation>
+    </message>
+    <message>
+        <source>End of the mission</source>
+        <translation>Missionens slutning</translation>
+    </message>
+    <message>
+        <source>What the last items of an exported mission do, unless it ends over the last iceberg.</source>
+        <translation>Hvad de sidste punkter i en eksporteret mission gør, undtagen når den slutter over det sidste isbjerg.</translation>
+    </message>
+    <message>
+        <source>Approach leg</source>
+        <translation>Indflyvning</translation>
+    </message>
+    <message>
+        <source>Distance from the loiter in which the UAV descends to the landing place.</source>
+        <translation>Afstand fra den cirkel, hvor dronen går ned, til landingsstedet.</translation>
+    </message>
+    <message>
+        <source>Approach altitude</source>
+        <translation>Indflyvningshøjde</translation>
+    </message>
+    <message>
+        <source>Height above home to which the UAV descends before the approach.</source>
+        <translation>Højden over hjemmepunktet, som dronen går ned til før indflyvningen.</translation>
+    </message>
+    <message>
+        <source>into the wind</source>
+        <translation>mod vinden</translation>
+    </message>
+    <message>
+        <source>Approach course</source>
+        <translation>Indflyvningskurs</translation>
+    </message>
+    <message>
+        <source>Course of the approach, clockwise from north; 360 is north.</source>
+        <translation>Indflyvningens kurs, med uret fra nord; 360 er nord.</translation>
+    </message>
+    <message>
+        <source>tightest turn</source>
+        <translation>snævreste drej</translation>
+    </message>
+    <message>
+        <source>Loiter radius</source>
+        <translation>Kredsradius</translation>
+    </message>
+    <message>
+        <source>Radius of loiters in missions; never less than the tightest turn in the wind.</source>
+        <translation>Radius, når dronen venter i missioner; aldrig mindre end det snævreste drej i vinden.</translation>
+    </message>
+    <message>
+        <source>Hover speed</source>
+        <translation>Svævefart</translation>
+    </message>
+    <message>
+        <source>Speed of a VTOL while it flies like a multirotor.</source>
+        <translation>En VTOL&apos;s fart, mens den flyver som en multirotor.</translation>
+    </message>
+    <message>
+        <source>Speed in the mission</source>
+        <translation>Fart i missionen</translation>
+    </message>
+    <message>
+        <source>Off: the autopilot flies at the speed of its own parameters.</source>
+        <translation>Fra: autopiloten flyver med farten i sine egne parametre.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>What triggers the camera over an iceberg; it is off between icebergs.</source>
+        <translation>Hvad der udløser kameraet over et isbjerg; det er slukket mellem isbjerge.</translation>
+    </message>
+    <message>
+        <source>Trigger distance</source>
+        <translation>Udløserafstand</translation>
+    </message>
+    <message>
+        <source>Distance flown between two pictures.</source>
+        <translation>Den afstand, der flyves mellem to billeder.</translation>
+    </message>
+    <message>
+        <source>Trigger interval</source>
+        <translation>Udløserinterval</translation>
+    </message>
+    <message>
+        <source>Time between two pictures.</source>
+        <translation>Tiden mellem to billeder.</translation>
+    </message>
+    <message>
+        <source>Gimbal down</source>
+        <translation>Gimbal ned</translation>
+    </message>
+    <message>
+        <source>An item of the mission points the gimbal straight down.</source>
+        <translation>Et punkt i missionen peger gimbalen lige ned.</translation>
     </message>
 </context>
 <context>

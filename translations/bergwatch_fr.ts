@@ -1243,16 +1243,20 @@
         <translation>Retour à la base</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Éléments de mission avec altitude, vitesse et rayons, la barrière virtuelle et un point de ralliement à la base ; ni décollage ni atterrissage. Lu aussi par Mission Planner et MAVSDK. Un fichier par drone.</translation>
-    </message>
-    <message>
         <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
         <translation>Éléments de mission au format QGC WPL 110, la base en première ligne, pour Mission Planner et MAVProxy. Sans barrière virtuelle. Un fichier par drone.</translation>
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
         <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; plus une seconde page s&apos;il y a un volume opérationnel.</translation>
+    </message>
+    <message>
+        <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Éléments de la mission du décollage à l&apos;atterrissage pour l&apos;autopilote du drone, barrière virtuelle et point de ralliement à la base. Aussi lu par Mission Planner et MAVSDK. Un fichier par drone.</translation>
+    </message>
+    <message>
+        <source>Check before the flight</source>
+        <translation>À vérifier avant le vol</translation>
     </message>
 </context>
 <context>
@@ -1671,6 +1675,10 @@
         <source>Speed</source>
         <comment>over ground</comment>
         <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Autopilot mission: %1.</source>
+        <translation>Mission de l&apos;autopilote : %1.</translation>
     </message>
 </context>
 <context>
@@ -2888,6 +2896,98 @@ Zone adjacente %4</translation>
     <message>
         <source>Change %1</source>
         <translation>Modifier : %1</translation>
+    </message>
+    <message>
+        <source>ArduPilot, fixed wing</source>
+        <translation>ArduPilot, voilure fixe</translation>
+    </message>
+    <message>
+        <source>ArduPilot, flying wing launched by hand</source>
+        <translation>ArduPilot, aile volante lancée à la main</translation>
+    </message>
+    <message>
+        <source>ArduPilot, VTOL</source>
+        <translation>ArduPilot, ADAV</translation>
+    </message>
+    <message>
+        <source>ArduPilot, multirotor</source>
+        <translation>ArduPilot, multirotors</translation>
+    </message>
+    <message>
+        <source>PX4, fixed wing</source>
+        <translation>PX4, voilure fixe</translation>
+    </message>
+    <message>
+        <source>PX4, VTOL</source>
+        <translation>PX4, ADAV</translation>
+    </message>
+    <message>
+        <source>PX4, multirotor</source>
+        <translation>PX4, multirotors</translation>
+    </message>
+    <message>
+        <source>as set below</source>
+        <translation>comme réglé ci-dessous</translation>
+    </message>
+    <message>
+        <source>Aircraft profile</source>
+        <translation>Profil de l&apos;appareil</translation>
+    </message>
+    <message>
+        <source>Sets all values of this group at once.</source>
+        <translation>Règle d&apos;un coup toutes les valeurs de ce groupe.</translation>
+    </message>
+    <message>
+        <source>Choose aircraft profile</source>
+        <translation>Choisir le profil de l&apos;appareil</translation>
+    </message>
+    <message>
+        <source>by mission item</source>
+        <translation>par un élément de la mission</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <source>return to launch</source>
+        <translation>retour au lancement</translation>
+    </message>
+    <message>
+        <source>landing pattern</source>
+        <translation>circuit d&apos;atterrissage</translation>
+    </message>
+    <message>
+        <source>loiter and wait</source>
+        <translation>attente en cercle</translation>
+    </message>
+    <message>
+        <source>not in the mission</source>
+        <translation>absente de la mission</translation>
+    </message>
+    <message>
+        <source>by distance</source>
+        <translation>selon la distance</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>selon le temps</translation>
+    </message>
+    <message>
+        <source>fixed wing</source>
+        <translation>voilure fixe</translation>
+    </message>
+    <message>
+        <source>VTOL</source>
+        <translation>ADAV</translation>
+    </message>
+    <message>
+        <source>multirotor</source>
+        <translation>multirotors</translation>
+    </message>
+    <message>
+        <source>Autopilot mission</source>
+        <translation>Mission de l&apos;autopilote</translation>
     </message>
 </context>
 <context>
@@ -4312,6 +4412,74 @@ Zone adjacente %4</translation>
             <numerusform>%n nombre hors limites omis</numerusform>
             <numerusform>%n nombres hors limites omis</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>there is no take-off item: launch the UAV by hand and start the mission in the air</source>
+        <translation>il n&apos;y a pas d&apos;élément de décollage : lancez le drone à la main et démarrez la mission en vol</translation>
+    </message>
+    <message>
+        <source>after the last iceberg the mission returns home, %1 m that the plan does not include</source>
+        <translation>après le dernier iceberg, la mission rentre à la base, %1 m que le plan ne comprend pas</translation>
+    </message>
+    <message>
+        <source>the mission ends in an endless loiter: command the return yourself</source>
+        <translation>la mission se termine par une attente sans fin : commandez le retour vous-même</translation>
+    </message>
+    <message>
+        <source>%1 has no loiter by turns: the time that they take is written</source>
+        <translation>%1 n&apos;a pas d&apos;attente par tours : c&apos;est leur durée qui est écrite</translation>
+    </message>
+    <message>
+        <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
+        <translation>les tours d&apos;attente sont omis : un ADAV ou un multirotors survole chaque iceberg</translation>
+    </message>
+    <message>
+        <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
+        <translation>%1 utilise le rayon d&apos;acceptation de son paramètre %2, pas celui du fichier</translation>
+    </message>
+    <message>
+        <source>%1 keeps to the fence only if its parameter %2 says so</source>
+        <translation>%1 ne respecte la barrière que si son paramètre %2 le demande</translation>
+    </message>
+    <message>
+        <source>the first row is home, which %1 does not have: upload the file with QGroundControl</source>
+        <translation>la première ligne est la base, que %1 n&apos;a pas : chargez le fichier avec QGroundControl</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start, but the climb takes %1 m</source>
+        <translation>le premier iceberg est à %2 m du départ, mais la montée prend %1 m</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)</source>
+        <translation>le premier iceberg est à %2 m du départ : %1 peut refuser plus de %3 m (MIS_DIST_1WP)</translation>
+    </message>
+    <message>
+        <source>legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1</source>
+        <translation>segments de décollage, de retour et d&apos;atterrissage qui sortent de la barrière virtuelle ou traversent une zone interdite : %1</translation>
+    </message>
+    <message>
+        <source>the landing approach leads over land</source>
+        <translation>l&apos;approche survole la terre</translation>
+    </message>
+    <message>
+        <source>the landing approach descends at %1°, more than the usual %2°: make it longer or lower</source>
+        <translation>l&apos;approche descend à %1°, plus que les %2° habituels : allongez-la ou abaissez-la</translation>
+    </message>
+    <message>
+        <source>waypoints within their acceptance radius of the one before, which the UAV may skip: %1</source>
+        <translation>points de cheminement à moins de leur rayon d&apos;acceptation du précédent, que le drone peut sauter : %1</translation>
+    </message>
+    <message>
+        <source>the mission has %2 items; %1 holds about %3</source>
+        <translation>la mission a %2 éléments ; %1 en contient environ %3</translation>
+    </message>
+    <message>
+        <source>airspace areas that the mission enters at its altitudes: %1</source>
+        <translation>espaces aériens où la mission entre à ses altitudes : %1</translation>
+    </message>
+    <message>
+        <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
+        <translation>avec montée, retour et atterrissage, la mission prend %1 min ; l&apos;autonomie sans réserve est de %2 min</translation>
     </message>
 </context>
 <context>
@@ -8680,6 +8848,142 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
         <translation>Distance minimale entre drones dont les altitudes diffèrent de moins de %1.</translation>
+    </message>
+    <message>
+        <source>Autopilot</source>
+        <translation>Autopilote</translation>
+    </message>
+    <message>
+        <source>Firmware for which missions are exported.</source>
+        <translation>Micrologiciel pour lequel les missions sont exportées.</translation>
+    </message>
+    <message>
+        <source>Airframe</source>
+        <translation>Cellule</translation>
+    </message>
+    <message>
+        <source>A VTOL and a multirotor fly over icebergs without loiter circles.</source>
+        <translation>Un ADAV et un multirotors survolent les icebergs sans tours d&apos;attente.</translation>
+    </message>
+    <message>
+        <source>Take-off</source>
+        <translation>Décollage</translation>
+    </message>
+    <message>
+        <source>By mission item, or by hand: then the mission is started in the air.</source>
+        <translation>Par un élément de la mission, ou à la main : la mission est alors démarrée en vol.</translation>
+    </message>
+    <message>
+        <source>Take-off altitude</source>
+        <translation>Altitude de décollage</translation>
+    </message>
+    <message>
+        <source>Height above home at which the first leg begins.</source>
+        <translation>Hauteur au-dessus de la base où commence le premier segment.</translation>
+    </message>
+    <message>
+        <source>Take-off pitch</source>
+        <translation>Assiette au décollage</translation>
+    </message>
+    <message>
+        <source>Least pitch of a fixed wing in the take-off.</source>
+        <translation>Assiette minimale d&apos;une voilure fixe au décollage.</translation>
+    </message>
+    <message>
+        <source>End of the mission</source>
+        <translation>Fin de la mission</translation>
+    </message>
+    <message>
+        <source>What the last items of an exported mission do, unless it ends over the last iceberg.</source>
+        <translation>Ce que font les derniers éléments d&apos;une mission exportée, sauf si elle finit au-dessus du dernier iceberg.</translation>
+    </message>
+    <message>
+        <source>Approach leg</source>
+        <translation>Segment d&apos;approche</translation>
+    </message>
+    <message>
+        <source>Distance from the loiter in which the UAV descends to the landing place.</source>
+        <translation>Distance entre l&apos;attente où le drone descend et le lieu d&apos;atterrissage.</translation>
+    </message>
+    <message>
+        <source>Approach altitude</source>
+        <translation>Altitude d&apos;approche</translation>
+    </message>
+    <message>
+        <source>Height above home to which the UAV descends before the approach.</source>
+        <translation>Hauteur au-dessus de la base à laquelle le drone descend avant l&apos;approche.</translation>
+    </message>
+    <message>
+        <source>into the wind</source>
+        <translation>face au vent</translation>
+    </message>
+    <message>
+        <source>Approach course</source>
+        <translation>Route d&apos;approche</translation>
+    </message>
+    <message>
+        <source>Course of the approach, clockwise from north; 360 is north.</source>
+        <translation>Route de l&apos;approche, dans le sens horaire depuis le nord ; 360 est le nord.</translation>
+    </message>
+    <message>
+        <source>tightest turn</source>
+        <translation>virage le plus serré</translation>
+    </message>
+    <message>
+        <source>Loiter radius</source>
+        <translation>Rayon d&apos;attente</translation>
+    </message>
+    <message>
+        <source>Radius of loiters in missions; never less than the tightest turn in the wind.</source>
+        <translation>Rayon des attentes dans les missions ; jamais inférieur au virage le plus serré dans le vent.</translation>
+    </message>
+    <message>
+        <source>Hover speed</source>
+        <translation>Vitesse en stationnaire</translation>
+    </message>
+    <message>
+        <source>Speed of a VTOL while it flies like a multirotor.</source>
+        <translation>Vitesse d&apos;un ADAV tant qu&apos;il vole comme un multirotors.</translation>
+    </message>
+    <message>
+        <source>Speed in the mission</source>
+        <translation>Vitesse dans la mission</translation>
+    </message>
+    <message>
+        <source>Off: the autopilot flies at the speed of its own parameters.</source>
+        <translation>Désactivé : l&apos;autopilote vole à la vitesse de ses propres paramètres.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>What triggers the camera over an iceberg; it is off between icebergs.</source>
+        <translation>Ce qui déclenche la caméra au-dessus d&apos;un iceberg ; elle est arrêtée entre les icebergs.</translation>
+    </message>
+    <message>
+        <source>Trigger distance</source>
+        <translation>Distance de déclenchement</translation>
+    </message>
+    <message>
+        <source>Distance flown between two pictures.</source>
+        <translation>Distance parcourue entre deux photos.</translation>
+    </message>
+    <message>
+        <source>Trigger interval</source>
+        <translation>Intervalle de déclenchement</translation>
+    </message>
+    <message>
+        <source>Time between two pictures.</source>
+        <translation>Temps entre deux photos.</translation>
+    </message>
+    <message>
+        <source>Gimbal down</source>
+        <translation>Nacelle vers le bas</translation>
+    </message>
+    <message>
+        <source>An item of the mission points the gimbal straight down.</source>
+        <translation>Un élément de la mission pointe la nacelle à la verticale vers le bas.</translation>
     </message>
 </context>
 <context>

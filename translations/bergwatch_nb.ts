@@ -1243,16 +1243,20 @@
         <translation>Fly hjem</translation>
     </message>
     <message>
-        <source>Mission items with altitude, speed and radii, the geofence and a rally point at home; no take-off and no landing. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Oppdragspunkter med høyde, fart og radier, geogjerdet og et samlingspunkt ved hjemstedet; ingen avgang og ingen landing. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
-    </message>
-    <message>
         <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
         <translation>Oppdragspunkter som QGC WPL 110 for Mission Planner og MAVProxy; første rad er hjemstedet. Uten geogjerde. Én fil per UAV.</translation>
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
         <translation>Til å skrive ut og ta med: kart, rekkefølge med koordinater, etapper og tider, vind, advarsler; pluss en andre side hvis det finnes et operasjonsvolum.</translation>
+    </message>
+    <message>
+        <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
+        <translation>Oppdraget fra avgang til landing for autopiloten i UAV-en, geogjerdet og et samlingspunkt hjemme. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
+    </message>
+    <message>
+        <source>Check before the flight</source>
+        <translation>Kontroller før flygingen</translation>
     </message>
 </context>
 <context>
@@ -1671,6 +1675,10 @@
         <source>Speed</source>
         <comment>over ground</comment>
         <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Autopilot mission: %1.</source>
+        <translation>Oppdrag for autopiloten: %1.</translation>
     </message>
 </context>
 <context>
@@ -2888,6 +2896,98 @@ Tilstøtende område %4</translation>
     <message>
         <source>Change %1</source>
         <translation>Endre %1</translation>
+    </message>
+    <message>
+        <source>ArduPilot, fixed wing</source>
+        <translation>ArduPilot, fastvinget</translation>
+    </message>
+    <message>
+        <source>ArduPilot, flying wing launched by hand</source>
+        <translation>ArduPilot, flygende vinge kastet for hånd</translation>
+    </message>
+    <message>
+        <source>ArduPilot, VTOL</source>
+        <translation>ArduPilot, VTOL-fly</translation>
+    </message>
+    <message>
+        <source>ArduPilot, multirotor</source>
+        <translation>ArduPilot, multirotorfartøy</translation>
+    </message>
+    <message>
+        <source>PX4, fixed wing</source>
+        <translation>PX4, fastvinget</translation>
+    </message>
+    <message>
+        <source>PX4, VTOL</source>
+        <translation>PX4, VTOL-fly</translation>
+    </message>
+    <message>
+        <source>PX4, multirotor</source>
+        <translation>PX4, multirotorfartøy</translation>
+    </message>
+    <message>
+        <source>as set below</source>
+        <translation>som angitt nedenfor</translation>
+    </message>
+    <message>
+        <source>Aircraft profile</source>
+        <translation>Flyprofil</translation>
+    </message>
+    <message>
+        <source>Sets all values of this group at once.</source>
+        <translation>Setter alle verdiene i denne gruppen på én gang.</translation>
+    </message>
+    <message>
+        <source>Choose aircraft profile</source>
+        <translation>Velg flyprofil</translation>
+    </message>
+    <message>
+        <source>by mission item</source>
+        <translation>med et punkt i oppdraget</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>for hånd</translation>
+    </message>
+    <message>
+        <source>return to launch</source>
+        <translation>retur hjem</translation>
+    </message>
+    <message>
+        <source>landing pattern</source>
+        <translation>landingsrunde</translation>
+    </message>
+    <message>
+        <source>loiter and wait</source>
+        <translation>vent i sirkel</translation>
+    </message>
+    <message>
+        <source>not in the mission</source>
+        <translation>ikke i oppdraget</translation>
+    </message>
+    <message>
+        <source>by distance</source>
+        <translation>etter avstand</translation>
+    </message>
+    <message>
+        <source>by time</source>
+        <translation>etter tid</translation>
+    </message>
+    <message>
+        <source>fixed wing</source>
+        <translation>fastvinget</translation>
+    </message>
+    <message>
+        <source>VTOL</source>
+        <translation>VTOL-fly</translation>
+    </message>
+    <message>
+        <source>multirotor</source>
+        <translation>multirotorfartøy</translation>
+    </message>
+    <message>
+        <source>Autopilot mission</source>
+        <translation>Oppdrag for autopiloten</translation>
     </message>
 </context>
 <context>
@@ -4312,6 +4412,74 @@ Tilstøtende område %4</translation>
             <numerusform>%n tall utenfor grensene utelatt</numerusform>
             <numerusform>%n tall utenfor grensene utelatt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>there is no take-off item: launch the UAV by hand and start the mission in the air</source>
+        <translation>det er ikke noe avgangspunkt: kast UAV-en for hånd og start oppdraget i luften</translation>
+    </message>
+    <message>
+        <source>after the last iceberg the mission returns home, %1 m that the plan does not include</source>
+        <translation>etter det siste isfjellet går oppdraget hjem, %1 m som ikke er med i planen</translation>
+    </message>
+    <message>
+        <source>the mission ends in an endless loiter: command the return yourself</source>
+        <translation>oppdraget slutter med venting uten grense: gi selv kommando om retur</translation>
+    </message>
+    <message>
+        <source>%1 has no loiter by turns: the time that they take is written</source>
+        <translation>%1 har ikke venting etter runder: tiden som de tar, blir skrevet</translation>
+    </message>
+    <message>
+        <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
+        <translation>runder over isfjell er utelatt: en VTOL eller multirotor flyr over hvert isfjell</translation>
+    </message>
+    <message>
+        <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
+        <translation>%1 bruker passeringsradien i sin parameter %2, ikke den i filen</translation>
+    </message>
+    <message>
+        <source>%1 keeps to the fence only if its parameter %2 says so</source>
+        <translation>%1 holder seg til gjerdet bare dersom parameteren %2 sier det</translation>
+    </message>
+    <message>
+        <source>the first row is home, which %1 does not have: upload the file with QGroundControl</source>
+        <translation>den første raden er hjem, som %1 ikke har: last opp filen med QGroundControl</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start, but the climb takes %1 m</source>
+        <translation>det første isfjellet er %2 m fra starten, men stigningen tar %1 m</translation>
+    </message>
+    <message>
+        <source>the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)</source>
+        <translation>det første isfjellet er %2 m fra starten: %1 kan avvise mer enn %3 m (MIS_DIST_1WP)</translation>
+    </message>
+    <message>
+        <source>legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1</source>
+        <translation>etapper ved avgang, retur og landing som går ut av geogjerdet eller gjennom et flyforbudsområde: %1</translation>
+    </message>
+    <message>
+        <source>the landing approach leads over land</source>
+        <translation>innflygingen går over land</translation>
+    </message>
+    <message>
+        <source>the landing approach descends at %1°, more than the usual %2°: make it longer or lower</source>
+        <translation>innflygingen går ned med %1°, mer enn de vanlige %2°: gjør den lengre eller lavere</translation>
+    </message>
+    <message>
+        <source>waypoints within their acceptance radius of the one before, which the UAV may skip: %1</source>
+        <translation>veipunkter innenfor passeringsradien sin fra det forrige, som UAV-en kan hoppe over: %1</translation>
+    </message>
+    <message>
+        <source>the mission has %2 items; %1 holds about %3</source>
+        <translation>oppdraget har %2 punkter; %1 rommer omtrent %3</translation>
+    </message>
+    <message>
+        <source>airspace areas that the mission enters at its altitudes: %1</source>
+        <translation>luftromsområder som oppdraget går inn i, i høydene sine: %1</translation>
+    </message>
+    <message>
+        <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
+        <translation>med stigning, retur og landing tar oppdraget %1 min; utholdenheten uten reserve er %2 min</translation>
     </message>
 </context>
 <context>
@@ -8680,6 +8848,142 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Least distance between UAVs whose altitudes differ by less than %1.</source>
         <translation>Minste avstand mellom UAV-er med mindre enn %1 høydeforskjell.</translation>
+    </message>
+    <message>
+        <source>Autopilot</source>
+        <translation>Autopilotprogram</translation>
+    </message>
+    <message>
+        <source>Firmware for which missions are exported.</source>
+        <translation>Fastvaren som oppdrag eksporteres for.</translation>
+    </message>
+    <message>
+        <source>Airframe</source>
+        <translation>Flytype</translation>
+    </message>
+    <message>
+        <source>A VTOL and a multirotor fly over icebergs without loiter circles.</source>
+        <translation>En VTOL og en multirotor flyr over isfjell uten sirkler.</translation>
+    </message>
+    <message>
+        <source>Take-off</source>
+        <translation>Avgang</translation>
+    </message>
+    <message>
+        <source>By mission item, or by hand: then the mission is started in the air.</source>
+        <translation>Med et punkt i oppdraget, eller for hånd: da startes oppdraget i luften.</translation>
+    </message>
+    <message>
+        <source>Take-off altitude</source>
+        <translation>Avgangshøyde</translation>
+    </message>
+    <message>
+        <source>Height above home at which the first leg begins.</source>
+        <translation>Høyden over hjemstedet der den første etappen begynner.</translation>
+    </message>
+    <message>
+        <source>Take-off pitch</source>
+        <translation>Stigning ved avgang</translation>
+    </message>
+    <message>
+        <source>Least pitch of a fixed wing in the take-off.</source>
+        <translation>Minste stigning for et fastvinget fly ved avgang.</translation>
+    </message>
+    <message>
+        <source>End of the mission</source>
+        <translation>Slutten på oppdraget</translation>
+    </message>
+    <message>
+        <source>What the last items of an exported mission do, unless it ends over the last iceberg.</source>
+        <translation>Hva de siste punktene i et eksportert oppdrag gjør, unntatt når det slutter over det siste isfjellet.</translation>
+    </message>
+    <message>
+        <source>Approach leg</source>
+        <translation>Innflyging</translation>
+    </message>
+    <message>
+        <source>Distance from the loiter in which the UAV descends to the landing place.</source>
+        <translation>Avstand fra sirkelen der UAV-en går ned, til landingsstedet.</translation>
+    </message>
+    <message>
+        <source>Approach altitude</source>
+        <translation>Innflygingshøyde</translation>
+    </message>
+    <message>
+        <source>Height above home to which the UAV descends before the approach.</source>
+        <translation>Høyden over hjemstedet som UAV-en går ned til før innflygingen.</translation>
+    </message>
+    <message>
+        <source>into the wind</source>
+        <translation>mot vinden</translation>
+    </message>
+    <message>
+        <source>Approach course</source>
+        <translation>Innflygingskurs</translation>
+    </message>
+    <message>
+        <source>Course of the approach, clockwise from north; 360 is north.</source>
+        <translation>Kursen på innflygingen, med klokken fra nord; 360 er nord.</translation>
+    </message>
+    <message>
+        <source>tightest turn</source>
+        <translation>krappeste sving</translation>
+    </message>
+    <message>
+        <source>Loiter radius</source>
+        <translation>Venteradius</translation>
+    </message>
+    <message>
+        <source>Radius of loiters in missions; never less than the tightest turn in the wind.</source>
+        <translation>Radius når UAV-en venter i oppdrag; aldri mindre enn den krappeste svingen i vinden.</translation>
+    </message>
+    <message>
+        <source>Hover speed</source>
+        <translation>Svevefart</translation>
+    </message>
+    <message>
+        <source>Speed of a VTOL while it flies like a multirotor.</source>
+        <translation>Farten til en VTOL mens den flyr som en multirotor.</translation>
+    </message>
+    <message>
+        <source>Speed in the mission</source>
+        <translation>Fart i oppdraget</translation>
+    </message>
+    <message>
+        <source>Off: the autopilot flies at the speed of its own parameters.</source>
+        <translation>Av: autopiloten flyr med farten i sine egne parametere.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>What triggers the camera over an iceberg; it is off between icebergs.</source>
+        <translation>Hva som utløser kameraet over et isfjell; det er av mellom isfjell.</translation>
+    </message>
+    <message>
+        <source>Trigger distance</source>
+        <translation>Utløseravstand</translation>
+    </message>
+    <message>
+        <source>Distance flown between two pictures.</source>
+        <translation>Avstanden som flys mellom to bilder.</translation>
+    </message>
+    <message>
+        <source>Trigger interval</source>
+        <translation>Utløserintervall</translation>
+    </message>
+    <message>
+        <source>Time between two pictures.</source>
+        <translation>Tiden mellom to bilder.</translation>
+    </message>
+    <message>
+        <source>Gimbal down</source>
+        <translation>Gimbal ned</translation>
+    </message>
+    <message>
+        <source>An item of the mission points the gimbal straight down.</source>
+        <translation>Et punkt i oppdraget peker gimbalen rett ned.</translation>
     </message>
 </context>
 <context>

@@ -256,14 +256,14 @@ void ExportDialog::take(const ExportPreviewPointer& preview)
         accept();
 }
 
-/** Changes first. */
+/** Findings and changes first. */
 void ExportDialog::showNotes(const ExportPreview& preview)
 {
     QStringList lines;
     if (preview.error)
         lines << noteLine(tr("Not possible"), exportRefusalText(*preview.error));
     for (const ExportEffect effect :
-         {ExportEffect::Changed, ExportEffect::LeftOut, ExportEffect::Note})
+         {ExportEffect::Check, ExportEffect::Changed, ExportEffect::LeftOut, ExportEffect::Note})
         for (const ExportNote& note : preview.notes)
             if (effectOf(note.kind) == effect)
                 lines << noteLine(exportEffectText(effect), exportNoteText(note, locale()));

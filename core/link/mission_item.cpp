@@ -18,7 +18,7 @@ struct UsedParameters
     unsigned bits;
 };
 
-constexpr std::array<UsedParameters, 17> kUsedParameters{{
+constexpr std::array<UsedParameters, 22> kUsedParameters{{
     {LinkCommandId::kWaypoint, 0b0111},
     {LinkCommandId::kLoiterUnlimited, 0b0100},
     {LinkCommandId::kLoiterTurns, 0b0101},
@@ -27,15 +27,20 @@ constexpr std::array<UsedParameters, 17> kUsedParameters{{
     {LinkCommandId::kLand, 0},
     {LinkCommandId::kTakeOff, 0b0001},
     {LinkCommandId::kLoiterToAltitude, 0b0010},
+    {LinkCommandId::kVtolTakeOff, 0},
+    {LinkCommandId::kVtolLand, 0},
     {LinkCommandId::kJump, 0b0011},
     {LinkCommandId::kChangeSpeed, 0b0011},
     {LinkCommandId::kLandStart, 0},
+    {LinkCommandId::kMountControl, 0b0111},
     {LinkCommandId::kTriggerDistance, 0b0001},
-    {5001, 0b0001}, // number of vertices of a fence
-    {5002, 0b0001},
+    {LinkCommandId::kStartCapture, 0b0010},
+    {LinkCommandId::kStopCapture, 0},
+    {LinkCommandId::kFenceInside, 0b0001}, // number of corners
+    {LinkCommandId::kFenceOutside, 0b0001},
     {5003, 0b0001}, // radius of a circle
     {5004, 0b0001},
-    {5100, 0}, // a rally point
+    {LinkCommandId::kRally, 0},
 }};
 
 /** Returns the bits of the parameters to compare, all of them for an unknown command. */

@@ -40,7 +40,7 @@ enum class ItemFrame : std::uint8_t
     AboveTerrain = 10
 };
 
-/** Commands that the link itself uses; MAV_CMD values. */
+/** Commands of the link and of exported missions; MAV_CMD values. */
 struct LinkCommandId
 {
     static constexpr std::uint16_t kWaypoint = 16;
@@ -52,17 +52,25 @@ struct LinkCommandId
     static constexpr std::uint16_t kTakeOff = 22;
     static constexpr std::uint16_t kLoiterToAltitude = 31;
     static constexpr std::uint16_t kOrbit = 34;
+    static constexpr std::uint16_t kVtolTakeOff = 84;
+    static constexpr std::uint16_t kVtolLand = 85;
     static constexpr std::uint16_t kSetMode = 176;
     static constexpr std::uint16_t kJump = 177;
     static constexpr std::uint16_t kChangeSpeed = 178;
     static constexpr std::uint16_t kLandStart = 189;
     static constexpr std::uint16_t kReposition = 192;
     static constexpr std::uint16_t kPauseContinue = 193;
+    static constexpr std::uint16_t kMountControl = 205;
     static constexpr std::uint16_t kTriggerDistance = 206;
     static constexpr std::uint16_t kSetCurrentItem = 224;
     static constexpr std::uint16_t kMissionStart = 300;
     static constexpr std::uint16_t kSetMessageInterval = 511;
     static constexpr std::uint16_t kRequestMessage = 512;
+    static constexpr std::uint16_t kStartCapture = 2000;
+    static constexpr std::uint16_t kStopCapture = 2001;
+    static constexpr std::uint16_t kFenceInside = 5001;  ///< a corner of an inclusion
+    static constexpr std::uint16_t kFenceOutside = 5002; ///< a corner of an exclusion
+    static constexpr std::uint16_t kRally = 5100;
 };
 
 /** One item of a mission, fence or list of rally points, as carried by MISSION_ITEM_INT. */

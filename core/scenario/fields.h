@@ -22,7 +22,8 @@ using FieldPlace =
                  bool* (*)(T&), std::string* (*)(T&), Point* (*)(T&), std::optional<Point>* (*)(T&),
                  std::vector<Point>* (*)(T&), PolicyKind* (*)(T&), Route* (*)(T&), Backend* (*)(T&),
                  Formulation* (*)(T&), FovShape* (*)(T&), ObserverModel* (*)(T&),
-                 SearchPattern* (*)(T&)>;
+                 SearchPattern* (*)(T&), AutopilotFirmware* (*)(T&), Airframe* (*)(T&),
+                 TakeOffMethod* (*)(T&), MissionEnd* (*)(T&), CameraTrigger* (*)(T&)>;
 
 /** Condition under which a file contains a field. */
 enum class Presence
@@ -166,6 +167,29 @@ inline constexpr std::array<Named<SearchPattern>, 3> kSearchNames{{
     {SearchPattern::Square, "square"},
     {SearchPattern::Sector, "sector"},
 }};
+inline constexpr std::array<Named<AutopilotFirmware>, 2> kFirmwareNames{{
+    {AutopilotFirmware::ArduPilot, "ardupilot"},
+    {AutopilotFirmware::Px4, "px4"},
+}};
+inline constexpr std::array<Named<Airframe>, 3> kAirframeNames{{
+    {Airframe::FixedWing, "fixed-wing"},
+    {Airframe::Vtol, "vtol"},
+    {Airframe::Multirotor, "multirotor"},
+}};
+inline constexpr std::array<Named<TakeOffMethod>, 2> kTakeOffNames{{
+    {TakeOffMethod::Item, "item"},
+    {TakeOffMethod::Hand, "hand"},
+}};
+inline constexpr std::array<Named<MissionEnd>, 3> kMissionEndNames{{
+    {MissionEnd::Return, "return"},
+    {MissionEnd::Landing, "landing"},
+    {MissionEnd::Loiter, "loiter"},
+}};
+inline constexpr std::array<Named<CameraTrigger>, 3> kCameraNames{{
+    {CameraTrigger::None, "none"},
+    {CameraTrigger::Distance, "distance"},
+    {CameraTrigger::Time, "time"},
+}};
 
 // The overloads of `namesOf` return the names in files of the values of a choice.
 constexpr const auto& namesOf(PolicyKind /*value*/)
@@ -195,6 +219,26 @@ constexpr const auto& namesOf(ObserverModel /*value*/)
 constexpr const auto& namesOf(SearchPattern /*value*/)
 {
     return kSearchNames;
+}
+constexpr const auto& namesOf(AutopilotFirmware /*value*/)
+{
+    return kFirmwareNames;
+}
+constexpr const auto& namesOf(Airframe /*value*/)
+{
+    return kAirframeNames;
+}
+constexpr const auto& namesOf(TakeOffMethod /*value*/)
+{
+    return kTakeOffNames;
+}
+constexpr const auto& namesOf(MissionEnd /*value*/)
+{
+    return kMissionEndNames;
+}
+constexpr const auto& namesOf(CameraTrigger /*value*/)
+{
+    return kCameraNames;
 }
 
 } // namespace berg

@@ -60,6 +60,9 @@ inline constexpr Limits kReservePercent{.low = 0, .high = 90};
 inline constexpr Limits kWindSpeed_mps{.low = 0, .high = 150}; ///< about the strongest gust known
 inline constexpr Limits kTemperature_degC{.low = -90, .high = 60};
 inline constexpr Limits kBank_deg{.low = 1, .high = 80};
+inline constexpr Limits kPitch_deg{.low = 0, .high = 45};
+inline constexpr Limits kCourse_deg{.low = 0, .high = 360, .above = true};
+inline constexpr Limits kTrigger_s{.low = 0.1, .high = 3600};
 inline constexpr Limits kAutopilot_s{.low = 0, .high = 60};
 inline constexpr Limits kAssetVelocity_mps{.low = -50, .high = 50};
 inline constexpr Limits kGain{.low = 0, .high = 1e6};

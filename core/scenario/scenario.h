@@ -5,6 +5,7 @@
 #include "core/scenario/limits.h"
 #include "core/tracking/drift.h"
 #include "core/tracking/observer.h"
+#include "core/vehicle/aircraft_profile.h"
 #include "core/vehicle/uav_spec.h"
 
 #include <cstdint>
@@ -41,6 +42,7 @@ struct Uav
     std::optional<Point> home_m;   ///< landing place; nullopt means the start
     double turnaround_s = 600;     ///< time on the ground between two sorties
     WeatherLimits weather;
+    AircraftProfile aircraft; ///< for missions that autopilots fly
     std::string extraJson;
     bool operator==(const Uav&) const = default;
 };

@@ -184,7 +184,7 @@ check "plan with endurance" exits 0 "$cli" plan "$endurance" --json
 check "plan with endurance: what one sortie can visit" json '1 <= d["uavs"][0]["this_sortie"] <= len(d["order"])'
 check "plan with endurance in words" exits 0 "$cli" plan "$endurance"
 check "plan with endurance in words: then home" grep -q "^sortie .*then home" stdout.txt
-ends_at_home='rows = [line.split("\t") for line in open("sortie.waypoints")][1:]; raise SystemExit(rows[0][8:10] != rows[-1][8:10])'
+ends_at_home='rows = [line.split("\t") for line in open("sortie.waypoints")][1:]; raise SystemExit(rows[-1][3] != "20")'
 check "export with endurance" exits 0 "$cli" export "$endurance" --format wpl --output sortie.waypoints
 check "export with endurance: ends at home" python3 -c "$ends_at_home"
 check "export --no-return-home" exits 0 "$cli" export "$endurance" --format wpl --output sortie.waypoints --force --no-return-home
@@ -474,14 +474,24 @@ check "export does not write over a file: says so" says "plan.plan exists"
 check "export does not write over a file: as before" cmp -s plan.plan before.plan
 check "export --force" exits 0 "$cli" export "$default" --format plan --altitude 90 --output plan.plan --force
 plan_is() { python3 -c 'import json, sys; m=json.load(open(sys.argv[1]))["mission"]["items"]; sys.exit(0 if eval(sys.argv[2]) else 1)' "$@"; }
-check "export --altitude" plan_is plan.plan 'all(i["params"][6] == 90 for i in m[1:])'
+check "export --altitude" plan_is plan.plan 'all(i["params"][6] == 90 for i in m[2:-1])'
 check "export first leg" exits 0 "$cli" export "$default" --format plan --what first-leg --speed 18.5 --acceptance 40 --output leg.plan
-check "export first leg: one waypoint" plan_is leg.plan '[i["command"] for i in m] == [178, 16, 17]'
-check "export --speed, --acceptance" plan_is leg.plan 'm[0]["params"][1] == 18.5 and m[1]["params"][1] == 40'
+check "export first leg: one waypoint" plan_is leg.plan '[i["command"] for i in m] == [22, 178, 16, 17]'
+check "export --speed, --acceptance" plan_is leg.plan 'm[1]["params"][1] == 18.5 and m[2]["params"][1] == 40'
 check "export notes" says "note: Mission Planner reads the cruise speed as a whole number"
 check "export --loiter --return-home" exits 0 "$cli" export "$default" --format plan --loiter 2 --return-home --output home.plan
-check "export --loiter: turns" plan_is home.plan '{i["command"] for i in m[1:-1]} == {18} and m[1]["params"][0] == 2'
-check "export --return-home" python3 -c 'import json; m=json.load(open("home.plan"))["mission"]; assert m["items"][-1]["params"][4:6] == m["plannedHomePosition"][:2]'
+check "export --loiter: turns" plan_is home.plan '{i["command"] for i in m[2:-1]} == {18} and m[2]["params"][0] == 2'
+check "export --return-home" plan_is home.plan 'm[-1]["command"] == 20'
+python3 - "$default" px4.berg <<'EDIT'
+import json, sys
+scenario = json.load(open(sys.argv[1]))
+scenario["uavs"][0].update(firmware="px4", mission_end="landing", camera="time", trigger_s=3)
+json.dump(scenario, open(sys.argv[2], "w"))
+EDIT
+check "export for PX4" exits 0 "$cli" export px4.berg --format plan --loiter 1 --output px4.plan
+check "export for PX4: its commands" plan_is px4.plan '{i["command"] for i in m} == {22, 178, 16, 19, 2000, 2001, 189, 31, 21}'
+check "export for PX4: lands at home" plan_is px4.plan 'm[-1]["command"] == 21 and m[-1]["params"][6] == 0 and m[-2]["params"][6] == 40'
+check "export for PX4: notes" says "PX4 has no loiter by turns"
 check "export path" exits 0 "$cli" export "$default" --format csv --what path --output path.csv
 check "export path: a row a second" test "$(wc -l <path.csv)" -gt 500
 check "export of an unknown UAV" exits 2 "$cli" export "$default" --format plan --uav nobody --output nobody.plan

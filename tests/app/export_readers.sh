@@ -53,12 +53,12 @@ check_plan() {
         near "$name: time of visit $row" "$(field "$name.csv" "$row" 5)" \
             "$(ask "$name.geojson" "SELECT time_s $at")" 0.001
         near "$name: latitude in the waypoint file" "$(field "$name.csv" "$row" 6)" \
-            "$(sed -n "$((row + 3))p" "$name.wpl" | cut -f9)" 1e-8
+            "$(sed -n "$((row + 4))p" "$name.wpl" | cut -f9)" 1e-8
         near "$name: longitude in the .plan" "$(field "$name.csv" "$row" 7)" \
-            "$(number "$name.plan" "d['mission']['items'][$row]['params'][5]")" 1e-8
+            "$(number "$name.plan" "d['mission']['items'][$((row + 1))]['params'][5]")" 1e-8
     done
-    same "$name: rows of the waypoint file" $((visits + 4)) "$(wc -l <"$name.wpl")"
-    same "$name: items of the .plan" $((visits + 2)) "$(number "$name.plan" 'len(d["mission"]["items"])')"
+    same "$name: rows of the waypoint file" $((visits + 5)) "$(wc -l <"$name.wpl")"
+    same "$name: items of the .plan" $((visits + 3)) "$(number "$name.plan" 'len(d["mission"]["items"])')"
     "$ogrinfo" -al -so -oo AUTODETECT_TYPE=YES -oo X_POSSIBLE_NAMES=longitude_deg \
         -oo Y_POSSIBLE_NAMES=latitude_deg "$name.csv" >table.txt
     same "$name: table read as points" "Geometry: Point,Feature Count: $visits" \
@@ -118,8 +118,8 @@ near "flown: last longitude" "$(tail -1 flown.csv | cut -d, -f6)" \
     "$(ask flown.geojson "SELECT ST_X(ST_EndPoint(geometry)) AS a FROM flown WHERE kind = 'track'")" 1e-8
 near "flown: zeta" "$(tail -1 flight/zeta.csv | cut -d, -f3)" \
     "$(ask flown.geojson "SELECT zeta_m2s FROM flown WHERE kind = 'track'")" 1e-6
-same "flown: items of the .plan" $((reached + 2)) "$(number flown.plan 'len(d["mission"]["items"])')"
-same "flown: rows of the waypoint file" $((reached + 4)) "$(wc -l <flown.wpl)"
+same "flown: items of the .plan" $((reached + 3)) "$(number flown.plan 'len(d["mission"]["items"])')"
+same "flown: rows of the waypoint file" $((reached + 5)) "$(wc -l <flown.wpl)"
 # unicsv takes every column that begins with "time" for a date, so the columns are named to it.
 tail -n +2 flown.csv |
     "$gpsbabel" -i unicsv,fields=ignore+name+ignore+ignore+lat+lon -f - -o unicsv -F track.csv 2>stderr.txt

@@ -36,11 +36,12 @@ const std::vector<Module> kModules{
     {"bound", {"base", "plan", "vehicle", "tracking", "scenario"}},
     {"sim", {"base", "link", "plan", "vehicle", "tracking", "coverage", "scenario"}},
     {"study", {"base", "plan", "vehicle", "tracking", "coverage", "scenario", "sim"}},
-    {"io", {"base", "land", "plan", "vehicle", "tracking", "coverage", "scenario", "sim", "study"}},
+    {"io",
+     {"base", "land", "link", "plan", "vehicle", "tracking", "coverage", "scenario", "sim",
+      "study"}},
 };
 
-// Rooms within a module of the core, and those of the window: each may use those before it that it
-// names, and whatever its module may.
+// Rooms of modules and of the window: each may use those before it that it names.
 const std::vector<Module> kRooms{
     {"core/plan/solve", {}},
     {"core/plan/fleet", {"core/plan/solve"}},

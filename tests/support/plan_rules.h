@@ -202,13 +202,15 @@ inline QString altitudeTrio(const PlanText& plan)
     });
 }
 
-/** 0 or 3 for positions, 2 for DO_*; the *_INT frames open as raw edit only. */
+/** 0 or 3 for positions, 2 for DO_* and a return; the *_INT frames open as raw edit only. */
 inline QString frames(const PlanText& plan)
 {
     constexpr int kFirstDoCommand = 176;
+    constexpr int kReturnToLaunch = 20;
     return eachItem(plan, [](const QJsonObject& item) {
         const int frame = item["frame"_L1].toInt(-1);
-        const bool isDo = item["command"_L1].toInt() >= kFirstDoCommand;
+        const int command = item["command"_L1].toInt();
+        const bool isDo = command >= kFirstDoCommand || command == kReturnToLaunch;
         return unless(isDo ? frame == 2 : frame == 0 || frame == 3, u"frame %1"_s.arg(frame));
     });
 }

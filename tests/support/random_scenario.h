@@ -138,6 +138,8 @@ private:
                     .altitude_m = number(10, 5000),
                     .endurance_s = often() ? 0 : number(1, 86400)};
         uav.fov_m = {number(1, 2000), number(1, 2000)};
+        uav.aircraft =
+            readyProfiles()[static_cast<std::size_t>(m_lastId) % readyProfiles().size()].profile;
         uav.extraJson = extra();
         return uav;
     }

@@ -1,6 +1,6 @@
 #include "widgets/print/brief_warnings.h"
 
-#include "core/io/export/export_notes.h"
+#include "core/io/export/mission_checks.h"
 #include "core/scenario/daylight.h"
 #include "core/scenario/scenario_warnings.h"
 #include "core/scenario/validate.h"
@@ -9,6 +9,7 @@
 #include "widgets/print/export_picture.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/export_text.h"
 #include "widgets/words/issue_text.h"
 #include "widgets/words/plan_text.h"
 
@@ -268,6 +269,15 @@ QStringList loiterLines(const ExportContent& content, const QLocale& locale)
     return lines;
 }
 
+/** Findings about the missions that the autopilots fly. */
+QStringList missionLines(const ExportContent& content, const QLocale& locale)
+{
+    QStringList lines;
+    for (const ExportNote& note : missionChecks(content))
+        lines << FlightBrief::tr("Autopilot mission: %1.").arg(exportNoteText(note, locale));
+    return lines;
+}
+
 } // namespace
 
 std::vector<bool> visitedIcebergs(const ExportContent& content)
@@ -335,10 +345,10 @@ QStringList briefWarnings(const ExportContent& content, const QLocale& locale)
     if (content.plan.fellBack && !visitsNothing(content))
         lines << FlightBrief::tr("The planner reached its limit without an order. The UAV flies "
                                  "the rest of the previous plan, or to the nearest iceberg.");
-    lines << loiterLines(content, locale) << alarmLines(content, locale)
-          << ruleLines(content, locale) << missLines(content, locale) << icebergLines(content)
-          << issueLines(scenario, issues, Severity::Warning) << idleLines(content)
-          << planLines(content, locale);
+    lines << loiterLines(content, locale) << missionLines(content, locale)
+          << alarmLines(content, locale) << ruleLines(content, locale) << missLines(content, locale)
+          << icebergLines(content) << issueLines(scenario, issues, Severity::Warning)
+          << idleLines(content) << planLines(content, locale);
     return lines;
 }
 

@@ -32,11 +32,10 @@ ExportFormatText missionText(std::string_view id)
         return {.group = group,
                 .name = ExportText::tr("Mission plan"),
                 .tool = u"QGroundControl"_s,
-                .about =
-                    ExportText::tr("Mission items with altitude, speed and radii, the "
-                                   "geofence and a rally point at home; no take-off and no "
-                                   "landing. Also read by Mission Planner and MAVSDK. One file "
-                                   "per UAV.")};
+                .about = ExportText::tr("Mission items from take-off to landing for the "
+                                        "autopilot of the UAV, the geofence and a rally point at "
+                                        "home. Also read by Mission Planner and MAVSDK. One file "
+                                        "per UAV.")};
     return {.group = group,
             .name = ExportText::tr("Waypoint list"),
             .tool = u"ArduPilot"_s,
@@ -169,7 +168,23 @@ ExportEffect effectOf(ExportNoteKind kind)
     case ExportNoteKind::NothingToFly:
     case ExportNoteKind::LegsCross:
     case ExportNoteKind::OptionNotUsed:
+    case ExportNoteKind::EndsLoitering:
+    case ExportNoteKind::FenceOff:
+    case ExportNoteKind::HomeRowForOther:
         return ExportEffect::Note;
+    case ExportNoteKind::ClimbTooShort:
+    case ExportNoteKind::FirstLegFar:
+    case ExportNoteKind::EndsCross:
+    case ExportNoteKind::ApproachOverLand:
+    case ExportNoteKind::ApproachSteep:
+    case ExportNoteKind::WaypointsClose:
+    case ExportNoteKind::TooManyItems:
+    case ExportNoteKind::AirspaceOnTheWay:
+    case ExportNoteKind::EnduranceShort:
+        return ExportEffect::Check;
+    case ExportNoteKind::ReturnAdded:
+    case ExportNoteKind::LoiterAsTime:
+    case ExportNoteKind::AcceptanceIgnored:
     case ExportNoteKind::FenceAcross180:
     case ExportNoteKind::NoHeights:
     case ExportNoteKind::PathAsWaypoints:
@@ -182,6 +197,8 @@ ExportEffect effectOf(ExportNoteKind kind)
     case ExportNoteKind::NoNoFly:
     case ExportNoteKind::VisitsOnly:
     case ExportNoteKind::LaterSorties:
+    case ExportNoteKind::NoTakeOffItem:
+    case ExportNoteKind::NoLoiterTurns:
         return ExportEffect::LeftOut;
     }
     throw std::logic_error("effectOf: unknown kind");
@@ -190,6 +207,8 @@ ExportEffect effectOf(ExportNoteKind kind)
 QString exportEffectText(ExportEffect effect)
 {
     switch (effect) {
+    case ExportEffect::Check:
+        return ExportText::tr("Check before the flight");
     case ExportEffect::Note:
         return ExportText::tr("Good to know");
     case ExportEffect::Changed:

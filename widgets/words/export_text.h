@@ -33,6 +33,7 @@ struct ExportFormatText
 /** Effect of an export on requested content. */
 enum class ExportEffect
 {
+    Check,   ///< the mission may not fly as planned
     Note,    ///< nothing is lost
     Changed, ///< changed by the tool or the format
     LeftOut

@@ -201,6 +201,8 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
         *result.slot_s += content.now_s - state.aloft_s;
         spec.reserve_s = reserve_s(spec) + withheld_s; // so that the sortie is over by the slot
     }
+    result.isAloft =
+        content.what != ExportScope::Track && content.now_s > 0 && state.mode != FlightMode::Ground;
     addPath(result, source, content, scene);
     return result;
 }

@@ -93,6 +93,7 @@ struct ExportUav
     std::vector<Visit> visits = {};    ///< future or past visits in order; home has iceberg −1
     TrackPoints track = {};            ///< track of `Path` and `Track`
     double flown_m = 0;                ///< distance through the air until now
+    bool isAloft = false;              ///< flying already at the start of the path
 };
 
 /** State of an iceberg at the time of the export. */

@@ -2,7 +2,8 @@
 
 #include "core/base/translate_noop.h"
 #include "core/io/export/export_files.h"
-#include "core/io/export/mission_items.h"
+#include "core/io/export/mission_checks.h"
+#include "core/io/export/mission_ends.h"
 #include "core/scenario/fence.h"
 
 #include <algorithm>
@@ -14,7 +15,11 @@ namespace berg {
 namespace {
 
 constexpr std::string_view kArduPlane = "ArduPlane";
+constexpr std::string_view kArduCopter = "ArduCopter";
+constexpr std::string_view kArduPilotName = "ArduPilot";
+constexpr std::string_view kPx4Name = "PX4";
 constexpr std::string_view kMissionPlanner = "Mission Planner";
+constexpr double kSecondsPerMinute = 60;
 constexpr std::string_view kGroundStations = "QGroundControl, Mission Planner";
 
 /** Name for scripts, and English words with %1, %2, ... for the arguments. */
@@ -41,6 +46,23 @@ constexpr NoteRow kNoteWords[]{
     {ExportNoteKind::NothingToFly, "nothing-to-fly", QT_TRANSLATE_NOOP("IssueText", "UAVs without an iceberg to visit: %1")},
     {ExportNoteKind::LegsCross, "legs-cross", QT_TRANSLATE_NOOP("IssueText", "straight legs that lead out of the geofence or through a no-fly area: %1; export the path instead, which leads round")},
     {ExportNoteKind::LaterSorties, "later-sorties", QT_TRANSLATE_NOOP("IssueText", "only this sortie is exported; icebergs left for later sorties: %1")},
+    {ExportNoteKind::NoTakeOffItem, "no-take-off-item", QT_TRANSLATE_NOOP("IssueText", "there is no take-off item: launch the UAV by hand and start the mission in the air")},
+    {ExportNoteKind::ReturnAdded, "return-added", QT_TRANSLATE_NOOP("IssueText", "after the last iceberg the mission returns home, %1 m that the plan does not include")},
+    {ExportNoteKind::EndsLoitering, "ends-loitering", QT_TRANSLATE_NOOP("IssueText", "the mission ends in an endless loiter: command the return yourself")},
+    {ExportNoteKind::LoiterAsTime, "loiter-as-time", QT_TRANSLATE_NOOP("IssueText", "%1 has no loiter by turns: the time that they take is written")},
+    {ExportNoteKind::NoLoiterTurns, "no-loiter-turns", QT_TRANSLATE_NOOP("IssueText", "loiter turns are left out: a VTOL or multirotor flies over each iceberg")},
+    {ExportNoteKind::AcceptanceIgnored, "acceptance-ignored", QT_TRANSLATE_NOOP("IssueText", "%1 uses the acceptance radius of its parameter %2, not that of the file")},
+    {ExportNoteKind::FenceOff, "fence-off", QT_TRANSLATE_NOOP("IssueText", "%1 keeps to the fence only if its parameter %2 says so")},
+    {ExportNoteKind::HomeRowForOther, "home-row", QT_TRANSLATE_NOOP("IssueText", "the first row is home, which %1 does not have: upload the file with QGroundControl")},
+    {ExportNoteKind::ClimbTooShort, "climb-too-short", QT_TRANSLATE_NOOP("IssueText", "the first iceberg is %2 m from the start, but the climb takes %1 m")},
+    {ExportNoteKind::FirstLegFar, "first-leg-far", QT_TRANSLATE_NOOP("IssueText", "the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)")},
+    {ExportNoteKind::EndsCross, "ends-cross", QT_TRANSLATE_NOOP("IssueText", "legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1")},
+    {ExportNoteKind::ApproachOverLand, "approach-over-land", QT_TRANSLATE_NOOP("IssueText", "the landing approach leads over land")},
+    {ExportNoteKind::ApproachSteep, "approach-steep", QT_TRANSLATE_NOOP("IssueText", "the landing approach descends at %1°, more than the usual %2°: make it longer or lower")},
+    {ExportNoteKind::WaypointsClose, "waypoints-close", QT_TRANSLATE_NOOP("IssueText", "waypoints within their acceptance radius of the one before, which the UAV may skip: %1")},
+    {ExportNoteKind::TooManyItems, "too-many-items", QT_TRANSLATE_NOOP("IssueText", "the mission has %2 items; %1 holds about %3")},
+    {ExportNoteKind::AirspaceOnTheWay, "airspace-on-the-way", QT_TRANSLATE_NOOP("IssueText", "airspace areas that the mission enters at its altitudes: %1")},
+    {ExportNoteKind::EnduranceShort, "endurance-short", QT_TRANSLATE_NOOP("IssueText", "with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min")},
     {ExportNoteKind::OptionNotUsed, "option-not-used", QT_TRANSLATE_NOOP("IssueText", "nothing in the file depends on %1")},
 };
 // clang-format on
@@ -56,8 +78,11 @@ class NoteList
 public:
     void add(ExportNoteKind kind, std::string_view tool = {}, double value = 0, double limit = 0)
     {
-        m_notes.push_back(
-            {.kind = kind, .id = noteRow(kind).id, .tool = tool, .value = value, .limit = limit});
+        m_notes.push_back(exportNote(kind, tool, value, limit));
+    }
+    void add(const std::vector<ExportNote>& notes)
+    {
+        m_notes.insert(m_notes.end(), notes.begin(), notes.end());
     }
 
     std::vector<ExportNote> take() { return std::move(m_notes); }
@@ -75,35 +100,110 @@ bool fenceCrosses180(const ExportContent& content)
            std::ranges::any_of(closedAreas(content), crosses, &NoFlyArea::corners_m);
 }
 
+bool isMultirotorUav(const ExportUav& uav)
+{
+    return uav.uav.aircraft.airframe == Airframe::Multirotor;
+}
+
+/** Returns true if the visits are waypoints, whose acceptance radius is written. */
+bool writesAcceptance(const ExportContent& content, const ExportUav& uav)
+{
+    const bool hasCircles =
+        content.options.loiterTurns > 0 && uav.uav.aircraft.airframe == Airframe::FixedWing;
+    return content.what == ExportScope::Path ? content.options.acceptance_m.has_value()
+                                             : !hasCircles && !isOverflown(uav);
+}
+
 /** Adds notes about numbers that the storage of autopilots changes. */
 void addAutopilotNotes(NoteList& notes, const ExportContent& content)
 {
     double reach_m = 0;
     double circle_m = 0;
+    double loiter_m = 0;
     double speed_mps = 0;
     double shown_mps = 0;
     for (const ExportUav& uav : content.uavs) {
-        reach_m = std::max(reach_m, uav.reach_m);
-        circle_m = std::max(circle_m, uav.circle_m);
+        if (!isArduPilot(uav))
+            continue;
+        if (!isMultirotorUav(uav) && writesAcceptance(content, uav))
+            reach_m = std::max(reach_m, uav.reach_m);
+        if (!isMultirotorUav(uav) && uav.circle_m > circle_m) {
+            circle_m = uav.circle_m;
+            loiter_m = loiterRadius_m(uav);
+        }
         const double whole_mps = std::max(1.0, std::round(uav.uav.spec.airspeed_mps));
         if (whole_mps != uav.uav.spec.airspeed_mps) {
             speed_mps = uav.uav.spec.airspeed_mps;
             shown_mps = whole_mps;
         }
     }
-    const bool waypointsAreCut =
-        content.options.loiterTurns == 0 &&
-        (content.what != ExportScope::Path || content.options.acceptance_m);
-    if (reach_m > kLargestByte_m && waypointsAreCut)
+    if (reach_m > kLargestByte_m)
         notes.add(ExportNoteKind::AcceptanceCut, kArduPlane, reach_m, kLargestByte_m);
     if (circle_m > kLargestByte_m)
-        notes.add(ExportNoteKind::LoiterInSteps, kArduPlane, circle_m,
-                  loiterRadius_m({.uav = {}, .circle_m = circle_m}));
+        notes.add(ExportNoteKind::LoiterInSteps, kArduPlane, circle_m, loiter_m);
     if (speed_mps > 0)
         notes.add(ExportNoteKind::WholeSpeed, kMissionPlanner, speed_mps, shown_mps);
 }
 
-void addMissionNotes(NoteList& notes, const ExportContent& content)
+/** Adds how each autopilot treats waypoints and circles. */
+void addDialectNotes(NoteList& notes, const ExportContent& content)
+{
+    const auto any = [&](const auto& test) { return std::ranges::any_of(content.uavs, test); };
+    const bool hasTurns = content.options.loiterTurns > 0 && content.what != ExportScope::Path;
+    const auto isFixedWing = [](const ExportUav& uav) {
+        return uav.uav.aircraft.airframe == Airframe::FixedWing;
+    };
+    if (hasTurns &&
+        any([&](const ExportUav& uav) { return isFixedWing(uav) && !isArduPilot(uav); }))
+        notes.add(ExportNoteKind::LoiterAsTime, kPx4Name);
+    if (hasTurns && any([&](const ExportUav& uav) { return !isFixedWing(uav); }))
+        notes.add(ExportNoteKind::NoLoiterTurns);
+    if (any([](const ExportUav& uav) { return isArduPilot(uav) && isMultirotorUav(uav); }))
+        notes.add(ExportNoteKind::AcceptanceIgnored, kArduCopter);
+}
+
+/** Adds how missions begin and end. */
+void addEndNotes(NoteList& notes, const ExportContent& content)
+{
+    double return_m = 0;
+    bool isByHand = false;
+    bool endsLoitering = false;
+    for (const ExportUav& uav : content.uavs) {
+        isByHand = isByHand || (!uav.isAloft && uav.uav.aircraft.takeOff == TakeOffMethod::Hand);
+        if (endItems(content, uav).back().command == LinkCommandId::kLoiterUnlimited)
+            endsLoitering = true;
+        else
+            return_m = std::max(return_m, (uav.home_m - lastPlace_m(content, uav)).norm());
+    }
+    if (isByHand)
+        notes.add(ExportNoteKind::NoTakeOffItem);
+    if (return_m > 1)
+        notes.add(ExportNoteKind::ReturnAdded, {}, return_m);
+    if (endsLoitering)
+        notes.add(ExportNoteKind::EndsLoitering);
+}
+
+/** Adds what the autopilots need before they use fence and home of the file. */
+void addSetUpNotes(NoteList& notes, const ExportContent& content, bool holdsFence)
+{
+    const bool hasPx4 = !std::ranges::all_of(content.uavs, isArduPilot);
+    const bool hasFence =
+        (content.geofence && !content.area_m.empty()) || !closedAreas(content).empty();
+    if (!holdsFence && hasPx4)
+        notes.add(ExportNoteKind::HomeRowForOther, kPx4Name);
+    if (holdsFence && hasFence)
+        notes.add(ExportNoteKind::FenceOff, hasPx4 ? kPx4Name : kArduPilotName);
+}
+
+/** Returns the parameter of an autopilot that decides what the note is about. */
+std::string parameterOf(const ExportNote& note)
+{
+    if (note.kind == ExportNoteKind::FenceOff)
+        return note.tool == kPx4Name ? "GF_ACTION" : "FENCE_ENABLE";
+    return "WPNAV_RADIUS";
+}
+
+void addMissionNotes(NoteList& notes, const ExportCapabilities& holds, const ExportContent& content)
 {
     if (content.what == ExportScope::Track)
         notes.add(ExportNoteKind::VisitsOnly);
@@ -114,6 +214,10 @@ void addMissionNotes(NoteList& notes, const ExportContent& content)
         notes.add(ExportNoteKind::PathAsWaypoints, {}, static_cast<double>(waypoints));
     }
     addAutopilotNotes(notes, content);
+    addDialectNotes(notes, content);
+    addEndNotes(notes, content);
+    addSetUpNotes(notes, content, holds.fence);
+    notes.add(missionChecks(content));
 }
 
 void addOptionNotes(NoteList& notes, const ExportCapabilities& holds, const ExportContent& content)
@@ -140,6 +244,11 @@ void addOptionNotes(NoteList& notes, const ExportCapabilities& holds, const Expo
 }
 
 } // namespace
+
+ExportNote exportNote(ExportNoteKind kind, std::string_view tool, double value, double limit)
+{
+    return {.kind = kind, .id = noteRow(kind).id, .tool = tool, .value = value, .limit = limit};
+}
 
 std::size_t legsThatCross(const ExportContent& content)
 {
@@ -196,7 +305,7 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
     if (holds.mission && holds.fence && fenceCrosses180(content))
         notes.add(ExportNoteKind::FenceAcross180, kGroundStations);
     if (holds.mission)
-        addMissionNotes(notes, content);
+        addMissionNotes(notes, holds, content);
     return notes.take();
 }
 
@@ -213,15 +322,34 @@ std::vector<IssueArgument> noteArguments(const ExportNote& note)
     case ExportNoteKind::NothingToFly:
     case ExportNoteKind::LegsCross:
     case ExportNoteKind::LaterSorties:
+    case ExportNoteKind::EndsCross:
+    case ExportNoteKind::WaypointsClose:
+    case ExportNoteKind::AirspaceOnTheWay:
         return {note.value};
+    case ExportNoteKind::ReturnAdded:
+        return {std::round(note.value)};
+    case ExportNoteKind::ClimbTooShort:
+        return {std::round(note.value), std::round(note.limit)};
+    case ExportNoteKind::ApproachSteep:
+        return {std::round(10 * note.value) / 10, note.limit};
+    case ExportNoteKind::EnduranceShort:
+        return {std::ceil(note.value / kSecondsPerMinute),
+                std::floor(note.limit / kSecondsPerMinute)};
     case ExportNoteKind::FenceAcross180:
+    case ExportNoteKind::LoiterAsTime:
+    case ExportNoteKind::HomeRowForOther:
         return {tool};
+    case ExportNoteKind::AcceptanceIgnored:
+    case ExportNoteKind::FenceOff:
+        return {tool, parameterOf(note)};
     case ExportNoteKind::OptionNotUsed:
         return {FieldPath{"--" + tool}};
     case ExportNoteKind::PathAsWaypoints:
         return {note.value, kPathTolerance_m};
     case ExportNoteKind::AcceptanceCut:
     case ExportNoteKind::LoiterInSteps:
+    case ExportNoteKind::FirstLegFar:
+    case ExportNoteKind::TooManyItems:
         return {tool, std::round(note.value), std::round(note.limit)};
     case ExportNoteKind::WholeSpeed:
         return {tool, std::round(100 * note.value) / 100, note.limit};
@@ -231,6 +359,10 @@ std::vector<IssueArgument> noteArguments(const ExportNote& note)
     case ExportNoteKind::NoHeights:
     case ExportNoteKind::VisitsOnly:
     case ExportNoteKind::ChoiceNotUsed:
+    case ExportNoteKind::NoTakeOffItem:
+    case ExportNoteKind::EndsLoitering:
+    case ExportNoteKind::NoLoiterTurns:
+    case ExportNoteKind::ApproachOverLand:
         return {};
     }
     throw std::logic_error("noteArguments: unknown kind");

@@ -144,12 +144,27 @@ constexpr std::array kFormats{
     ExportFormat{"charts-png", "png", "documents and messages: zeta and sigma over time",
                  kChartsHold}};
 
+/** Returns true if a mission would end otherwise without the choice of a return. */
+bool changesTheEnd(const ExportContent& content)
+{
+    const bool isFirstLeg = content.what == ExportScope::FirstLeg;
+    const auto loiters = [](const ExportUav& uav) {
+        return uav.uav.aircraft.end == MissionEnd::Loiter;
+    };
+    return content.options.returnHome.value_or(true)
+               ? isFirstLeg || std::ranges::any_of(content.uavs, loiters)
+               : !isFirstLeg;
+}
+
 } // namespace
 
 bool ExportCapabilities::dependsOn(ExportOption option, const ExportContent& content) const
 {
     const bool isPath = content.what == ExportScope::Path;
     const bool isTrack = content.what == ExportScope::Track;
+    const bool hasCircles = std::ranges::any_of(content.uavs, [](const ExportUav& uav) {
+        return uav.uav.aircraft.airframe == Airframe::FixedWing;
+    });
     const bool drawsVolume = content.operation && fence && !mission;
     if (flownOnly)
         return false;
@@ -162,11 +177,13 @@ bool ExportCapabilities::dependsOn(ExportOption option, const ExportContent& con
     case ExportOption::Airspeed:
         return airspeed || drawsVolume || !isTrack;
     case ExportOption::Acceptance:
-        return radii && (!mission || isPath || content.options.loiterTurns == 0);
+        return radii && (!mission || isPath || !hasCircles || content.options.loiterTurns == 0);
     case ExportOption::Loiter:
-        return radii && (!mission || !isPath);
+        return radii && (!mission || (!isPath && hasCircles));
     case ExportOption::ReturnHome:
-        return mission || (!isTrack && (isPath || legHome));
+        if (mission && !isPath)
+            return changesTheEnd(content);
+        return !isTrack && (isPath || legHome);
     }
     throw std::logic_error("dependsOn: unknown option");
 }

@@ -1,15 +1,14 @@
 #include "core/io/export/plan_qgc.h"
 
-#include "core/io/export/mission_items.h"
-#include "core/io/text/export_numbers.h"
+#include "core/io/export/mission_upload.h"
 #include "core/io/text/json_writer.h"
-#include "core/scenario/fence.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 namespace berg {
 
@@ -22,20 +21,42 @@ using Json = nlohmann::ordered_json;
 // 2, 2 and 2 and a home of three values; Mission Planner reads speeds and all enumerations into
 // integers (22.0 fails) and params into plain doubles (null fails).
 
-/** MAV_AUTOPILOT_ARDUPILOTMEGA, because limits and loiter of the items are those of ArduPlane. */
-constexpr int kArduPilot = 3;
-/** MAV_TYPE_FIXED_WING. */
-constexpr int kFixedWing = 1;
+/** MAV_AUTOPILOT of firmware that flies other missions than a generic one. */
+constexpr int kMavArduPilot = 3;
+constexpr int kMavPx4 = 12;
 /** Altitudes are above home, for the plan and for each item. */
 constexpr int kRelativeAltitude = 1;
 /** Speeds are read into 32-bit integers; a cruise speed of 0 would make flights endless. */
 constexpr double kLargestSpeed_mps = 1e6;
 
+/** Returns the MAV_TYPE of an airframe. */
+int mavType(Airframe airframe)
+{
+    switch (airframe) {
+    case Airframe::FixedWing:
+        return 1;
+    case Airframe::Vtol:
+        return 22; // lifted by rotors of its own
+    case Airframe::Multirotor:
+        return 2;
+    }
+    throw std::logic_error("mavType: unknown airframe");
+}
+
+/** Returns the speed as a whole number. */
+int wholeSpeed(double speed_mps)
+{
+    return static_cast<int>(std::clamp(std::round(speed_mps), 1.0, kLargestSpeed_mps));
+}
+
 /**
  * Writes whole numbers without a decimal point: 22 is read as integer and as double, 22.0 is not.
+ * NaN becomes null.
  */
 Json number(double value)
 {
+    if (std::isnan(value))
+        return nullptr;
     if (std::abs(value) < 1e15 && value == std::floor(value))
         return static_cast<std::int64_t>(value);
     return value;
@@ -45,7 +66,7 @@ Json jsonItem(const MavItem& item, std::size_t id)
 {
     Json json;
     json["type"] = "SimpleItem";
-    json["command"] = static_cast<int>(item.command);
+    json["command"] = item.command;
     json["doJumpId"] = id;
     json["frame"] = static_cast<int>(item.frame);
     Json params = Json::array();
@@ -56,7 +77,7 @@ Json jsonItem(const MavItem& item, std::size_t id)
     params.push_back(number(item.altitude_m));
     json["params"] = std::move(params);
     json["autoContinue"] = true;
-    if (item.frame != MavFrame::Mission) { // readers need all three members or none
+    if (hasPlace(item)) { // readers need all three members or none
         json["AltitudeMode"] = kRelativeAltitude;
         json["Altitude"] = number(item.altitude_m);
         json["AMSLAltAboveTerrain"] = number(item.altitude_m); // home is at sea level
@@ -69,45 +90,39 @@ Json jsonMission(const MavMission& mission)
     Json items = Json::array();
     for (const MavItem& item : mission.items)
         items.push_back(jsonItem(item, items.size() + 1));
-    const auto speed_mps =
-        static_cast<int>(std::clamp(std::round(mission.airspeed_mps), 1.0, kLargestSpeed_mps));
+    const AircraftProfile& aircraft = mission.aircraft;
+    const bool hovers = aircraft.airframe == Airframe::Vtol;
     Json json;
     json["version"] = 2;
-    json["firmwareType"] = kArduPilot;
-    json["vehicleType"] = kFixedWing;
+    json["firmwareType"] =
+        aircraft.firmware == AutopilotFirmware::ArduPilot ? kMavArduPilot : kMavPx4;
+    json["vehicleType"] = mavType(aircraft.airframe);
     json["globalPlanAltitudeMode"] = kRelativeAltitude;
-    json["cruiseSpeed"] = speed_mps;
-    json["hoverSpeed"] = speed_mps;
+    json["cruiseSpeed"] = wholeSpeed(mission.airspeed_mps);
+    json["hoverSpeed"] = wholeSpeed(hovers ? aircraft.hoverSpeed_mps : mission.airspeed_mps);
     json["plannedHomePosition"] = {number(mission.home.latitude_deg),
                                    number(mission.home.longitude_deg), 0};
     json["items"] = std::move(items);
     return json;
 }
 
-Json jsonPolygon(const ExportContent& content, const std::vector<Point>& corners_m,
-                 bool isInclusion)
+Json jsonPolygon(const MissionFence& fence)
 {
     Json corners = Json::array();
-    for (const Point& corner_m : corners_m) {
-        const LatLon place = roundedPlace(content.frame.toGeographic(corner_m));
-        corners.push_back({number(place.latitude_deg), number(place.longitude_deg)});
-    }
+    for (const LatLon& corner : fence.corners)
+        corners.push_back({number(corner.latitude_deg), number(corner.longitude_deg)});
     Json polygon;
     polygon["version"] = 1;
-    polygon["inclusion"] = isInclusion;
+    polygon["inclusion"] = fence.isInclusion;
     polygon["polygon"] = std::move(corners);
     return polygon;
 }
 
-/** Adds the areas that are closed at the altitude of the UAV, as polygons have no heights. */
 Json jsonFence(const ExportContent& content)
 {
     Json polygons = Json::array();
-    if (content.geofence && !content.area_m.empty())
-        polygons.push_back(jsonPolygon(content, content.area_m, true));
-    for (const NoFlyArea& area : closedAreas(content))
-        if (isClosedAt(area, content.uavs.front().uav.spec.altitude_m))
-            polygons.push_back(jsonPolygon(content, area.corners_m, false));
+    for (const MissionFence& fence : missionFences(content, content.uavs.front()))
+        polygons.push_back(jsonPolygon(fence));
     Json json;
     json["version"] = 2;
     json["polygons"] = std::move(polygons);
@@ -115,7 +130,7 @@ Json jsonFence(const ExportContent& content)
     return json;
 }
 
-/** Rally point at home and the altitude of the mission, to which ArduPilot returns on failsafe. */
+/** Rally point at home and the altitude of the mission, to which autopilots return on failsafe. */
 Json jsonRally(const MavMission& mission)
 {
     Json json;

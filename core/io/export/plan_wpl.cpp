@@ -4,6 +4,8 @@
 #include "core/io/export/mission_items.h"
 #include "core/io/text/export_numbers.h"
 
+#include <cmath>
+
 namespace berg {
 
 namespace {
@@ -20,7 +22,10 @@ void addRow(std::string& text, std::size_t index, const MavItem& item)
     text += std::to_string(static_cast<int>(item.frame)) + '\t';
     text += std::to_string(static_cast<int>(item.command)) + '\t';
     for (const double param : item.params) {
-        appendNumber(text, param);
+        if (std::isnan(param))
+            text += "nan";
+        else
+            appendNumber(text, param);
         text += '\t';
     }
     text += fixedText(item.place.latitude_deg, kDegreeDecimals) + '\t';
@@ -35,7 +40,7 @@ std::string wplText(const ExportContent& content)
 {
     const MavMission mission = mavMission(content);
     std::string text = "QGC WPL 110\n";
-    addRow(text, 0, {.frame = MavFrame::Global, .place = mission.home, .altitude_m = 0});
+    addRow(text, 0, {.frame = ItemFrame::Global, .place = mission.home, .altitude_m = 0});
     std::size_t index = 1;
     for (const MavItem& item : mission.items)
         addRow(text, index++, item);

@@ -103,6 +103,9 @@ inline bool hasSeveralUavs(const Scenario& scenario, const std::string& /*id*/)
 /** Returns the rows of the landing place; part of `uavRows`. */
 [[nodiscard]] std::vector<InspectorRow> homeRows();
 
+/** Returns the rows of the aircraft profile; part of `uavRows`. */
+[[nodiscard]] std::vector<InspectorRow> aircraftRows();
+
 /** Returns the rows of operation volume, permit and airspace; part of `scenarioRows`. */
 [[nodiscard]] std::vector<InspectorRow> permitRows();
 /** Returns the rows of weather and ground station; part of `scenarioRows`. */

@@ -58,6 +58,8 @@ std::vector<InspectorRow> uavRows()
     append(rows, sortie.rows("reserve_percent", "landing_s"));
     append(rows, homeRows());
     append(rows, sortie.rows("turnaround_s"));
+    beginGroup(rows, u"uavMissionGroup"_s, InspectorRows::tr("Autopilot mission"), true);
+    append(rows, aircraftRows());
     beginGroup(rows, u"uavWeatherGroup"_s, InspectorRows::tr("Weather limits"));
     append(rows, uav.rows("max_wind_mps", "max_gust_mps"));
     rows.emplace_back(uav.choice(

@@ -247,10 +247,12 @@ private slots:
             s.uavs[0].spec.airspeed_mps = 35.5;
         });
         const ExportContent content = planContent(scenario);
-        QCOMPARE(noteIds(format("plan"), content).join(u' '),
-                 QStringLiteral("acceptance-cut loiter-in-steps whole-speed"));
-        QCOMPARE(noteIds(format("wpl"), content).join(u' '),
-                 QStringLiteral("no-fence acceptance-cut loiter-in-steps whole-speed"));
+        QCOMPARE(
+            noteIds(format("plan"), content).join(u' '),
+            QStringLiteral("acceptance-cut loiter-in-steps whole-speed return-added fence-off"));
+        QCOMPARE(
+            noteIds(format("wpl"), content).join(u' '),
+            QStringLiteral("no-fence acceptance-cut loiter-in-steps whole-speed return-added"));
         QCOMPARE(noteIds(format("gpx"), content).join(u' '), QStringLiteral("no-times no-fence"));
         QCOMPARE(noteIds(format("kml"), content).join(u' '), QStringLiteral("no-times"));
         const std::vector<ExportNote> plan = exportNotes(format("plan"), content);
@@ -261,7 +263,7 @@ private slots:
         QCOMPARE(plan[2].limit, 36.0);
         const ExportContent calm =
             planContent(fourIcebergs(), fourIcebergPlan(), {.acceptance_m = 90});
-        QVERIFY(noteIds(format("plan"), calm).isEmpty());
+        QCOMPARE(noteIds(format("plan"), calm).join(u' '), QStringLiteral("return-added"));
         QCOMPARE(noteIds(format("gpx"), calm).join(u' '), QStringLiteral("option-not-used"));
         const Mission mission = flown(fourIcebergs(), 60);
         QCOMPARE(noteIds(format("wpl"), runContent(mission))[0], QStringLiteral("visits-only"));
@@ -269,7 +271,8 @@ private slots:
                  QStringList(QStringLiteral("choice-not-used")));
         const ExportContent path =
             planContent(fourIcebergs(), fourIcebergPlan(), {.what = ExportScope::Path});
-        QCOMPARE(noteIds(format("plan"), path).join(u' '), QStringLiteral("path-as-waypoints"));
+        QCOMPARE(noteIds(format("plan"), path).join(u' '),
+                 QStringLiteral("path-as-waypoints return-added"));
         QCOMPARE(noteIds(format("plan"), planContent(fourIcebergs(), planOf({})))[0],
                  QStringLiteral("nothing-to-fly"));
         QVERIFY(noteIds(format("plan"), planContent(at180()))

@@ -70,23 +70,34 @@ private slots:
         QCOMPARE(loiterRadius_m(planContent(scenario).uavs[0]), expected_m);
     }
 
-    /** The last item of a plan with endurance loiters at home, the home of the file. */
+    /** A plan with endurance ends at home, the home of the file. */
     void enduranceEndsAtHome()
     {
         Scenario scenario = fourIcebergs();
         scenario.uavs[0].spec.endurance_s = 1e6;
         scenario.uavs[0].home_m = Point(500, -700);
+        scenario.uavs[0].aircraft.end = MissionEnd::Loiter;
         const PlanAnswer plan = planFromStart(scenario);
         const MavMission mission = mavMission(planContent(scenario, plan));
-        QCOMPARE(mission.items.size(), plan.uavs[0].order.size() + 2);
-        QCOMPARE(mission.items.back().command, MavCommand::NavLoiterUnlimited);
+        QCOMPARE(mission.items.size(), plan.uavs[0].order.size() + 3);
+        QCOMPARE(mission.items.back().command, LinkCommandId::kLoiterUnlimited);
         QVERIFY(mission.items.back().place == mission.home);
         const Point home_m = LocalFrame(scenario.origin).toPlane(mission.home);
         QVERIFY((home_m - Point(500, -700)).norm() < 0.1);
 
         scenario.uavs[0].spec.endurance_s = 60; // too short for any visit
         const MavMission none = mavMission(planContent(scenario, plan));
-        QCOMPARE(none.items.size(), std::size_t{2});
+        QCOMPARE(none.items.size(), std::size_t{3});
+    }
+
+    /** A UAV in flight needs no take-off; a flight exported as a whole does. */
+    void takeOffIsForUavsOnTheGround()
+    {
+        const Mission mission = flown(fourIcebergs(), 60);
+        const MavMission left = mavMission(runContent(mission, {.what = ExportScope::Order}));
+        QCOMPARE(left.items.front().command, LinkCommandId::kChangeSpeed);
+        const MavMission whole = mavMission(runContent(mission, {.what = ExportScope::Track}));
+        QCOMPARE(whole.items.front().command, LinkCommandId::kTakeOff);
     }
 };
 

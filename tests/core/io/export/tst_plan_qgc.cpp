@@ -156,7 +156,10 @@ private slots:
     {
         QFETCH(int, index);
         const Mutation mutation = mutations()[static_cast<std::size_t>(index)];
-        QJsonObject root = berg::test::planText(planFileText(fenced())).root;
+        // The mutations count on a change of speed in row 0 and waypoints from row 1.
+        Scenario scenario = fenced();
+        scenario.uavs[0].aircraft.takeOff = TakeOffMethod::Hand;
+        QJsonObject root = berg::test::planText(planFileText(scenario)).root;
         mutation.edit(root);
         const QByteArray text = QJsonDocument(root).toJson();
         QStringList expected = mutation.broken;
@@ -219,25 +222,29 @@ private slots:
         const PlanAnswer plan = fourIcebergPlan();
         const QJsonArray items = itemsOf(planFileText(scenario, plan));
         const std::vector<Visit> visits = plannedVisits(scenario, plan);
-        QCOMPARE(items.size(), 6);
-        QCOMPARE(items[0]["command"_L1].toInt(), 178);
-        QCOMPARE(items[0]["params"_L1].toArray(), (QJsonArray{0, 22, -1, 0, 0, 0, 0}));
+        QCOMPARE(items.size(), 7);
+        QCOMPARE(items[0]["command"_L1].toInt(), 22);
+        QCOMPARE(items[0]["params"_L1][0].toInt(), 15); // pitch
+        QCOMPARE(items[0]["params"_L1][6].toInt(), 50);
+        QCOMPARE(items[1]["command"_L1].toInt(), 178);
+        QCOMPARE(items[1]["params"_L1].toArray(), (QJsonArray{0, 22, -1, 0, 0, 0, 0}));
         const LocalFrame frame(scenario.origin);
-        for (qsizetype row = 1; row <= 5; ++row) {
-            const bool loiter = row == 5;
+        for (qsizetype row = 2; row <= 5; ++row) {
             const QJsonArray params = items[row]["params"_L1].toArray();
-            QCOMPARE(items[row]["command"_L1].toInt(), loiter ? 17 : 16);
-            // The field of view is 600 m, half of which exceeds 8 bits; the turn radius is 105.8 m.
-            QCOMPARE(params[1].toInt(), loiter ? 0 : 255);
-            QCOMPARE(params[2].toInt(), loiter ? 106 : 0);
+            QCOMPARE(items[row]["command"_L1].toInt(), 16);
+            // The field of view is 600 m, half of which exceeds 8 bits.
+            QCOMPARE(params[1].toInt(), 255);
+            QCOMPARE(params[2].toInt(), 0);
             QCOMPARE(params[6].toInt(), 120);
             QCOMPARE(items[row]["Altitude"_L1].toInt(), 120);
-            const Visit& visit = visits[static_cast<std::size_t>(std::min<qsizetype>(row, 4) - 1)];
+            const Visit& visit = visits[static_cast<std::size_t>(row - 2)];
             const Point placed_m = frame.toPlane(
                 {.latitude_deg = params[4].toDouble(), .longitude_deg = params[5].toDouble()});
             // Nine decimals of a degree are 0.06 mm at most.
             QVERIFY((placed_m - visit.position_m).norm() < 1e-4);
         }
+        QCOMPARE(items[6]["command"_L1].toInt(), 20);
+        QCOMPARE(items[6]["frame"_L1].toInt(), 2);
     }
 
     void speedsAreRoundedButExactInTheMission_data()
@@ -259,20 +266,18 @@ private slots:
         const QJsonValue mission = berg::test::planText(text).root["mission"_L1];
         QCOMPARE(mission["cruiseSpeed"_L1].toInt(-1), cruise_mps);
         QCOMPARE(mission["hoverSpeed"_L1].toInt(-1), cruise_mps);
-        QCOMPARE(itemsOf(text)[0]["params"_L1][1].toDouble(), airspeed_mps);
+        QCOMPARE(itemsOf(text)[1]["params"_L1][1].toDouble(), airspeed_mps);
         QVERIFY(!text.contains(".0,") && !text.contains(".0\n")); // whole numbers as integers
     }
 
-    void emptyPlanLoitersAtHome()
+    void emptyPlanReturns()
     {
         const QByteArray text = planFileText(withoutIcebergs(), planOf({}));
         const QJsonArray items = itemsOf(text);
-        QCOMPARE(items.size(), 2);
-        QCOMPARE(items[1]["command"_L1].toInt(), 17);
+        QCOMPARE(items.size(), 3);
+        QCOMPARE(items[2]["command"_L1].toInt(), 20);
         const QJsonArray home =
             berg::test::planText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
-        QCOMPARE(items[1]["params"_L1].toArray()[4], home[0]);
-        QCOMPARE(items[1]["params"_L1].toArray()[5], home[1]);
         QCOMPARE(home[2].toDouble(), 0.0);
     }
 
@@ -281,13 +286,15 @@ private slots:
         const QByteArray text = planFileText(changed([](Scenario& s) {
             s.planner.policy = PolicyKind::Visitation;
             s.planner.route = Route::Closed;
+            s.uavs[0].aircraft.end = MissionEnd::Loiter;
         }));
         const QJsonArray items = itemsOf(text);
-        QCOMPARE(items.size(), 6);
+        QCOMPARE(items.size(), 7);
         const QJsonArray home =
             berg::test::planText(text).root["mission"_L1]["plannedHomePosition"_L1].toArray();
-        QCOMPARE(items[5]["params"_L1].toArray()[4], home[0]);
-        QCOMPARE(items[5]["params"_L1].toArray()[5], home[1]);
+        QCOMPARE(items[6]["command"_L1].toInt(), 17);
+        QCOMPARE(items[6]["params"_L1].toArray()[4], home[0]);
+        QCOMPARE(items[6]["params"_L1].toArray()[5], home[1]);
     }
 
     void runExportsWhatWasReached()
@@ -297,10 +304,10 @@ private slots:
         const std::vector<Visit> visits = flownVisits(mission);
         QVERIFY(visits.size() >= 4);
         const QJsonArray items = itemsOf(runText(scenario));
-        QCOMPARE(items.size(), static_cast<qsizetype>(visits.size()) + 2);
+        QCOMPARE(items.size(), static_cast<qsizetype>(visits.size()) + 3);
         const LocalFrame frame(scenario.origin);
         for (std::size_t i = 0; i < visits.size(); ++i) {
-            const QJsonArray params = items[static_cast<qsizetype>(i) + 1]["params"_L1].toArray();
+            const QJsonArray params = items[static_cast<qsizetype>(i) + 2]["params"_L1].toArray();
             const Point placed_m = frame.toPlane(
                 {.latitude_deg = params[4].toDouble(), .longitude_deg = params[5].toDouble()});
             QVERIFY((placed_m - visits[i].position_m).norm() < 1e-4);

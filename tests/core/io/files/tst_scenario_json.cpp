@@ -152,6 +152,7 @@ private slots:
                     .climb_s = 90,
                     .landing_s = 60};
         uav.weather = {.wind_mps = 14, .gust_mps = 20.5, .icing = true};
+        uav.aircraft = s.uavs[0].aircraft; // tst_aircraft_json checks it
         uav.fov_m = {400, 700};
         uav.home_m = Point(-400, 450);
         uav.turnaround_s = 900;

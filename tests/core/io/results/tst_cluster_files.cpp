@@ -279,7 +279,7 @@ private slots:
         const MavMission mission = mavMission(planContent(scenario, plan));
         std::vector<MavItem> waypoints;
         std::ranges::copy_if(mission.items, std::back_inserter(waypoints), [](const MavItem& item) {
-            return item.command == MavCommand::NavWaypoint;
+            return item.command == LinkCommandId::kWaypoint;
         });
         QCOMPARE(waypoints.size(), std::size_t{3});
         // 300 m less the distance of each member, so that both are in view on arrival.
