@@ -30,7 +30,7 @@ std::vector<CameraWindow> cameraWindows(const ExportUav& uav)
         return windows;
     const double around_s = cameraReach_m(uav) / uav.uav.spec.airspeed_mps;
     for (const Visit& visit : uav.visits) {
-        if (visit.iceberg < 0)
+        if (!visit.iceberg)
             continue;
         const double from_s = visit.time_s - around_s;
         if (windows.empty() || windows.back().until_s < from_s)

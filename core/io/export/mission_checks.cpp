@@ -115,7 +115,7 @@ private:
         if (m_uav.isAloft)
             return;
         const auto first = std::ranges::find_if(
-            m_uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; });
+            m_uav.visits, [](const Visit& visit) { return visit.iceberg.has_value(); });
         const UavSpec& spec = m_uav.uav.spec;
         const double length_m = (first->position_m - m_uav.uav.position_m).norm();
         const double climb_m = spec.climb_s > 0 ? spec.climb_s * spec.airspeed_mps
@@ -218,7 +218,7 @@ private:
         if (aircraft().airframe == Airframe::FixedWing && m_content.what != ExportScope::Path)
             time_s += circle_s * m_content.options.loiterTurns *
                       static_cast<double>(std::ranges::count_if(
-                          m_uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; }));
+                          m_uav.visits, [](const Visit& visit) { return visit.iceberg.has_value(); }));
         const std::optional<LandingPattern> pattern = landingPattern(m_content, m_uav);
         if (!pattern)
             return time_s + legTime_s(end.position_m, m_uav.home_m);
@@ -249,7 +249,7 @@ private:
 
 bool visitsAnything(const ExportUav& uav)
 {
-    return std::ranges::any_of(uav.visits, [](const Visit& visit) { return visit.iceberg >= 0; });
+    return std::ranges::any_of(uav.visits, [](const Visit& visit) { return visit.iceberg.has_value(); });
 }
 
 } // namespace

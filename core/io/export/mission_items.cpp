@@ -87,7 +87,7 @@ private:
     {
         std::vector<Stop> stops;
         for (const Visit& visit : m_uav.visits)
-            stops.push_back({visit.position_m, visit.iceberg < 0 ? nullptr : &visit});
+            stops.push_back({visit.position_m, visit.iceberg ? &visit : nullptr});
         const bool comesHome = endsAtHome(m_content) &&
                                m_uav.uav.aircraft.end != MissionEnd::Loiter &&
                                (stops.empty() || stops.back().visit != nullptr);
