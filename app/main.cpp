@@ -2,7 +2,7 @@
 #include "app/cli/output_gate.h"
 #include "app/export_run.h"
 #include "app/pictures.h"
-#include "app/window/run_settings.h"
+#include "app/settings/run_settings.h"
 #include "app/window/window_run.h"
 #include "core/base/error.h"
 #include "core/base/version.h"

@@ -8,7 +8,7 @@
 #include "widgets/charts/mission_charts.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/picture/mission_picture.h"
-#include "widgets/model/run_list.h"
+#include "widgets/study/run_list.h"
 
 #include <QBuffer>
 #include <QDir>

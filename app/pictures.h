@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
 
 #include <QLocale>
 #include <QSize>

@@ -61,6 +61,15 @@ function(berg_reuse_precompiled target from other)
   endif()
 endfunction()
 
+# berg_room(sources folder name...): adds folder/name.cpp for each name to the list `sources`, one call for
+# each room of a target.
+function(berg_room sources folder)
+  set(names ${ARGN})
+  list(TRANSFORM names PREPEND ${folder}/)
+  list(TRANSFORM names APPEND .cpp)
+  set(${sources} ${${sources}} ${names} PARENT_SCOPE)
+endfunction()
+
 # berg_add_module(plan SOURCES a.cpp b.cpp LINKS base PRIVATE_LINKS PkgConfig::CBC)
 # A module of the core: static library berg_<name>, alias berg::<name>. Linking follows the layers
 # of ARCHITECTURE.md, so a wrong dependency does not link.

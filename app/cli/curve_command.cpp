@@ -1,14 +1,14 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
+#include "core/checks/validate.h"
 #include "core/io/files/certificate_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/results/curve_result.h"
+#include "core/mission/mission.h"
+#include "core/mission/plan_requests.h"
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/policy/tau_curve.h"
-#include "core/scenario/validate.h"
-#include "core/sim/mission.h"
-#include "core/sim/plan_requests.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

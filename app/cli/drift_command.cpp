@@ -3,8 +3,8 @@
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "app/cli/typed_values.h"
-#include "core/base/coordinates.h"
 #include "core/base/stopped.h"
+#include "core/earth/coordinates.h"
 #include "core/io/import/import_tracks.h"
 #include "core/io/results/drift_result.h"
 
@@ -173,8 +173,8 @@ std::vector<DriftPoint> forecastPath(const DriftArguments& given, const Forecast
     warnOfOldForecasts(files, UtcTime() + std::chrono::milliseconds(std::llround(*start_s * 1e3)));
     warnOfFarForecasts(files, place);
     if (const double known_h = (path.back().time_s - *start_s) / 3600; known_h + 1 <= duration_h)
-        tellNote(said(QT_TRANSLATE_NOOP("CommandLine", "wind and current are known for %1 h only"),
-                      {fixed(known_h, 0)}));
+        printNote(said(QT_TRANSLATE_NOOP("CommandLine", "wind and current are known for %1 h only"),
+                       {fixed(known_h, 0)}));
     return path;
 }
 

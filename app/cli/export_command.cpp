@@ -1,12 +1,12 @@
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "app/cli/program.h"
+#include "core/checks/validate.h"
 #include "core/io/export/export_notes.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/file_set.h"
-#include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

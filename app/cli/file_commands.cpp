@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "core/checks/validate.h"
 #include "core/io/files/problem_json.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
@@ -6,7 +7,6 @@
 #include "core/io/results/result_json.h"
 #include "core/io/study/study_json.h"
 #include "core/io/text/atomic_file.h"
-#include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "app/cli/typed_values.h"
-#include "core/base/coordinates.h"
+#include "core/earth/coordinates.h"
 #include "core/io/results/forecast_result.h"
 
 #include <CLI/CLI.hpp>

@@ -10,8 +10,8 @@ namespace {
 /** Prints a warning about a file; an empty name is left out. */
 void warn(const std::string& file, const std::string& text)
 {
-    tellNote(word(file) + (file.empty() ? "" : ": ") +
-             said(QT_TRANSLATE_NOOP("CommandLine", "warning"), {}) + ": " + text);
+    printNote(word(file) + (file.empty() ? "" : ": ") +
+              said(QT_TRANSLATE_NOOP("CommandLine", "warning"), {}) + ": " + text);
 }
 
 /** Returns the words for a quantity in the user's language. */

@@ -2,14 +2,14 @@
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "app/cli/typed_values.h"
+#include "core/checks/validate.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
-#include "core/io/import/import_airspace.h"
+#include "core/io/import/airspace/import_airspace.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_identity.h"
-#include "core/io/import/import_scenario.h"
+#include "core/io/import/scenario/import_scenario.h"
 #include "core/io/text/atomic_file.h"
-#include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/io/text/report_words.h"
+#include "core/io/words/report_words.h"
 
 #include <string>
 #include <string_view>

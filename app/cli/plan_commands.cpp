@@ -1,14 +1,14 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
+#include "core/checks/validate.h"
 #include "core/io/files/certificate_json.h"
 #include "core/io/files/problem_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/results/plan_result.h"
+#include "core/mission/mission.h"
+#include "core/plan/problem/tuning.h"
 #include "core/plan/solve/latency_problem.h"
-#include "core/plan/solve/tuning.h"
-#include "core/scenario/validate.h"
-#include "core/sim/mission.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

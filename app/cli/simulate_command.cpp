@@ -3,11 +3,11 @@
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "core/bound/zeta_bound.h"
+#include "core/checks/validate.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/results/result_json.h"
 #include "core/io/text/atomic_file.h"
-#include "core/scenario/validate.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "app/cli/typed_values.h"
 
 #include "app/cli/console.h"
-#include "core/base/coordinates.h"
-#include "core/io/import/import_time.h"
+#include "core/earth/coordinates.h"
+#include "core/io/import/fields/import_time.h"
 
 #include <variant>
 

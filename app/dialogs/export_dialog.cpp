@@ -2,7 +2,7 @@
 
 #include "app/dialogs/escape_key.h"
 #include "app/dialogs/export_options_view.h"
-#include "widgets/model/mission_runner.h"
+#include "widgets/flight/mission_runner.h"
 #include "widgets/theme/accessible_roles.h"
 #include "widgets/words/export_text.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "widgets/model/export_preview.h"
-#include "widgets/model/scenario_document.h"
-#include "widgets/model/selection.h"
-#include "widgets/panels/dialogs/import_cells.h"
+#include "app/dialogs/import_cells.h"
+#include "widgets/document/scenario_document.h"
+#include "widgets/document/selection.h"
+#include "widgets/flight/export_preview.h"
 
 #include <QTabWidget>
 

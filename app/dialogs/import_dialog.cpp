@@ -1,15 +1,16 @@
 #include "app/dialogs/import_dialog.h"
 
 #include "app/dialogs/escape_key.h"
+#include "app/dialogs/import_columns_view.h"
+#include "app/dialogs/import_identity_view.h"
+#include "app/dialogs/import_options_view.h"
+#include "app/dialogs/import_rows_view.h"
+#include "core/io/import/import_formats.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/flight_sightings.h"
-#include "widgets/panels/dialogs/import_columns_view.h"
-#include "widgets/panels/dialogs/import_identity_view.h"
-#include "widgets/panels/dialogs/import_options_view.h"
-#include "widgets/panels/dialogs/import_rows_view.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/fields/wheel_guard.h"
+#include "widgets/sightings/flight_sightings.h"
 #include "widgets/words/import_text.h"
 
 #include <QCheckBox>

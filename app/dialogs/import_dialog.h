@@ -1,10 +1,10 @@
 #pragma once
 
+#include "app/dialogs/import_cells.h"
 #include "app/dialogs/interaction.h"
-#include "widgets/model/import_runner.h"
-#include "widgets/model/scenario_document.h"
-#include "widgets/model/selection.h"
-#include "widgets/panels/dialogs/import_cells.h"
+#include "widgets/document/scenario_document.h"
+#include "widgets/document/selection.h"
+#include "widgets/sightings/import_runner.h"
 
 #include <QDialog>
 

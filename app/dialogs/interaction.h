@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/scenario/move_origin.h"
+#include "core/presets/move_origin.h"
 #include "core/sim/intervention.h"
-#include "widgets/model/export_preview.h"
+#include "widgets/flight/export_preview.h"
 #include "widgets/theme/theme.h"
 
 #include <QString>

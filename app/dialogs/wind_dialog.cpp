@@ -1,7 +1,7 @@
 #include "app/dialogs/wind_dialog.h"
 
 #include "core/scenario/limits.h"
-#include "widgets/model/wind.h"
+#include "widgets/document/wind.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/theme/quantity_text.h"
 

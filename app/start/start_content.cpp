@@ -3,10 +3,10 @@
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/picture/scenario_picture.h"
-#include "widgets/model/work_failure.h"
+#include "widgets/tasks/work_failure.h"
 #include "widgets/theme/palette.h"
 
 #include <QDir>

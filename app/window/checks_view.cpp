@@ -1,14 +1,14 @@
 #include "app/window/checks_view.h"
 
-#include "app/window/docks.h"
-#include "app/window/panels.h"
-#include "app/window/status_line.h"
+#include "app/layout/docks.h"
+#include "app/layout/panels.h"
+#include "app/layout/status_line.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/workspace.h"
 #include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/inspector/check_panel.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
 #include "widgets/words/issue_text.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QDockWidget>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/window_part.h"
+#include "app/layout/window_part.h"
 
 namespace berg {
 

@@ -1,16 +1,16 @@
 #include "app/window/context_menus.h"
 
-#include "app/window/docks.h"
+#include "app/layout/docks.h"
+#include "app/layout/panels.h"
 #include "app/window/menus.h"
-#include "app/window/panels.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_layout.h"
 #include "widgets/map/view/asset_size.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/scenario_edits.h"
-#include "widgets/model/workspace.h"
 #include "widgets/panels/plan/plan_panel.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QApplication>
 #include <QClipboard>

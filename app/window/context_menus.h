@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/window/window_part.h"
-#include "core/base/geometry.h"
+#include "app/layout/window_part.h"
+#include "core/geometry/geometry.h"
 #include "widgets/map/paint/map_overlays.h"
 
 #include <span>

@@ -1,11 +1,11 @@
 #include "app/window/history_actions.h"
 
 #include "app/dialogs/interaction.h"
-#include "app/window/panels.h"
+#include "app/layout/panels.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/workspace.h"
 #include "widgets/theme/mission_clock.h"
 #include "widgets/words/intervention_text.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QAction>
 #include <QMainWindow>

@@ -1,10 +1,9 @@
 #include "app/window/main_window.h"
 
-#include "app/window/tab_order.h"
+#include "app/layout/tab_order.h"
 #include "app/window/window_parts.h"
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/workspace.h"
 #include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/message_list.h"
@@ -12,6 +11,7 @@
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/plan/plan_panel.h"
 #include "widgets/panels/study/solve_time_panel.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/window/panels.h"
-#include "app/window/window_part.h"
+#include "app/layout/panels.h"
+#include "app/layout/window_part.h"
 
 #include <QMainWindow>
 

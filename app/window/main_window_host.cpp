@@ -1,7 +1,7 @@
 #include "app/window/main_window_host.h"
 
 #include "app/dialogs/interaction.h"
-#include "widgets/model/sigma_end.h"
+#include "widgets/flight/sigma_end.h"
 #include "widgets/theme/declination.h"
 #include "widgets/theme/language.h"
 #include "widgets/theme/unit_settings.h"

@@ -1,13 +1,13 @@
 #include "app/window/menus.h"
 
 #include "app/dialogs/interaction.h"
-#include "app/window/panels.h"
+#include "app/layout/panels.h"
 #include "app/window/window_parts.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/scenario_edits.h"
-#include "widgets/model/workspace.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QActionGroup>
 #include <QApplication>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/window/action_maker.h"
-#include "app/window/window_part.h"
-#include "core/sim/world_state.h"
+#include "app/layout/action_maker.h"
+#include "app/layout/window_part.h"
+#include "core/world/world_state.h"
 #include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/view/map_tools.h"
 

@@ -1,14 +1,14 @@
 #include "app/window/unsaved_work_guard.h"
 
-#include "app/window/benchmark_controller.h"
-#include "app/window/panels.h"
-#include "app/window/result_files.h"
-#include "app/window/run_with_progress.h"
-#include "app/window/scenario_files.h"
-#include "app/window/status_line.h"
-#include "app/window/study_controller.h"
-#include "widgets/model/work_failure.h"
-#include "widgets/model/workspace.h"
+#include "app/files/result_files.h"
+#include "app/files/scenario_files.h"
+#include "app/layout/panels.h"
+#include "app/layout/run_with_progress.h"
+#include "app/layout/status_line.h"
+#include "app/study/benchmark_controller.h"
+#include "app/study/study_controller.h"
+#include "widgets/tasks/work_failure.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QApplication>
 #include <QDir>

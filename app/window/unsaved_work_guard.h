@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/window/window_part.h"
-#include "widgets/model/autosaver.h"
+#include "app/layout/window_part.h"
+#include "widgets/document/autosaver.h"
 
 #include <QDateTime>
 

@@ -2,17 +2,17 @@
 
 #include "app/cli/console.h"
 #include "app/dialogs/screen_fit.h"
+#include "app/files/scenario_files.h"
+#include "app/files/start_page_controller.h"
+#include "app/settings/run_settings.h"
 #include "app/window/main_window_host.h"
-#include "app/window/run_settings.h"
-#include "app/window/scenario_files.h"
-#include "app/window/start_page_controller.h"
 #include "core/io/text/atomic_file.h"
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/workspace.h"
 #include "widgets/theme/accessible_roles.h"
 #include "widgets/theme/language.h"
 #include "widgets/words/error_text.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QApplication>
 #include <QBuffer>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/enclosing_circle.h"
+#include "core/geometry/enclosing_circle.h"
 #include "core/scenario/scenario.h"
 
 #include <cstdint>

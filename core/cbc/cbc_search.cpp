@@ -2,7 +2,7 @@
 
 #include "core/cbc/cbc_coin.h"
 #include "core/cbc/cbc_run.h"
-#include "core/plan/solve/milp_relaxation.h"
+#include "core/plan/problem/milp_relaxation.h"
 #include "core/plan/solve/reduced_model.h"
 
 #include <CbcEventHandler.hpp>

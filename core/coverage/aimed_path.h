@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/solve/aimed_leg.h"
+#include "core/plan/problem/aimed_leg.h"
 #include "core/vehicle/dubins.h"
 #include "core/vehicle/los_guidance.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/coverage/coverage_model.h"
-#include "core/plan/solve/tvp.h"
+#include "core/plan/problem/tvp.h"
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "core/coverage/coverage_settings.h"
 #include "core/plan/fleet/fleet_solver.h"
-#include "core/plan/solve/tuning.h"
+#include "core/plan/problem/tuning.h"
 
 #include <algorithm>
 #include <numeric>

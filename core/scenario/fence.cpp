@@ -1,7 +1,7 @@
 #include "core/scenario/fence.h"
 
 #include "core/base/angles.h"
-#include "core/base/outline.h"
+#include "core/geometry/outline.h"
 
 #include <algorithm>
 #include <cmath>

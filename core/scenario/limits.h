@@ -21,6 +21,8 @@ inline constexpr std::size_t kMostNoFlyAreas = 100;
 inline constexpr std::size_t kMostAirspaceAreas = 200;
 /** Share of the airspeed: in stronger wind a UAV makes little headway. */
 inline constexpr double kStrongWindShare = 0.7;
+/** UAVs whose altitudes differ by less than this are in one layer and must be separated. */
+inline constexpr double kLayerHeight_m = 30;
 inline constexpr std::size_t kMostTrackPoints = 10'000; ///< points of one iceberg's track
 
 inline constexpr double kLargestCoordinate_m = 1e6;

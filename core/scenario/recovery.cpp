@@ -1,7 +1,7 @@
 #include "core/scenario/recovery.h"
 
 #include "core/scenario/fence.h"
-#include "core/scenario/scenario_warnings.h"
+#include "core/scenario/limits.h"
 
 #include <algorithm>
 #include <cmath>

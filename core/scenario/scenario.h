@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/geodesy.h"
+#include "core/earth/geodesy.h"
 #include "core/plan/policy/policy.h"
 #include "core/scenario/limits.h"
 #include "core/tracking/drift.h"

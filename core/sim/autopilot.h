@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/sim/observer.h"
 #include "core/vehicle/safety_guard.h"
+#include "core/world/observer.h"
 
 #include <variant>
 

@@ -1,7 +1,7 @@
 #include "core/sim/clusters.h"
 
 #include "core/base/angles.h"
-#include "core/base/enclosing_circle.h"
+#include "core/geometry/enclosing_circle.h"
 #include "core/sim/simulation.h"
 
 #include <algorithm>

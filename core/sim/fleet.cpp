@@ -2,7 +2,6 @@
 
 #include "core/scenario/fence.h"
 #include "core/scenario/recovery.h"
-#include "core/scenario/scenario_warnings.h"
 #include "core/sim/clusters.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/enclosing_circle.h"
+#include "core/geometry/enclosing_circle.h"
 #include "core/tracking/observer.h"
 #include "core/vehicle/dubins.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/geodesy.h"
+#include "core/earth/geodesy.h"
 #include "core/link/vehicle_side.h"
 #include "core/vehicle/dubins.h"
 #include "core/vehicle/uav_spec.h"

@@ -1,7 +1,7 @@
 #include "core/sim/separation.h"
 
 #include "core/base/angles.h"
-#include "core/scenario/scenario_warnings.h"
+#include "core/scenario/limits.h"
 #include "core/sim/holding.h"
 #include "core/vehicle/los_guidance.h"
 

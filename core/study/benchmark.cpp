@@ -1,7 +1,7 @@
 #include "core/study/benchmark.h"
 
 #include "core/base/random.h"
-#include "core/plan/solve/tuning.h"
+#include "core/plan/problem/tuning.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
 #include "core/study/parallel.h"
 
 #include <optional>

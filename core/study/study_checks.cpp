@@ -1,5 +1,5 @@
+#include "core/checks/validate.h"
 #include "core/scenario/text_checks.h"
-#include "core/scenario/validate.h"
 #include "core/study/study.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sim/policy_forecast.h"
+#include "core/mission/policy_forecast.h"
 #include "core/study/parallel.h"
 
 #include <optional>

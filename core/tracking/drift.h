@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/geometry.h"
 #include "core/base/random.h"
+#include "core/geometry/geometry.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/geodesy.h"
+#include "core/earth/geodesy.h"
 #include "core/tracking/drift_path.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/forecast.h"
-#include "core/base/geodesy.h"
+#include "core/earth/forecast.h"
+#include "core/earth/geodesy.h"
 #include "core/tracking/wind_drift.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/geometry.h"
+#include "core/geometry/geometry.h"
 #include "core/tracking/drift.h"
 
 #include <cstdint>

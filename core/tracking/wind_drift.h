@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/geodesy.h"
-#include "core/base/geometry.h"
+#include "core/earth/geodesy.h"
+#include "core/geometry/geometry.h"
 #include "core/tracking/iceberg_size.h"
 
 #include <string_view>

@@ -24,8 +24,6 @@ constexpr double kSpace = 0.95;
  * a bend of 120 degrees.
  */
 constexpr double kNearer = 0.5;
-/** Distance from the edge at which a UAV flies to view a place in a hole. */
-constexpr double kBeside_m = 5;
 
 } // namespace
 
@@ -37,19 +35,12 @@ double circleOverGround_m(const Motion& motion)
 
 Geofence::Geofence(std::vector<Point> corners_m, const Motion& motion,
                    std::vector<std::vector<Point>> holes_m)
-    : m_rings_m(std::move(holes_m)), m_isBounded(!corners_m.empty()), m_motion(motion)
+    : m_area(std::move(corners_m), std::move(holes_m)), m_motion(motion)
 {
-    if (m_isBounded)
-        m_rings_m.insert(m_rings_m.begin(), std::move(corners_m));
     std::size_t corners = 0;
-    for (const std::vector<Point>& ring_m : m_rings_m) {
-        require(ring_m.size() >= 3, "Geofence: wrong number of corners");
+    for (const std::vector<Point>& ring_m : m_area.rings_m())
         corners += ring_m.size();
-    }
     require(corners >= 3 && corners <= kMostFenceCorners, "Geofence: wrong number of corners");
-    for (std::size_t k = 0; k < m_rings_m.size(); ++k)
-        if ((signedArea(m_rings_m[k]) < 0) == (m_isBounded && k == 0))
-            std::reverse(m_rings_m[k].begin(), m_rings_m[k].end());
     m_radius_m = circleOverGround_m(motion);
     placeCorners();
     connectCorners();
@@ -59,52 +50,18 @@ Geofence Geofence::inWind(const Point& wind_mps) const
 {
     Motion motion = m_motion;
     motion.wind_mps = wind_mps;
-    std::vector<std::vector<Point>> holes_m = m_rings_m;
+    std::vector<std::vector<Point>> holes_m = m_area.rings_m();
     std::vector<Point> corners_m;
-    if (m_isBounded) {
+    if (m_area.isBounded()) {
         corners_m = std::move(holes_m.front());
         holes_m.erase(holes_m.begin());
     }
     return {std::move(corners_m), motion, std::move(holes_m)};
 }
 
-bool Geofence::isInHole(const Point& place_m) const
-{
-    return std::any_of(
-        m_rings_m.begin() + (m_isBounded ? 1 : 0), m_rings_m.end(),
-        [&](const std::vector<Point>& hole_m) { return insidePolygon(hole_m, place_m); });
-}
-
-bool Geofence::contains(const Point& place_m) const
-{
-    return (!m_isBounded || insidePolygon(m_rings_m.front(), place_m)) && !isInHole(place_m);
-}
-
 Point Geofence::beside_m(const Point& place_m) const
 {
-    return isInHole(place_m) ? nearestInside_m(place_m) : place_m;
-}
-
-Point Geofence::nearestInside_m(const Point& place_m) const
-{
-    if (contains(place_m))
-        return place_m;
-    double least_m = kFar;
-    Point best_m = place_m;
-    for (const std::vector<Point>& ring_m : m_rings_m)
-        for (std::size_t i = 0, j = ring_m.size() - 1; i < ring_m.size(); j = i++) {
-            const Point edge_m = ring_m[i] - ring_m[j];
-            const double share =
-                std::clamp((place_m - ring_m[j]).dot(edge_m) / edge_m.squaredNorm(), 0.0, 1.0);
-            const Point inwards = Point(-edge_m.y(), edge_m.x()).normalized();
-            const Point beside_m = ring_m[j] + share * edge_m + kBeside_m * inwards;
-            const double away_m = (beside_m - place_m).norm();
-            if (away_m < least_m && contains(beside_m)) {
-                least_m = away_m;
-                best_m = beside_m;
-            }
-        }
-    return best_m;
+    return m_area.isInHole(place_m) ? nearestInside_m(place_m) : place_m;
 }
 
 /**
@@ -119,28 +76,6 @@ double Geofence::circle_s() const
            (airspeed_mps * airspeed_mps - wind_mps * wind_mps);
 }
 
-double Geofence::clearance_m(const Point& place_m) const
-{
-    double least_m = kFar;
-    for (const std::vector<Point>& ring_m : m_rings_m)
-        least_m = std::min(least_m, distanceToEdges(ring_m, place_m));
-    return least_m;
-}
-
-double Geofence::clearance_m(const Point& from_m, const Point& to_m) const
-{
-    double least_m = kFar;
-    for (const std::vector<Point>& ring_m : m_rings_m)
-        least_m = std::min(least_m, distanceToEdges(ring_m, from_m, to_m));
-    return least_m;
-}
-
-double Geofence::signedClearance_m(const Point& place_m) const
-{
-    const double distance_m = clearance_m(place_m);
-    return contains(place_m) ? distance_m : -distance_m;
-}
-
 double Geofence::turnClearance_m(const DubinsState& state) const
 {
     const Point over_mps =
@@ -148,8 +83,8 @@ double Geofence::turnClearance_m(const DubinsState& state) const
         m_motion.wind_mps;
     const Point ahead = over_mps.normalized();
     const Point side_m = m_radius_m * Point(-ahead.y(), ahead.x());
-    return std::max(signedClearance_m(state.position_m + side_m),
-                    signedClearance_m(state.position_m - side_m)) -
+    return std::max(m_area.signedClearance_m(state.position_m + side_m),
+                    m_area.signedClearance_m(state.position_m - side_m)) -
            m_radius_m;
 }
 
@@ -170,7 +105,8 @@ bool Geofence::isShutOff(const Point& place_m) const
  */
 bool Geofence::isOutOfReach(const Point& place_m, double reach_m) const
 {
-    return isInHole(place_m) && (beside_m(place_m) - place_m).norm() + m_radius_m / 2 > reach_m;
+    return m_area.isInHole(place_m) &&
+           (beside_m(place_m) - place_m).norm() + m_radius_m / 2 > reach_m;
 }
 
 double Geofence::circlingRate_radps(const DubinsState& state, double side) const
@@ -186,7 +122,7 @@ double Geofence::circlingRate_radps(const DubinsState& state, double side) const
 
 void Geofence::placeCorners()
 {
-    for (const std::vector<Point>& ring_m : m_rings_m)
+    for (const std::vector<Point>& ring_m : m_area.rings_m())
         for (std::size_t i = 0; i < ring_m.size(); ++i) {
             const Point& corner_m = ring_m[i];
             const Point in =
@@ -205,7 +141,7 @@ void Geofence::placeCorner(const Point& corner_m, const Point& inwards)
     double space_m = m_radius_m;
     Point place_m = corner_m + space_m * inwards;
     for (int round = 0; round < 12; ++round) {
-        if (signedClearance_m(place_m) >= kSpace * space_m)
+        if (m_area.signedClearance_m(place_m) >= kSpace * space_m)
             break;
         space_m /= 2;
         place_m = corner_m + space_m * inwards;
@@ -217,18 +153,9 @@ void Geofence::placeCorner(const Point& corner_m, const Point& inwards)
     m_corners_m.push_back(place_m);
 }
 
-bool Geofence::meetsEdge(const Point& a, const Point& b) const
-{
-    for (const std::vector<Point>& ring_m : m_rings_m)
-        for (std::size_t i = 0, j = ring_m.size() - 1; i < ring_m.size(); j = i++)
-            if (segmentsMeet(a, b, ring_m[j], ring_m[i]))
-                return true;
-    return false;
-}
-
 bool Geofence::isClear(const Point& a, const Point& b) const
 {
-    if (meetsEdge(a, b))
+    if (m_area.meetsEdge(a, b))
         return false;
     for (std::size_t k = 0; k < m_reflex_m.size(); ++k) {
         const Point& corner_m = m_reflex_m[k];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/polygon_area.h"
 #include "core/vehicle/path_home.h"
 
 #include <vector>
@@ -19,6 +20,9 @@ inline constexpr std::size_t kMostFenceCorners = 200;
  */
 inline constexpr double kCornerReserve_s = 5;
 
+/** Distance from the edge at which a UAV flies to view a place in a hole. */
+inline constexpr double kBeside_m = 5;
+
 /**
  * Returns the radius, m, of the circle over ground that can be flown for ever in this wind: (1 +
  * W/U)^2 times the UAV's own, and 5 % more.
@@ -26,9 +30,7 @@ inline constexpr double kCornerReserve_s = 5;
 [[nodiscard]] double circleOverGround_m(const Motion& motion);
 
 /**
- * Area that a UAV must not leave: inside a simple polygon, concave or not, and outside other
- * polygons, its holes, which may overlap each other and the polygon. Without the first polygon it
- * is unbounded.
+ * Area that a UAV must not leave (`PolygonArea`), and the paths inside it.
  *
  * Holding: the UAV can stay for ever on a circle over ground (`circleOverGround_m`) tangent to its
  * course, left or right. The fence can be kept while one of the two circles lies inside and
@@ -53,9 +55,9 @@ public:
     /** Returns a fence with these polygons for another wind over ground. */
     [[nodiscard]] Geofence inWind(const Point& wind_mps) const;
 
-    [[nodiscard]] bool hasHoles() const { return m_rings_m.size() > std::size_t{m_isBounded}; }
+    [[nodiscard]] bool hasHoles() const { return m_area.hasHoles(); }
     /** Returns whether the place is inside the polygon and in no hole. */
-    [[nodiscard]] bool contains(const Point& place_m) const;
+    [[nodiscard]] bool contains(const Point& place_m) const { return m_area.contains(place_m); }
     /**
      * Returns the place itself if it is in no hole, else `nearestInside_m`: the nearest permitted
      * place 5 m from an edge of the fence.
@@ -65,16 +67,25 @@ public:
      * Returns the place itself if the fence contains it, else the nearest place that is 5 m from an
      * edge and that the fence contains. Returns the place itself if there is no such place.
      */
-    [[nodiscard]] Point nearestInside_m(const Point& place_m) const;
+    [[nodiscard]] Point nearestInside_m(const Point& place_m) const
+    {
+        return m_area.nearestInside_m(place_m, kBeside_m);
+    }
     /** Returns airspeed, turn limit and wind of the fence. */
     [[nodiscard]] const Motion& motion() const { return m_motion; }
     /** Returns the distance, m, to the nearest edge, from either side. */
-    [[nodiscard]] double clearance_m(const Point& place_m) const;
+    [[nodiscard]] double clearance_m(const Point& place_m) const
+    {
+        return m_area.clearance_m(place_m);
+    }
     /**
      * Returns the least distance, m, of the straight line between two places to an edge; 0 if they
      * meet.
      */
-    [[nodiscard]] double clearance_m(const Point& from_m, const Point& to_m) const;
+    [[nodiscard]] double clearance_m(const Point& from_m, const Point& to_m) const
+    {
+        return m_area.clearance_m(from_m, to_m);
+    }
     /** Returns the radius, m, of the holding circle over ground. */
     [[nodiscard]] double radius_m() const { return m_radius_m; }
     /** Returns the time, s, to fly once round that circle in the wind of the fence. */
@@ -141,20 +152,12 @@ private:
     void placeCorners();
     [[nodiscard]] bool isClear(const Point& a, const Point& b) const;
     [[nodiscard]] double air_m(const Point& from_m, const Point& to_m) const;
-    [[nodiscard]] bool isInHole(const Point& place_m) const;
-    [[nodiscard]] double signedClearance_m(const Point& place_m) const;
     [[nodiscard]] std::vector<Sight> sights(const Point& place_m) const;
     void connectCorners();
 
-    [[nodiscard]] bool meetsEdge(const Point& a, const Point& b) const;
     void placeCorner(const Point& corner_m, const Point& inwards);
 
-    /**
-     * Inside is to the left of each edge: the polygon is counter-clockwise, the holes are
-     * clockwise.
-     */
-    std::vector<std::vector<Point>> m_rings_m;
-    bool m_isBounded; ///< the first of the rings is the polygon
+    PolygonArea m_area;
     Motion m_motion;
     double m_radius_m = 0;
     std::vector<Point> m_reflex_m;  ///< corners that point inwards

@@ -1,11 +1,11 @@
 #include "app/window/window_run.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
-#include "core/scenario/presets.h"
-#include "tests/support/file_texts.h"
-#include "tests/support/panel_test.h"
-#include "widgets/model/workspace.h"
+#include "core/presets/presets.h"
+#include "tests/support/files/file_texts.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/theme/language.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QAction>
 #include <QApplication>

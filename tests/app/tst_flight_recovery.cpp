@@ -1,6 +1,6 @@
 #include "core/io/files/run_json.h"
-#include "core/scenario/presets.h"
-#include "tests/support/window_fixture.h"
+#include "core/presets/presets.h"
+#include "tests/support/window/window_fixture.h"
 
 #include <QDir>
 

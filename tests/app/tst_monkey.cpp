@@ -1,7 +1,7 @@
-#include "core/scenario/presets.h"
-#include "tests/support/monkey.h"
-#include "tests/support/panel_test.h"
-#include "tests/support/patience.h"
+#include "core/presets/presets.h"
+#include "tests/support/window/monkey.h"
+#include "tests/support/window/panel_test.h"
+#include "tests/support/window/patience.h"
 
 using namespace berg;
 using namespace Qt::StringLiterals;

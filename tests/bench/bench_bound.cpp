@@ -1,8 +1,8 @@
 // Distance of the lower bound from the zeta that the policy coverage flies, and the bound's cost.
 // bench_bound [ICEBERGS [SPEED [SCENARIOS [WIND [WORK]]]]]
 #include "core/bound/zeta_bound.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -5,7 +5,7 @@
 //
 // Use: bench_charts [width height]      (700 260 when not given)
 
-#include "tests/support/synthetic_flight.h"
+#include "tests/support/window/synthetic_flight.h"
 #include "widgets/charts/time_chart.h"
 #include "widgets/panels/flight/chart_panel.h"
 

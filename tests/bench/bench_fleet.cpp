@@ -1,5 +1,5 @@
-// Times `solveFleet` on random fields of icebergs (tests/support/fleet_problems.h), tau 0.5, 1 and
-// 3 in turn:
+// Times `solveFleet` on random fields of icebergs (tests/support/plan/fleet_problems.h), tau 0.5, 1
+// and 3 in turn:
 //   bench_fleet [instances per size, default 6] [row ...]
 // Rows: 2x12, 2x20, 3x30, 5x50, for which the back end `exact` gets 1.5, 3 and 10 s of the clock.
 // Times are CPU: until the first plan, until the plan is within 1 % of the best one found, until
@@ -7,7 +7,7 @@
 // gap left. Every row runs in a process of its own to measure its peak memory.
 
 #include "core/plan/fleet/fleet_solver.h"
-#include "tests/support/fleet_problems.h"
+#include "tests/support/plan/fleet_problems.h"
 
 #include <algorithm>
 #include <array>

@@ -9,11 +9,11 @@
 // Use: bench_latency [icebergs...]      (12 20 40 when none are named)
 
 #include "app/window/main_window.h"
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "core/study/statistics.h"
 #include "tests/bench/bench_window.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/workspace.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -10,10 +10,10 @@
 // Use: bench_live [icebergs... | day]      (12 40 500 when none are named)
 
 #include "app/window/main_window.h"
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/bench/bench_window.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/workspace.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QSettings>
 #include <QTemporaryDir>

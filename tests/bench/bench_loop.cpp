@@ -3,7 +3,7 @@
 //
 // Use: bench_loop [fleets] [first seed]
 
-#include "tests/support/fleet_watch.h"
+#include "tests/support/flight/fleet_watch.h"
 
 #include <cstdio>
 #include <cstdlib>

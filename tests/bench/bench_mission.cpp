@@ -7,9 +7,9 @@
 //
 // Use: bench_mission [missions] [icebergs of the cbc rows]
 
+#include "core/mission/mission.h"
 #include "core/plan/solve/names.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
+#include "core/presets/presets.h"
 #include "core/study/statistics.h"
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Times the back ends on the paper's Table 1 instances (tests/support/brute_force.h), tau 0.5, 1
-// and 3 in turn:
+// Times the back ends on the paper's Table 1 instances (tests/support/plan/brute_force.h), tau 0.5,
+// 1 and 3 in turn:
 //   bench_solvers [instances per size, default 20] [row ...]
 // Rows: exact (takes some minutes), subsets, heuristic, large, cbc
 // (position-indexed MILP), latency (the policy's problem with real sigmas, exact),
@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/plan/solve/solver.h"
 #include "core/plan/solve/subset_solver.h"
-#include "tests/support/hard_problems.h"
+#include "tests/support/plan/hard_problems.h"
 
 #include <algorithm>
 #include <array>

@@ -7,8 +7,8 @@
 #include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/policy/tau_curve.h"
 #include "core/plan/solve/subset_solver.h"
-#include "tests/support/fleet_problems.h"
-#include "tests/support/hard_problems.h"
+#include "tests/support/plan/fleet_problems.h"
+#include "tests/support/plan/hard_problems.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 //   bench_tau_curve [instances per size, default 10] [size ...]
 
 #include "core/plan/policy/tau_curve.h"
-#include "tests/support/brute_force.h"
+#include "tests/support/plan/brute_force.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
 #include "core/plan/policy/policy.h"
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "core/sim/clusters.h"
 #include "tests/bench/world_parts.h"
 

@@ -1,8 +1,7 @@
 // Several UAVs.
 
 #include "core/plan/policy/policy.h"
-#include "core/scenario/presets.h"
-#include "core/scenario/scenario_warnings.h"
+#include "core/presets/presets.h"
 #include "tests/bench/world_parts.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "core/base/random.h"
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/bench/world_parts.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/scenario/scenario_warnings.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
+#include "core/scenario/limits.h"
 #include "core/study/statistics.h"
 
 #include <algorithm>

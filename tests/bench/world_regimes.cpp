@@ -1,4 +1,4 @@
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/bench/world_parts.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // Separation of UAVs in one altitude layer.
 
-#include "core/scenario/validate.h"
+#include "core/checks/validate.h"
 #include "tests/bench/world_parts.h"
-#include "tests/support/fleet_case.h"
-#include "tests/support/pad_fleet.h"
+#include "tests/support/flight/fleet_case.h"
+#include "tests/support/flight/pad_fleet.h"
 
 #include <map>
 

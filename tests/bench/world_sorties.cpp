@@ -1,7 +1,7 @@
 // Endurance and geofence.
 
 #include "tests/bench/world_parts.h"
-#include "tests/support/fenced_scenario.h"
+#include "tests/support/flight/fenced_scenario.h"
 
 #include <limits>
 

@@ -2,7 +2,7 @@
 
 #include "core/base/random.h"
 #include "core/bound/zeta_bound.h"
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/bench/world_parts.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // Tests whether tau has the same meaning for any number of UAVs.
 
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/bench/world_parts.h"
 
 #include <array>

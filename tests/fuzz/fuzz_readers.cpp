@@ -1,25 +1,25 @@
 // Feeds mutated files to every reader of foreign files in one process; see usage().
 
-#include "core/base/coordinates.h"
+#include "core/checks/validate.h"
+#include "core/earth/coordinates.h"
 #include "core/io/files/iceberg_json.h"
 #include "core/io/files/problem_json.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/files/tsplib.h"
-#include "core/io/import/import_airspace.h"
+#include "core/io/import/airspace/import_airspace.h"
 #include "core/io/import/import_forecast.h"
 #include "core/io/import/import_formats.h"
-#include "core/io/import/import_scenario.h"
-#include "core/io/import/map_shapes.h"
+#include "core/io/import/maps/map_shapes.h"
+#include "core/io/import/scenario/import_scenario.h"
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
 #include "core/plan/solve/latency_problem.h"
-#include "core/scenario/presets.h"
-#include "core/scenario/validate.h"
+#include "core/presets/presets.h"
 #include "tests/fuzz/fuzz_mutator.h"
-#include "tests/support/export_text.h"
-#include "tests/support/file_texts.h"
+#include "tests/support/files/export_text.h"
+#include "tests/support/files/file_texts.h"
 
 #include <chrono>
 #include <cstdio>

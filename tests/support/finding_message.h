@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scenario/validate.h"
+#include "core/checks/validate.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "widgets/charts/figure_view.h"
-#include "widgets/model/run_list.h"
+#include "widgets/study/run_list.h"
 
 namespace berg {
 

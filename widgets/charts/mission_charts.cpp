@@ -1,7 +1,7 @@
 #include "widgets/charts/mission_charts.h"
 
 #include "widgets/charts/uav_charts.h"
-#include "widgets/model/sigma_end.h"
+#include "widgets/flight/sigma_end.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "widgets/charts/time_chart.h"
-#include "widgets/model/flight_record.h"
+#include "widgets/flight/flight_record.h"
 
 #include <QLocale>
 

@@ -2,7 +2,7 @@
 
 #include "widgets/charts/mission_charts.h"
 #include "widgets/charts/time_series.h"
-#include "widgets/model/cell_model.h"
+#include "widgets/tables/cell_model.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "widgets/charts/pareto_chart.h"
 
 #include "widgets/charts/figure_text.h"
-#include "widgets/model/curve_choice.h"
+#include "widgets/forecast/curve_choice.h"
 
 #include <QKeyEvent>
 

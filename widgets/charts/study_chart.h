@@ -2,7 +2,7 @@
 
 #include "widgets/charts/figure_view.h"
 #include "widgets/charts/study_content.h"
-#include "widgets/model/study_runner.h"
+#include "widgets/study/study_runner.h"
 
 namespace berg {
 

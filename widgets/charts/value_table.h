@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/cell_model.h"
+#include "widgets/tables/cell_model.h"
 
 #include <QDialog>
 

@@ -1,6 +1,6 @@
 #include "widgets/print/brief_content.h"
 
-#include "core/base/sun.h"
+#include "core/earth/sun.h"
 #include "widgets/print/brief_warnings.h"
 #include "widgets/print/page_text.h"
 #include "widgets/print/printable_text.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/io/export/export_content.h"
-#include "core/sim/sortie_outlook.h"
+#include "core/io/export/content/export_content.h"
+#include "core/mission/sortie_outlook.h"
 
 #include <QLocale>
 #include <QStringList>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/export_preview.h"
+#include "widgets/flight/export_preview.h"
 #include "widgets/theme/picture_page.h"
 
 #include <QLocale>

@@ -3,9 +3,9 @@
 #include "core/base/angles.h"
 #include "core/scenario/priority.h"
 #include "core/tracking/position_error.h"
+#include "widgets/flight/sigma_end.h"
 #include "widgets/map/picture/plan_stops.h"
 #include "widgets/map/picture/scenario_picture.h"
-#include "widgets/model/sigma_end.h"
 #include "widgets/print/printable_text.h"
 
 #include <QCoreApplication>
@@ -58,16 +58,16 @@ MapRoute plannedRoute(const ExportUav& uav, const ShownPlaces& places)
     MapRoute route;
     double from_s = uav.start_s;
     for (const Visit& visit : uav.visits) {
-        const std::optional<int> place =
-            visit.iceberg ? places[static_cast<std::size_t>(*visit.iceberg)] : std::nullopt;
-        if (!place && visit.iceberg)
-            continue;
+        if (visit.iceberg) {
+            const std::optional<int>& place = places[static_cast<std::size_t>(*visit.iceberg)];
+            if (!place)
+                continue;
+            route.plan.push_back(*place);
+        } else {
+            route.thisSortie = static_cast<int>(route.plan.size()); // followed by the flight home
+        }
         route.planCorners.push_back(cornersOf(uav, from_s, visit));
         from_s = visit.time_s;
-        if (place)
-            route.plan.push_back(*place);
-        else
-            route.thisSortie = static_cast<int>(route.plan.size()); // followed by the flight home
     }
     return route;
 }

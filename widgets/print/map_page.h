@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/export/export_content.h"
+#include "core/io/export/content/export_content.h"
 #include "widgets/theme/picture_page.h"
 
 #include <QLocale>

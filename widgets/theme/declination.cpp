@@ -1,6 +1,6 @@
 #include "widgets/theme/declination.h"
 
-#include "core/base/magnetic_field.h"
+#include "core/earth/magnetic_field.h"
 #include "widgets/theme/unit_settings.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/geodesy.h"
-#include "core/base/sun.h"
+#include "core/earth/geodesy.h"
+#include "core/earth/sun.h"
 
 #include <QSettings>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/geodesy.h"
+#include "core/earth/geodesy.h"
 #include "widgets/theme/unit_settings.h"
 
 #include <QLocale>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/coordinates.h"
+#include "core/earth/coordinates.h"
 
 #include <QSettings>
 

@@ -1,6 +1,6 @@
 #include "widgets/words/event_text.h"
 
-#include "core/io/results/event_words.h"
+#include "core/io/words/event_words.h"
 #include "core/plan/solve/names.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"

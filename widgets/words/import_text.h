@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/import/import_scenario.h"
+#include "core/io/import/scenario/import_scenario.h"
 
 #include <QLocale>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/sim/plan_forecast.h"
-#include "core/sim/recorder.h"
+#include "core/mission/plan_forecast.h"
+#include "core/mission/recorder.h"
 
 #include <QLocale>
 #include <QString>

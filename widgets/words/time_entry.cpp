@@ -1,6 +1,6 @@
 #include "widgets/words/time_entry.h"
 
-#include "core/io/import/import_time.h"
+#include "core/io/import/fields/import_time.h"
 #include "widgets/theme/typed_quantity.h"
 
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 #include "core/base/translate_noop.h"
 #include "core/io/export/export_files.h"
 #include "core/io/export/mission_checks.h"
-#include "core/io/export/mission_ends.h"
+#include "core/io/export/missions/mission_ends.h"
 #include "core/scenario/fence.h"
 
 #include <algorithm>

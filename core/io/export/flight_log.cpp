@@ -1,7 +1,7 @@
 #include "core/io/export/flight_log.h"
 
-#include "core/io/export/export_flight.h"
-#include "core/io/export/plan_wpl.h"
+#include "core/io/export/content/export_flight.h"
+#include "core/io/export/missions/plan_wpl.h"
 #include "core/io/text/sha256.h"
 
 #include <algorithm>

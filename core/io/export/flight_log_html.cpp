@@ -3,8 +3,8 @@
 #include "core/io/export/flight_log.h"
 #include "core/io/figure/figure_svg.h"
 #include "core/io/figure/report_style.h"
-#include "core/io/results/event_words.h"
 #include "core/io/text/html_text.h"
+#include "core/io/words/event_words.h"
 #include "core/tracking/position_error.h"
 
 #include <algorithm>

@@ -1,15 +1,15 @@
 #include "core/io/export/formats.h"
 
 #include "core/base/find_by_id.h"
-#include "core/io/export/czml.h"
 #include "core/io/export/export_files.h"
 #include "core/io/export/flight_log.h"
-#include "core/io/export/geojson.h"
-#include "core/io/export/gpx.h"
-#include "core/io/export/kml.h"
-#include "core/io/export/plan_csv.h"
-#include "core/io/export/plan_qgc.h"
-#include "core/io/export/plan_wpl.h"
+#include "core/io/export/maps/czml.h"
+#include "core/io/export/maps/geojson.h"
+#include "core/io/export/maps/gpx.h"
+#include "core/io/export/maps/kml.h"
+#include "core/io/export/missions/plan_csv.h"
+#include "core/io/export/missions/plan_qgc.h"
+#include "core/io/export/missions/plan_wpl.h"
 #include "core/io/results/result_csv.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "core/io/export/mission_checks.h"
 
-#include "core/io/export/mission_ends.h"
+#include "core/io/export/missions/mission_ends.h"
 #include "core/land/land_data.h"
-#include "core/scenario/airspace.h"
+#include "core/permit/airspace.h"
 #include "core/scenario/fence.h"
 #include "core/vehicle/dubins.h"
 
@@ -216,9 +216,10 @@ private:
         if (!m_uav.isAloft)
             time_s += spec.climb_s;
         if (aircraft().airframe == Airframe::FixedWing && m_content.what != ExportScope::Path)
-            time_s += circle_s * m_content.options.loiterTurns *
-                      static_cast<double>(std::ranges::count_if(
-                          m_uav.visits, [](const Visit& visit) { return visit.iceberg.has_value(); }));
+            time_s +=
+                circle_s * m_content.options.loiterTurns *
+                static_cast<double>(std::ranges::count_if(
+                    m_uav.visits, [](const Visit& visit) { return visit.iceberg.has_value(); }));
         const std::optional<LandingPattern> pattern = landingPattern(m_content, m_uav);
         if (!pattern)
             return time_s + legTime_s(end.position_m, m_uav.home_m);
@@ -249,7 +250,8 @@ private:
 
 bool visitsAnything(const ExportUav& uav)
 {
-    return std::ranges::any_of(uav.visits, [](const Visit& visit) { return visit.iceberg.has_value(); });
+    return std::ranges::any_of(uav.visits,
+                               [](const Visit& visit) { return visit.iceberg.has_value(); });
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/io/text/json_writer.h"
-#include "core/plan/solve/layered_graph.h"
+#include "core/plan/proof/layered_graph.h"
 #include "core/plan/solve/names.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/io/files/iceberg_json.h"
 
+#include "core/checks/validate.h"
 #include "core/io/files/scenario_parts.h"
-#include "core/scenario/validate.h"
 
 namespace berg {
 

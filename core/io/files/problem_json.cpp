@@ -1,10 +1,10 @@
 #include "core/io/files/problem_json.h"
 
+#include "core/checks/scenario_warnings.h"
 #include "core/io/files/scenario_parts.h"
 #include "core/io/files/tsplib.h"
 #include "core/io/text/atomic_file.h"
-#include "core/plan/solve/tuning.h"
-#include "core/scenario/scenario_warnings.h"
+#include "core/plan/problem/tuning.h"
 
 namespace berg {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/issue.h"
-#include "core/plan/solve/tvp.h"
+#include "core/plan/problem/tvp.h"
 
 #include <optional>
 #include <stop_token>

@@ -1,13 +1,13 @@
 #include "core/io/files/run_json.h"
 
 #include "core/base/version.h"
+#include "core/checks/scenario_warnings.h"
+#include "core/checks/validate.h"
 #include "core/io/files/run_keyframe.h"
 #include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/file_set.h"
-#include "core/scenario/scenario_warnings.h"
 #include "core/scenario/text_checks.h"
-#include "core/scenario/validate.h"
 
 #include <algorithm>
 #include <cmath>

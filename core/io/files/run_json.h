@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/text/text_sink.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
 
 #include <functional>
 #include <optional>

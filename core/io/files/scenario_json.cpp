@@ -1,9 +1,9 @@
 #include "core/io/files/scenario_json.h"
 
+#include "core/checks/validate.h"
 #include "core/io/files/members.h"
 #include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
-#include "core/scenario/validate.h"
 
 #include <set>
 

@@ -2,7 +2,7 @@
 
 // Private to core/io: edge weights of TSPLIB files (G. Reinelt, TSPLIB 95).
 
-#include "core/base/geometry.h"
+#include "core/geometry/geometry.h"
 #include "core/plan/solve/names.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/io/import/import_forecast.h"
 
-#include "core/io/import/json_members.h"
+#include "core/io/import/fields/json_members.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/utc_time.h"
 #include "core/tracking/wind_drift.h"

@@ -2,13 +2,15 @@
 
 #include "core/base/error.h"
 #include "core/base/find_by_id.h"
-#include "core/io/import/import_clock.h"
-#include "core/io/import/import_fields.h"
+#include "core/io/import/fields/import_clock.h"
+#include "core/io/import/fields/import_fields.h"
+#include "core/io/import/fields/import_xml.h"
 #include "core/io/import/import_identity.h"
-#include "core/io/import/import_readers.h"
-#include "core/io/import/import_xml.h"
+#include "core/io/import/maps/map_readers.h"
+#include "core/io/import/missions/mission_readers.h"
 #include "core/io/import/shared_ids.h"
-#include "core/io/import/table_text.h"
+#include "core/io/import/tables/table_readers.h"
+#include "core/io/import/tables/table_text.h"
 #include "core/io/text/json_reader.h"
 #include "core/io/text/text_encoding.h"
 #include "core/io/text/zip_file.h"
@@ -46,18 +48,6 @@ constexpr std::array kFormats{
 std::string formatIds()
 {
     return joined(kFormats, ", ", &ImportFormat::id);
-}
-
-/** Throws if the bytes are not text, with a reason that helps the user. */
-void requireText(std::string_view bytes, const std::string& subject)
-{
-    const auto fail = [&](IssueId reason) {
-        throw Error(ErrorCode::WrongFormat, subject, {reason});
-    };
-    if (trimmed(bytes).empty())
-        fail(IssueId::FileEmpty);
-    if (bytes.find('\0') != std::string_view::npos)
-        fail(IssueId::NotText);
 }
 
 const ImportFormat& chosenFormat(std::string_view text, const ReadOptions& options,
@@ -158,19 +148,6 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
 }
 
 } // namespace
-
-std::string textOfBytes(std::string_view bytes, const std::string& subject)
-{
-    if (isUtf16(bytes)) {
-        std::optional<std::string> text = utf8FromUtf16(bytes);
-        if (!text)
-            throw Error(ErrorCode::WrongFormat, subject, {IssueId::Utf16});
-        requireText(*text, subject);
-        return std::move(*text);
-    }
-    requireText(bytes, subject);
-    return isUtf8(bytes) ? std::string() : utf8FromWindows(bytes);
-}
 
 std::span<const ImportFormat> importFormats()
 {

@@ -3,8 +3,9 @@
 #include "core/base/angles.h"
 #include "core/base/error.h"
 #include "core/base/number_text.h"
-#include "core/io/import/import_fields.h"
-#include "core/io/import/import_selection.h"
+#include "core/io/import/fields/import_fields.h"
+#include "core/io/import/import_formats.h"
+#include "core/io/import/scenario/import_selection.h"
 #include "core/scenario/text_checks.h"
 
 #include <algorithm>

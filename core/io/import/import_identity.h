@@ -2,7 +2,7 @@
 
 // Decides which rows of a file are one iceberg.
 
-#include "core/io/import/import_formats.h"
+#include "core/io/import/fields/import_source.h"
 
 namespace berg {
 

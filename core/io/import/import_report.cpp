@@ -1,5 +1,5 @@
-#include "core/io/import/import_airspace.h"
-#include "core/io/import/import_scenario.h"
+#include "core/io/import/airspace/import_airspace.h"
+#include "core/io/import/scenario/import_scenario.h"
 #include "core/io/text/json_writer.h"
 
 #include <algorithm>

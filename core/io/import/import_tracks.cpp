@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/io/import/import_formats.h"
-#include "core/io/import/import_selection.h"
+#include "core/io/import/scenario/import_selection.h"
 #include "core/io/text/atomic_file.h"
 #include "core/tracking/sighting_track.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/import/import_table.h"
+#include "core/io/import/fields/import_table.h"
 #include "core/tracking/drift_errors.h"
 
 #include <string>

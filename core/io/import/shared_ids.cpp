@@ -1,7 +1,7 @@
 #include "core/io/import/shared_ids.h"
 
-#include "core/io/import/import_fields.h"
-#include "core/io/import/import_scenario.h"
+#include "core/io/import/fields/import_fields.h"
+#include "core/io/import/scenario/import_scenario.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 // Private to core/io: objects of a file that share an id although they are different icebergs.
 
-#include "core/io/import/import_table.h"
+#include "core/io/import/fields/import_table.h"
 #include "core/io/text/read_budget.h"
 
 namespace berg {

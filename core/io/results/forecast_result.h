@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/forecast.h"
+#include "core/earth/forecast.h"
 
 #include <array>
 #include <string>

@@ -1,11 +1,11 @@
 #include "core/io/results/plan_result.h"
 
 #include "core/io/results/result_parts.h"
+#include "core/mission/plan_requests.h"
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/solve/names.h"
 #include "core/scenario/recovery.h"
 #include "core/sim/clusters.h"
-#include "core/sim/plan_requests.h"
 #include "core/sim/simulation.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/geodesy.h"
+#include "core/earth/geodesy.h"
 #include "core/io/text/text_sink.h"
+#include "core/mission/visits.h"
 #include "core/sim/intervention.h"
-#include "core/sim/visits.h"
 
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
 #include "core/study/benchmark.h"
 #include "core/study/study_summary.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/text/report_words.h"
+#include "core/io/words/report_words.h"
 #include "core/study/study_summary.h"
 
 #include <optional>

@@ -3,7 +3,7 @@
 // Private to core/io: the one header that includes the JSON library.
 
 #include "core/base/error.h"
-#include "core/base/geometry.h"
+#include "core/geometry/geometry.h"
 #include "core/io/text/read_budget.h"
 #include "core/plan/solve/names.h"
 #include "core/scenario/text_checks.h"

@@ -3,7 +3,7 @@
 // Private to core/io: all JSON output. Objects with members known in advance are built from texts,
 // others as trees of the library; numbers and texts are written by the same functions.
 
-#include "core/base/geometry.h"
+#include "core/geometry/geometry.h"
 #include "core/io/text/text_sink.h"
 
 #include <nlohmann/json_fwd.hpp>

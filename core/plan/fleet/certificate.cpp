@@ -3,8 +3,8 @@
 #include "core/plan/fleet/fleet_bound.h"
 #include "core/plan/fleet/fleet_graph.h"
 #include "core/plan/fleet/fleet_subsets.h"
-#include "core/plan/solve/layered_bound.h"
-#include "core/plan/solve/layered_graph.h"
+#include "core/plan/proof/layered_bound.h"
+#include "core/plan/proof/layered_graph.h"
 #include "core/plan/solve/order_moves.h"
 #include "core/plan/solve/subset_solver.h"
 

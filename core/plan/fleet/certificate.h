@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/plan/fleet/fleet_problem.h"
-#include "core/plan/solve/proof_step.h"
+#include "core/plan/proof/proof_step.h"
 
 #include <stop_token>
 #include <vector>

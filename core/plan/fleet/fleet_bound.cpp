@@ -1,9 +1,9 @@
 #include "core/plan/fleet/fleet_bound.h"
 
 #include "core/plan/fleet/fleet_graph.h"
-#include "core/plan/solve/multiplier_ascent.h"
-#include "core/plan/solve/ng_memory.h"
-#include "core/plan/solve/piece_list.h"
+#include "core/plan/proof/multiplier_ascent.h"
+#include "core/plan/proof/ng_memory.h"
+#include "core/plan/proof/piece_list.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "core/plan/fleet/fleet_costs.h"
 #include "core/plan/fleet/fleet_cover.h"
-#include "core/plan/solve/proof_step.h"
+#include "core/plan/proof/proof_step.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/plan/fleet/fleet_problem.h"
-#include "core/plan/solve/order_costs.h"
+#include "core/plan/problem/order_costs.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "core/plan/fleet/fleet_graph.h"
 
-#include "core/plan/solve/label_table.h"
+#include "core/plan/proof/label_table.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/plan/fleet/fleet_costs.h"
-#include "core/plan/solve/large_vector.h"
-#include "core/plan/solve/layered_graph.h"
+#include "core/plan/proof/large_vector.h"
+#include "core/plan/proof/layered_graph.h"
 
 #include <optional>
 #include <span>

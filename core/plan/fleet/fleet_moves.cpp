@@ -1,6 +1,6 @@
 #include "core/plan/fleet/fleet_moves.h"
 
-#include "core/plan/solve/certified.h"
+#include "core/plan/proof/certified.h"
 
 #include <algorithm>
 #include <utility>

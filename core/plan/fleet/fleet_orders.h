@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/plan/fleet/fleet_graph.h"
-#include "core/plan/solve/number_table.h"
+#include "core/plan/proof/number_table.h"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/plan/solve/tuning.h"
-#include "core/plan/solve/tvp.h"
+#include "core/plan/problem/tuning.h"
+#include "core/plan/problem/tvp.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 
 #include "core/plan/fleet/fleet_costs.h"
 #include "core/plan/fleet/fleet_search.h"
-#include "core/plan/solve/assignment.h"
+#include "core/plan/problem/assignment.h"
 
 #include <algorithm>
 #include <functional>

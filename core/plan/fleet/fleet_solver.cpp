@@ -6,7 +6,7 @@
 #include "core/plan/fleet/fleet_ranks.h"
 #include "core/plan/fleet/fleet_search.h"
 #include "core/plan/fleet/fleet_subsets.h"
-#include "core/plan/solve/certified.h"
+#include "core/plan/proof/certified.h"
 #include "core/plan/solve/engine.h"
 #include "core/plan/solve/names.h"
 #include "core/plan/solve/solve_watch.h"

@@ -2,11 +2,11 @@
 
 #include "core/base/solving_guard.h"
 #include "core/plan/fleet/fleet_solver.h"
-#include "core/plan/solve/certified.h"
-#include "core/plan/solve/layered_bound.h"
+#include "core/plan/problem/tuning.h"
+#include "core/plan/proof/certified.h"
+#include "core/plan/proof/layered_bound.h"
 #include "core/plan/solve/order_search.h"
 #include "core/plan/solve/subset_solver.h"
-#include "core/plan/solve/tuning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/plan/policy/tour.h"
 
 #include "core/plan/policy/fleet_task.h"
-#include "core/plan/solve/assignment.h"
+#include "core/plan/problem/assignment.h"
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 #include "core/plan/solve/engine.h"
 
-#include "core/plan/solve/certified.h"
-#include "core/plan/solve/layered_bound.h"
-#include "core/plan/solve/multiplier_ascent.h"
+#include "core/plan/proof/certified.h"
+#include "core/plan/proof/layered_bound.h"
+#include "core/plan/proof/multiplier_ascent.h"
 #include "core/plan/solve/names.h"
 #include "core/plan/solve/order_search.h"
 #include "core/plan/solve/solve_watch.h"

@@ -1,6 +1,6 @@
 #include "core/plan/solve/order_moves.h"
 
-#include "core/plan/solve/certified.h"
+#include "core/plan/proof/certified.h"
 #include "core/plan/solve/search_effort.h"
 
 #include <algorithm>

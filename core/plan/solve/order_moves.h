@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/solve/order_costs.h"
+#include "core/plan/problem/order_costs.h"
 
 #include <array>
 #include <span>

@@ -1,7 +1,7 @@
 #include "core/plan/solve/reduced_model.h"
 
+#include "core/plan/proof/layered_bound.h"
 #include "core/plan/solve/engine.h"
-#include "core/plan/solve/layered_bound.h"
 #include "core/plan/solve/order_moves.h"
 #include "core/plan/solve/solve_watch.h"
 

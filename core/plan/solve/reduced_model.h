@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/solve/formulation.h"
+#include "core/plan/problem/formulation.h"
 #include "core/plan/solve/solver.h"
 
 namespace berg {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plan/solve/certified.h"
+#include "core/plan/proof/certified.h"
 #include "core/plan/solve/solver.h"
 
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/issue.h"
-#include "core/plan/solve/aimed_leg.h"
-#include "core/plan/solve/tvp.h"
+#include "core/plan/problem/aimed_leg.h"
+#include "core/plan/problem/tvp.h"
 
 #include <cstdint>
 #include <functional>

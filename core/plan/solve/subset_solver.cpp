@@ -1,7 +1,7 @@
 #include "core/plan/solve/subset_solver.h"
 
+#include "core/plan/proof/piece_list.h"
 #include "core/plan/solve/names.h"
-#include "core/plan/solve/piece_list.h"
 #include "core/plan/solve/solve_watch.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #include "core/base/random.h"
 #include "core/bound/frequency_bound.h"
 #include "core/bound/zeta_bound.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
-#include "tests/support/ideal_flight.h"
-#include "tests/support/scenario_builder.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
+#include "tests/support/flight/ideal_flight.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QtTest>
 

@@ -1,9 +1,9 @@
 #include "core/base/random.h"
 #include "core/bound/sigma_floor.h"
 #include "core/bound/zeta_bound.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
-#include "tests/support/fleet_flight.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
+#include "tests/support/flight/fleet_flight.h"
 
 #include <QtTest>
 

@@ -1,9 +1,9 @@
 #include "core/base/random.h"
 #include "core/bound/visit_zones.h"
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "core/tracking/drift.h"
 #include "core/vehicle/dubins.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QtTest>
 

@@ -1,9 +1,9 @@
 #include "core/coverage/aimed_path.h"
 #include "core/coverage/plan_conversion.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
-#include "core/sim/plan_requests.h"
-#include "tests/support/scenario_builder.h"
+#include "core/mission/mission.h"
+#include "core/mission/plan_requests.h"
+#include "core/presets/presets.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 

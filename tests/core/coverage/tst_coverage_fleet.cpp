@@ -1,10 +1,10 @@
 #include "core/coverage/aimed_path.h"
 #include "core/coverage/coverage_model.h"
 #include "core/coverage/coverage_policy.h"
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "core/tracking/view_window.h"
-#include "tests/support/fleet_flight.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/fleet_flight.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 

@@ -1,10 +1,10 @@
 #include "core/coverage/coverage_policy.h"
-#include "core/scenario/presets.h"
-#include "core/scenario/scenario_warnings.h"
-#include "core/sim/mission.h"
-#include "core/sim/plan_requests.h"
-#include "tests/support/fleet_flight.h"
-#include "tests/support/scenario_builder.h"
+#include "core/mission/mission.h"
+#include "core/mission/plan_requests.h"
+#include "core/presets/presets.h"
+#include "core/scenario/limits.h"
+#include "tests/support/flight/fleet_flight.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 

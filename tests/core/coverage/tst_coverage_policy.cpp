@@ -1,12 +1,12 @@
 #include "core/coverage/coverage_model.h"
 #include "core/coverage/coverage_policy.h"
+#include "core/mission/mission.h"
+#include "core/mission/plan_requests.h"
 #include "core/plan/policy/planner.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
-#include "core/sim/plan_requests.h"
-#include "tests/support/fleet_flight.h"
-#include "tests/support/scenario_builder.h"
-#include "tests/support/test_solvers.h"
+#include "core/presets/presets.h"
+#include "tests/support/flight/fleet_flight.h"
+#include "tests/support/flight/scenario_builder.h"
+#include "tests/support/plan/test_solvers.h"
 
 #include <QTest>
 

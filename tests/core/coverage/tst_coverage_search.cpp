@@ -1,8 +1,8 @@
 #include "core/coverage/coverage_search.h"
-#include "core/scenario/presets.h"
-#include "core/sim/plan_requests.h"
+#include "core/mission/plan_requests.h"
+#include "core/presets/presets.h"
 #include "core/sim/simulation.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 

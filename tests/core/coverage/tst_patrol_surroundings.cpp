@@ -1,9 +1,9 @@
 #include "core/base/angles.h"
 #include "core/bound/zeta_bound.h"
-#include "core/scenario/presets.h"
-#include "core/scenario/scenario_warnings.h"
-#include "core/scenario/validate.h"
-#include "core/sim/mission.h"
+#include "core/checks/validate.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
+#include "core/scenario/limits.h"
 
 #include <QTest>
 

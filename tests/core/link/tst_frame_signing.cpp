@@ -1,5 +1,5 @@
 #include "core/link/frame_signing.h"
-#include "tests/support/known_frames.h"
+#include "tests/support/flight/known_frames.h"
 
 #include <QtTest>
 

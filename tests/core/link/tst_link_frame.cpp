@@ -1,6 +1,6 @@
 #include "core/base/random.h"
 #include "core/link/link_frame.h"
-#include "tests/support/known_frames.h"
+#include "tests/support/flight/known_frames.h"
 
 #include <QtTest>
 

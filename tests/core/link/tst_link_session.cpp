@@ -1,6 +1,6 @@
 #include "core/link/telemetry_log.h"
 #include "tests/support/approx.h"
-#include "tests/support/link_scene.h"
+#include "tests/support/flight/link_scene.h"
 
 #include <array>
 #include <numbers>

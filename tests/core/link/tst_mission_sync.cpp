@@ -1,4 +1,4 @@
-#include "tests/support/link_scene.h"
+#include "tests/support/flight/link_scene.h"
 
 #include <QtTest>
 

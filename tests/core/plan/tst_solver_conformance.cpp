@@ -1,6 +1,6 @@
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/solver_contestants.h"
+#include "tests/support/plan/solver_contestants.h"
 
 #include <algorithm>
 #include <thread>

@@ -1,4 +1,4 @@
-#include "tests/support/solver_contestants.h"
+#include "tests/support/plan/solver_contestants.h"
 
 using namespace berg;
 using namespace berg::test;

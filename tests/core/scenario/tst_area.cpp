@@ -1,11 +1,11 @@
 #include "core/bound/remains_in_area.h"
 #include "core/bound/zeta_bound.h"
 #include "core/io/files/run_json.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/file_texts.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/files/file_texts.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 

@@ -1,12 +1,13 @@
 #include "core/coverage/coverage_model.h"
 #include "core/io/files/run_json.h"
+#include "core/io/files/scenario_json.h"
 #include "core/io/results/result_csv.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission_instant.h"
+#include "core/mission/mission_instant.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/file_texts.h"
-#include "tests/support/flight_tables.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/files/file_texts.h"
+#include "tests/support/files/flight_tables.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 
@@ -173,6 +174,22 @@ private slots:
         Mission calm(scenario);
         calm.advance(2000);
         QCOMPARE(alarmsOf(calm), 0U);
+    }
+
+    /** Older files may hold the 0 that stood for half the range. */
+    void anInnerRingOfZeroIsHalfTheRange()
+    {
+        Scenario scenario = emptySea(100);
+        scenario.asset = platform(0, 0);
+        scenario.asset->alarm_m = 1234;
+        std::string text = scenarioToJson(scenario);
+        const std::size_t at = text.find("1234");
+        QVERIFY(at != std::string::npos);
+        text.replace(at, 4, "0");
+        const Scenario read = scenarioFromJson(text, "text");
+        QVERIFY(!read.asset.value().alarm_m);
+        QVERIFY(scenarioToJson(read).find("alarm_m") == std::string::npos);
+        QCOMPARE(alarmRadius_m(*read.asset), 500.0);
     }
 
     void anAssetSetInFlightReplays()

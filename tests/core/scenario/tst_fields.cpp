@@ -1,5 +1,5 @@
+#include "core/checks/findings.h"
 #include "core/scenario/fields.h"
-#include "core/scenario/findings.h"
 #include "core/scenario/text_checks.h"
 
 #include <QtTest>

@@ -1,10 +1,10 @@
 #include "core/base/random.h"
+#include "core/checks/validate.h"
+#include "core/scenario/limits.h"
 #include "core/scenario/recovery.h"
-#include "core/scenario/scenario_warnings.h"
 #include "core/scenario/text_checks.h"
-#include "core/scenario/validate.h"
 #include "core/vehicle/uav_spec.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 

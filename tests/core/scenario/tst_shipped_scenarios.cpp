@@ -1,8 +1,8 @@
+#include "core/checks/validate.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
-#include "core/scenario/presets.h"
-#include "core/scenario/validate.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
 
 #include <QDir>

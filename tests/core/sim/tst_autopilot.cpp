@@ -1,9 +1,9 @@
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission_instant.h"
+#include "core/mission/mission_instant.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/file_texts.h"
+#include "tests/support/files/file_texts.h"
 
 #include <QTest>
 

@@ -1,12 +1,12 @@
 #include "core/base/angles.h"
-#include "core/base/enclosing_circle.h"
+#include "core/geometry/enclosing_circle.h"
+#include "core/mission/mission.h"
+#include "core/mission/plan_requests.h"
 #include "core/plan/policy/planner.h"
 #include "core/sim/clusters.h"
-#include "core/sim/mission.h"
-#include "core/sim/plan_requests.h"
 #include "tests/support/approx.h"
-#include "tests/support/cluster_scenes.h"
-#include "tests/support/test_solvers.h"
+#include "tests/support/flight/cluster_scenes.h"
+#include "tests/support/plan/test_solvers.h"
 
 #include <QTest>
 

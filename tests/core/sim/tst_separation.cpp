@@ -1,8 +1,8 @@
-#include "core/scenario/scenario_warnings.h"
-#include "core/scenario/validate.h"
-#include "core/sim/mission_instant.h"
-#include "tests/support/fleet_case.h"
-#include "tests/support/scenario_builder.h"
+#include "core/checks/validate.h"
+#include "core/mission/mission_instant.h"
+#include "core/scenario/limits.h"
+#include "tests/support/flight/fleet_case.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
 #include "core/base/angles.h"
-#include "core/scenario/presets.h"
-#include "core/sim/plan_requests.h"
+#include "core/mission/plan_requests.h"
+#include "core/presets/presets.h"
 #include "core/sim/simulation.h"
 #include "core/vehicle/tangent_turn.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 #include "core/study/benchmark.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
+#include "tests/support/plan/brute_force.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "core/study/paper_figures.h"
 #include "tests/support/approx.h"
 

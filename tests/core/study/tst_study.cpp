@@ -1,8 +1,8 @@
 #include "core/study/study.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/flown_study.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/flown_study.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "core/study/statistics.h"
 #include "core/study/zeta_prediction.h"
 #include "tests/support/approx.h"

@@ -1,6 +1,6 @@
 #include "core/base/angles.h"
-#include "core/base/geometry.h"
 #include "core/base/random.h"
+#include "core/geometry/geometry.h"
 #include "core/tracking/lost_search.h"
 #include "tests/support/approx.h"
 

@@ -1,6 +1,6 @@
 #include "core/io/text/atomic_file.h"
 #include "tests/support/approx.h"
-#include "tests/support/chart_panel_fixture.h"
+#include "tests/support/window/chart_panel_fixture.h"
 #include "widgets/charts/mission_series.h"
 
 #include <QtTest>

@@ -1,6 +1,6 @@
 #include "tests/support/approx.h"
-#include "tests/support/comparison_builder.h"
-#include "tests/support/panel_test.h"
+#include "tests/support/window/comparison_builder.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/charts/comparison_chart.h"
 
 #include <QContextMenuEvent>

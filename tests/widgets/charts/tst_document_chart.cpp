@@ -1,5 +1,5 @@
 #include "tests/support/approx.h"
-#include "tests/support/mission_builder.h"
+#include "tests/support/flight/mission_builder.h"
 #include "widgets/charts/figure_painter.h"
 #include "widgets/charts/mission_charts.h"
 #include "widgets/print/document_chart.h"

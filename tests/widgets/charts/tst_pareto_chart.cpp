@@ -1,6 +1,6 @@
 #include "tests/support/approx.h"
-#include "tests/support/curve_builder.h"
-#include "tests/support/panel_test.h"
+#include "tests/support/plan/curve_builder.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/charts/pareto_chart.h"
 
 #include <QSignalSpy>

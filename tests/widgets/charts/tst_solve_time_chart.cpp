@@ -1,6 +1,6 @@
 #include "tests/support/approx.h"
-#include "tests/support/benchmark_rows.h"
-#include "tests/support/panel_test.h"
+#include "tests/support/window/benchmark_rows.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/charts/solve_time_chart.h"
 
 #include <QMouseEvent>

@@ -1,5 +1,5 @@
-#include "tests/support/panel_test.h"
-#include "tests/support/study_builder.h"
+#include "tests/support/window/panel_test.h"
+#include "tests/support/window/study_builder.h"
 #include "widgets/charts/difference_chart.h"
 #include "widgets/charts/study_chart.h"
 #include "widgets/words/policy_words.h"

@@ -1,4 +1,4 @@
-#include "tests/support/chart_panel_fixture.h"
+#include "tests/support/window/chart_panel_fixture.h"
 #include "widgets/charts/figure_painter.h"
 
 #include <QtTest>

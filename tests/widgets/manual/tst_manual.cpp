@@ -1,4 +1,4 @@
-#include "tests/support/panel_test.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/manual/manual_pages.h"
 #include "widgets/manual/manual_places.h"
 #include "widgets/manual/manual_window.h"

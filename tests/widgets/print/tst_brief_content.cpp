@@ -1,7 +1,7 @@
 #include "core/base/angles.h"
-#include "core/base/coordinates.h"
+#include "core/earth/coordinates.h"
 #include "tests/support/approx.h"
-#include "tests/support/brief_fixtures.h"
+#include "tests/support/files/brief_fixtures.h"
 #include "widgets/print/brief_content.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/declination.h"
@@ -285,8 +285,7 @@ private slots:
         QCOMPARE(cell(rows.back(), BriefColumn::Name), u"End of track"_s);
         QCOMPARE(brief.captions.names[placeOf(BriefColumn::Arrival)], u"Reached"_s);
         for (std::size_t i = 0; i < visits.size(); ++i) {
-            const ExportIceberg& iceberg =
-                content.icebergs[toIndex(visits[i].iceberg.value())];
+            const ExportIceberg& iceberg = content.icebergs[toIndex(visits[i].iceberg.value())];
             QCOMPARE(cell(rows[i + 1], BriefColumn::Name), printable(titleOf(iceberg.iceberg)));
             QVERIFY(std::abs(number(cell(rows[i + 1], sigmaColumn())) - iceberg.sigma_m2) <=
                     0.005 * iceberg.sigma_m2 + 1e-9);

@@ -1,4 +1,4 @@
-#include "tests/support/brief_fixtures.h"
+#include "tests/support/files/brief_fixtures.h"
 #include "widgets/print/brief_warnings.h"
 #include "widgets/print/printable_text.h"
 

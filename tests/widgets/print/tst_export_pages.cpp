@@ -1,6 +1,6 @@
 #include "tests/support/expect_error.h"
-#include "tests/support/export_fixtures.h"
-#include "widgets/model/sigma_end.h"
+#include "tests/support/files/export_fixtures.h"
+#include "widgets/flight/sigma_end.h"
 #include "widgets/print/chart_page.h"
 #include "widgets/print/export_painter.h"
 #include "widgets/print/export_picture.h"

@@ -1,5 +1,5 @@
-#include "tests/support/brief_fixtures.h"
-#include "tests/support/panel_test.h"
+#include "tests/support/files/brief_fixtures.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/print/brief_layout.h"
 #include "widgets/print/flight_brief.h"
 

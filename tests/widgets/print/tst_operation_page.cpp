@@ -1,4 +1,4 @@
-#include "tests/support/brief_fixtures.h"
+#include "tests/support/files/brief_fixtures.h"
 #include "widgets/print/flight_brief.h"
 #include "widgets/print/operation_page.h"
 #include "widgets/theme/quantity_text.h"

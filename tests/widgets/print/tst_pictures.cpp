@@ -1,7 +1,7 @@
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
-#include "core/scenario/presets.h"
-#include "tests/support/file_texts.h"
+#include "core/presets/presets.h"
+#include "tests/support/files/file_texts.h"
 
 #include <QImage>
 #include <QProcess>

@@ -1,4 +1,4 @@
-#include "tests/support/panel_test.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/theme/accessible_roles.h"
 
 #include <QAccessibleInterface>

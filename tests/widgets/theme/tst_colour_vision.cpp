@@ -1,5 +1,5 @@
 #include "tests/support/approx.h"
-#include "tests/support/colour_vision.h"
+#include "tests/support/window/colour_vision.h"
 #include "widgets/map/paint/map_surroundings.h"
 #include "widgets/theme/palette.h"
 #include "widgets/words/policy_words.h"

@@ -1,6 +1,6 @@
 #include "core/scenario/scenario.h"
 #include "tests/support/approx.h"
-#include "tests/support/panel_test.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/theme/mission_clock.h"
 #include "widgets/theme/unit_settings.h"
 #include "widgets/words/time_entry.h"

@@ -1,4 +1,4 @@
-#include "tests/support/themes.h"
+#include "tests/support/window/themes.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/palette.h"
 

@@ -1,5 +1,5 @@
 #include "tests/support/approx.h"
-#include "tests/support/themes.h"
+#include "tests/support/window/themes.h"
 #include "widgets/theme/theme.h"
 
 #include <QtTest>

@@ -1,9 +1,9 @@
+#include "core/checks/validate.h"
 #include "core/io/files/problem_json.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
-#include "core/scenario/validate.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/scenario_builder.h"
 #include "widgets/theme/unit_settings.h"
 #include "widgets/words/issue_text.h"
 

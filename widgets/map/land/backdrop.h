@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/import/map_shapes.h"
+#include "core/io/import/maps/map_shapes.h"
 #include "widgets/map/picture/map_plane.h"
 #include "widgets/map/picture/map_view_transform.h"
 #include "widgets/theme/theme.h"

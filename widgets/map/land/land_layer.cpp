@@ -1,6 +1,6 @@
 #include "widgets/map/land/land_layer.h"
 
-#include "widgets/model/work_failure.h"
+#include "widgets/tasks/work_failure.h"
 #include "widgets/theme/painter_state.h"
 
 #include <QPainter>

@@ -2,7 +2,7 @@
 
 #include "widgets/map/land/backdrop.h"
 #include "widgets/map/land/land_drawing.h"
-#include "widgets/model/latest_task.h"
+#include "widgets/tasks/latest_task.h"
 
 #include <QImage>
 #include <QObject>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/geodesy.h"
+#include "core/earth/geodesy.h"
 #include "widgets/map/picture/map_view_transform.h"
 
 #include <QFontMetricsF>

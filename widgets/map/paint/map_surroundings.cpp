@@ -1,7 +1,7 @@
 #include "widgets/map/paint/map_surroundings.h"
 
-#include "core/base/geometry.h"
-#include "core/scenario/scenario_warnings.h"
+#include "core/geometry/geometry.h"
+#include "core/scenario/limits.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_paint.h"
 #include "widgets/map/paint/map_symbols.h"

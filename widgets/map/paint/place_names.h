@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/gazetteer.h"
+#include "widgets/places/gazetteer.h"
 
 #include <QRectF>
 

@@ -2,9 +2,9 @@
 
 #include "core/base/angles.h"
 #include "core/scenario/limits.h"
+#include "widgets/document/wind.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/paint/map_symbols.h"
-#include "widgets/model/wind.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/quantity_text.h"
 

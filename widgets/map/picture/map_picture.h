@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/geodesy.h"
-#include "core/scenario/operation.h"
+#include "core/earth/geodesy.h"
+#include "core/permit/operation.h"
 #include "core/tracking/observer.h"
 #include "widgets/theme/mission_clock.h"
 

@@ -2,11 +2,11 @@
 
 #include "core/tracking/position_error.h"
 #include "core/vehicle/geofence.h"
+#include "widgets/flight/asset_approach.h"
+#include "widgets/flight/planned_sorties.h"
+#include "widgets/flight/sigma_end.h"
 #include "widgets/map/picture/plan_stops.h"
 #include "widgets/map/picture/scenario_picture.h"
-#include "widgets/model/asset_approach.h"
-#include "widgets/model/planned_sorties.h"
-#include "widgets/model/sigma_end.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/policy_words.h"
 

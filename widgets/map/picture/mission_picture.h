@@ -1,8 +1,8 @@
 #pragma once
 
+#include "widgets/flight/compared_run.h"
+#include "widgets/flight/flight_record.h"
 #include "widgets/map/picture/map_picture.h"
-#include "widgets/model/compared_run.h"
-#include "widgets/model/flight_record.h"
 
 #include <QLocale>
 

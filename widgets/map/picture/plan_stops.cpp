@@ -1,6 +1,6 @@
 #include "widgets/map/picture/plan_stops.h"
 
-#include "core/base/enclosing_circle.h"
+#include "core/geometry/enclosing_circle.h"
 
 #include <algorithm>
 

@@ -1,14 +1,14 @@
 #include "widgets/map/picture/scenario_picture.h"
 
 #include "core/base/angles.h"
-#include "core/scenario/airspace.h"
+#include "core/mission/sortie_outlook.h"
+#include "core/permit/airspace.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/priority.h"
-#include "core/sim/sortie_outlook.h"
 #include "core/tracking/position_error.h"
-#include "widgets/model/asset_approach.h"
-#include "widgets/model/sigma_end.h"
-#include "widgets/model/wind.h"
+#include "widgets/document/wind.h"
+#include "widgets/flight/asset_approach.h"
+#include "widgets/flight/sigma_end.h"
 #include "widgets/words/object_names.h"
 
 #include <algorithm>

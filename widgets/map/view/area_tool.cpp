@@ -1,10 +1,10 @@
 #include "widgets/map/view/area_tool.h"
 
-#include "core/scenario/validate.h"
+#include "core/checks/validate.h"
+#include "widgets/document/selection.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/view/drift_arrow.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/selection.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/quantity_text.h"
 

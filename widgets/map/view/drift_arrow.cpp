@@ -1,10 +1,10 @@
 #include "widgets/map/view/drift_arrow.h"
 
 #include "core/base/angles.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_drift.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_scene.h"
-#include "widgets/model/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>

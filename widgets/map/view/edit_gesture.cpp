@@ -1,6 +1,6 @@
 #include "widgets/map/view/edit_gesture.h"
 
-#include "widgets/model/scenario_document.h"
+#include "widgets/document/scenario_document.h"
 
 #include <QScopedValueRollback>
 #include <QUndoStack>

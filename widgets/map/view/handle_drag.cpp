@@ -1,11 +1,11 @@
 // Drags of the map's handles, which change the scenario, or in flight request a change of the
 // flight.
 
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/view/drift_arrow.h"
 #include "widgets/map/view/map_handles.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/scenario_edits.h"
 
 #include <QCoreApplication>
 

@@ -1,11 +1,11 @@
 #include "widgets/map/view/map_edits.h"
 
-#include "core/scenario/validate.h"
+#include "core/checks/validate.h"
+#include "widgets/document/iceberg_clipboard.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/iceberg_clipboard.h"
-#include "widgets/model/scenario_edits.h"
 #include "widgets/words/error_text.h"
 
 #include <QApplication>

@@ -1,10 +1,10 @@
 #include "widgets/map/view/map_handles.h"
 
+#include "widgets/document/selection.h"
 #include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_scene.h"
-#include "widgets/model/selection.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/palette.h"
 

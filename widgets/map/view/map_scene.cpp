@@ -1,8 +1,8 @@
 #include "widgets/map/view/map_scene.h"
 
+#include "widgets/document/selection.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/picture/scenario_picture.h"
-#include "widgets/model/selection.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 #include "widgets/map/view/map_tools.h"
 
 #include "core/base/angles.h"
+#include "widgets/document/scenario_edits.h"
+#include "widgets/document/selection.h"
 #include "widgets/map/view/area_tool.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/map/view/measure_tool.h"
 #include "widgets/map/view/placing_tools.h"
 #include "widgets/map/view/select_tool.h"
-#include "widgets/model/scenario_edits.h"
-#include "widgets/model/selection.h"
 
 #include <QApplication>
 #include <QKeyEvent>

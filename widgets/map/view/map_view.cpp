@@ -1,8 +1,8 @@
 #include "widgets/map/view/map_view.h"
 
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/picture/scenario_picture.h"
-#include "widgets/model/scenario_edits.h"
 #include "widgets/theme/accessible_roles.h"
 
 #include <QEvent>

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "widgets/document/scenario_document.h"
+#include "widgets/document/selection.h"
 #include "widgets/map/view/map_edits.h"
 #include "widgets/map/view/map_scene.h"
 #include "widgets/map/view/map_tools.h"
-#include "widgets/model/scenario_document.h"
-#include "widgets/model/selection.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -1,10 +1,10 @@
 // Mouse, touch and key events of the map. `keyPressEvent` handles all keys.
 
+#include "widgets/flight/asset_approach.h"
 #include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/asset_approach.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QContextMenuEvent>

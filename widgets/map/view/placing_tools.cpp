@@ -1,12 +1,12 @@
 #include "widgets/map/view/placing_tools.h"
 
 #include "core/base/angles.h"
-#include "core/scenario/validate.h"
+#include "core/checks/validate.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/asset_size.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/source_text.h"
 

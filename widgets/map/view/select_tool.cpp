@@ -1,9 +1,9 @@
 #include "widgets/map/view/select_tool.h"
 
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/view/drift_arrow.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/model/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>

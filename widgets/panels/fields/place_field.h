@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/places.h"
+#include "widgets/places/places.h"
 
 #include <QLineEdit>
 

@@ -1,6 +1,6 @@
 #include "widgets/panels/flight/event_model.h"
 
-#include "widgets/model/mission_snapshot.h"
+#include "widgets/flight/mission_snapshot.h"
 #include "widgets/words/event_text.h"
 #include "widgets/words/plan_text.h"
 

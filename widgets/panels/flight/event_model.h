@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/sim/recorder.h"
-#include "widgets/model/cell_model.h"
+#include "core/mission/recorder.h"
+#include "widgets/tables/cell_model.h"
 #include "widgets/theme/mission_clock.h"
 
 #include <QLocale>
@@ -60,8 +60,8 @@ private:
     /** Returns whether the event adds information to the log. */
     [[nodiscard]] bool addsInformation(const MissionEvent& event, const PlanEvent* plan);
     [[nodiscard]] EventRow rowOf(const MissionEvent& event, const PlanEvent* plan,
-                            const std::vector<Iceberg>& icebergs,
-                            const std::vector<Uav>& uavs) const;
+                                 const std::vector<Iceberg>& icebergs,
+                                 const std::vector<Uav>& uavs) const;
     [[nodiscard]] const EventRow& rowAt(int row) const
     {
         return m_rows.at(static_cast<std::size_t>(row));

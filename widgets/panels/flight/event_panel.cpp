@@ -1,7 +1,7 @@
 #include "widgets/panels/flight/event_panel.h"
 
-#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/flight/event_model.h"
+#include "widgets/tables/dock_table.h"
 
 #include <QHeaderView>
 #include <QScrollBar>

@@ -1,6 +1,6 @@
 #include "widgets/panels/flight/flight_card.h"
 
-#include "widgets/model/compared_run.h"
+#include "widgets/flight/compared_run.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"

@@ -1,9 +1,8 @@
 #include "widgets/panels/flight/flight_notices.h"
 
 #include "core/scenario/limits.h"
-#include "core/scenario/scenario_warnings.h"
-#include "widgets/model/asset_approach.h"
-#include "widgets/model/selection.h"
+#include "widgets/document/selection.h"
+#include "widgets/flight/asset_approach.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 

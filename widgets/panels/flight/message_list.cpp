@@ -1,6 +1,6 @@
 #include "widgets/panels/flight/message_list.h"
 
-#include "widgets/panels/fields/dock_table.h"
+#include "widgets/tables/dock_table.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

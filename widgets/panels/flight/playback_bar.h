@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/mission_runner.h"
+#include "widgets/flight/mission_runner.h"
 #include "widgets/theme/mission_clock.h"
 #include "widgets/theme/theme.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sim/recorder.h"
+#include "core/mission/recorder.h"
 #include "widgets/theme/mission_clock.h"
 #include "widgets/theme/theme.h"
 

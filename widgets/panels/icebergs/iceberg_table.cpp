@@ -1,10 +1,10 @@
 #include "widgets/panels/icebergs/iceberg_table.h"
 
-#include "widgets/model/iceberg_clipboard.h"
-#include "widgets/panels/fields/dock_table.h"
+#include "widgets/document/iceberg_clipboard.h"
 #include "widgets/panels/icebergs/iceberg_table_delegate.h"
 #include "widgets/panels/icebergs/iceberg_table_model.h"
 #include "widgets/panels/icebergs/iceberg_table_view.h"
+#include "widgets/tables/dock_table.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QApplication>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "widgets/model/flight_record.h"
-#include "widgets/model/scenario_document.h"
-#include "widgets/model/selection.h"
+#include "widgets/document/scenario_document.h"
+#include "widgets/document/selection.h"
+#include "widgets/flight/flight_record.h"
 #include "widgets/theme/theme.h"
 
 #include <QStringList>

@@ -1,6 +1,6 @@
 #include "widgets/panels/icebergs/iceberg_table_columns.h"
 
-#include "widgets/model/scenario_edits.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/panels/inspector/field_inputs.h"
 
 #include <QCoreApplication>

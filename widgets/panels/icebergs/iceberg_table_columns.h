@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/model/places.h"
 #include "widgets/panels/inspector/inspector_rows.h"
+#include "widgets/places/places.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "widgets/panels/icebergs/iceberg_table_model.h"
 
-#include "widgets/model/asset_approach.h"
-#include "widgets/model/scenario_edits.h"
+#include "widgets/document/scenario_edits.h"
+#include "widgets/flight/asset_approach.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
 #include "widgets/words/iceberg_table_text.h"
 #include "widgets/words/object_names.h"

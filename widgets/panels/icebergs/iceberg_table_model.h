@@ -1,9 +1,9 @@
 #pragma once
 
-#include "widgets/model/cell_model.h"
-#include "widgets/model/scenario_document.h"
+#include "widgets/document/scenario_document.h"
 #include "widgets/panels/icebergs/iceberg_table_paste.h"
 #include "widgets/panels/icebergs/iceberg_table_rows.h"
+#include "widgets/tables/cell_model.h"
 
 #include <QLocale>
 

@@ -1,8 +1,8 @@
 #include "widgets/panels/icebergs/iceberg_table_paste.h"
 
-#include "core/base/geodesy.h"
-#include "core/scenario/validate.h"
-#include "widgets/model/scenario_edits.h"
+#include "core/checks/validate.h"
+#include "core/earth/geodesy.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/iceberg_table_text.h"
 

@@ -1,7 +1,7 @@
 #include "widgets/panels/icebergs/iceberg_table_rows.h"
 
 #include "core/tracking/position_error.h"
-#include "widgets/model/asset_approach.h"
+#include "widgets/flight/asset_approach.h"
 #include "widgets/panels/plan/plan_rows.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"

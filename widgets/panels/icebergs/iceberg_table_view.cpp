@@ -1,7 +1,7 @@
 #include "widgets/panels/icebergs/iceberg_table_view.h"
 
-#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/icebergs/iceberg_table_model.h"
+#include "widgets/tables/dock_table.h"
 
 #include <QHeaderView>
 #include <QKeyEvent>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/scenario_document.h"
+#include "widgets/document/scenario_document.h"
 #include "widgets/theme/theme.h"
 
 #include <QWidget>

@@ -1,5 +1,5 @@
 #include "core/tracking/position_error.h"
-#include "widgets/model/scenario_document.h"
+#include "widgets/document/scenario_document.h"
 #include "widgets/panels/inspector/field_inputs.h"
 #include "widgets/words/import_text.h"
 #include "widgets/words/source_text.h"

@@ -1,6 +1,6 @@
 #include "widgets/panels/inspector/inspector_panel.h"
 
-#include "widgets/model/scenario_edits.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/inspector/inspector_form.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/model/scenario_document.h"
-#include "widgets/model/selection.h"
+#include "widgets/document/scenario_document.h"
+#include "widgets/document/selection.h"
 #include "widgets/theme/theme.h"
 
 #include <QWidget>

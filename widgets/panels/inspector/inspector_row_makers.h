@@ -2,8 +2,7 @@
 
 #include "core/base/find_by_id.h"
 #include "core/scenario/fields.h"
-#include "core/scenario/scenario_warnings.h"
-#include "widgets/model/selection.h"
+#include "widgets/document/selection.h"
 #include "widgets/panels/inspector/inspector_rows.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"

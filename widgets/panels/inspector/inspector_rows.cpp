@@ -1,8 +1,8 @@
 #include "core/base/angles.h"
-#include "core/base/geodesy.h"
-#include "widgets/model/places.h"
-#include "widgets/model/scenario_edits.h"
+#include "core/earth/geodesy.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/panels/inspector/field_inputs.h"
+#include "widgets/places/places.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Data for an application for a permit: the operation volume and the fields people fill in.
 
-#include "core/scenario/airspace.h"
-#include "core/scenario/operation.h"
+#include "core/permit/airspace.h"
+#include "core/permit/operation.h"
 #include "widgets/panels/inspector/field_inputs.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/issue_text.h"

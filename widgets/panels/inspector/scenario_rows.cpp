@@ -1,7 +1,7 @@
-#include "widgets/model/places.h"
-#include "widgets/model/scenario_edits.h"
-#include "widgets/model/wind.h"
+#include "widgets/document/scenario_edits.h"
+#include "widgets/document/wind.h"
 #include "widgets/panels/inspector/field_inputs.h"
+#include "widgets/places/places.h"
 #include "widgets/words/time_entry.h"
 
 #include <cmath>

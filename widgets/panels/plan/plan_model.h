@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/model/cell_model.h"
 #include "widgets/panels/plan/plan_rows.h"
+#include "widgets/tables/cell_model.h"
 #include "widgets/theme/mission_clock.h"
 
 #include <QLocale>

@@ -1,8 +1,8 @@
 #include "widgets/panels/plan/plan_panel.h"
 
-#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/plan/plan_delegate.h"
 #include "widgets/panels/plan/plan_model.h"
+#include "widgets/tables/dock_table.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/plan_text.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/planned_sorties.h"
+#include "widgets/flight/planned_sorties.h"
 #include "widgets/panels/plan/plan_rows.h"
 #include "widgets/theme/mission_clock.h"
 #include "widgets/theme/theme.h"

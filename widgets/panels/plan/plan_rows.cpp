@@ -1,11 +1,11 @@
 #include "widgets/panels/plan/plan_rows.h"
 
 #include "core/base/angles.h"
+#include "core/checks/drift_advice.h"
 #include "core/io/text/utc_time.h"
-#include "core/scenario/daylight.h"
-#include "core/scenario/drift_advice.h"
+#include "core/mission/planned_visits.h"
+#include "core/permit/daylight.h"
 #include "core/sim/leg_flight.h"
-#include "core/sim/planned_visits.h"
 #include "widgets/theme/declination.h"
 #include "widgets/words/object_names.h"
 

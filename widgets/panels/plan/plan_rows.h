@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/flight_record.h"
+#include "widgets/flight/flight_record.h"
 
 #include <QString>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/policy_forecasts.h"
+#include "widgets/forecast/policy_forecasts.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>

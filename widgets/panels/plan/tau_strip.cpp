@@ -1,6 +1,6 @@
 #include "widgets/panels/plan/tau_strip.h"
 
-#include "widgets/model/curve_choice.h"
+#include "widgets/forecast/curve_choice.h"
 #include "widgets/theme/accessible_roles.h"
 
 #include <QKeyEvent>

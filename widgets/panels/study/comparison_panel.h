@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/run_list.h"
+#include "widgets/study/run_list.h"
 #include "widgets/theme/theme.h"
 
 #include <QWidget>

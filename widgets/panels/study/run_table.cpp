@@ -1,7 +1,7 @@
 #include "widgets/panels/study/run_table.h"
 
-#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/study/comparison_tables.h"
+#include "widgets/tables/dock_table.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QContextMenuEvent>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/benchmark_runner.h"
+#include "widgets/study/benchmark_runner.h"
 #include "widgets/theme/theme.h"
 
 #include <QTimer>

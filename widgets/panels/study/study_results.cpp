@@ -2,9 +2,9 @@
 
 #include "widgets/charts/difference_chart.h"
 #include "widgets/charts/study_chart.h"
-#include "widgets/panels/fields/dock_table.h"
 #include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/panels/study/study_tables.h"
+#include "widgets/tables/dock_table.h"
 #include "widgets/theme/picture_page.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/policy_words.h"

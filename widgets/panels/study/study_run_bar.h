@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/model/study_runner.h"
+#include "widgets/study/study_runner.h"
 #include "widgets/theme/theme.h"
 
 #include <QTimer>

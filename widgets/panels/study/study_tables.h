@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/model/cell_model.h"
-#include "widgets/model/study_runner.h"
+#include "widgets/study/study_runner.h"
+#include "widgets/tables/cell_model.h"
 #include "widgets/theme/theme.h"
 
 #include <QLocale>

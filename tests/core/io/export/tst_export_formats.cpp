@@ -1,14 +1,14 @@
 // Tests of the table of formats: common requirements, and the notes of each format.
 
+#include "core/io/export/content/thinned_path.h"
 #include "core/io/export/export_files.h"
 #include "core/io/export/export_notes.h"
-#include "core/io/export/thinned_path.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/export_fixtures.h"
-#include "tests/support/export_text.h"
-#include "tests/support/geojson_view.h"
-#include "tests/support/german_numbers.h"
+#include "tests/support/files/export_fixtures.h"
+#include "tests/support/files/export_text.h"
+#include "tests/support/files/geojson_view.h"
+#include "tests/support/files/german_numbers.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // Tests of user options: options without effect on a file are noted, and only those.
 
 #include "core/io/export/export_notes.h"
-#include "tests/support/export_fixtures.h"
+#include "tests/support/files/export_fixtures.h"
 
 #include <QTest>
 

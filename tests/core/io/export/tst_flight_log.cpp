@@ -1,10 +1,10 @@
-#include "core/io/export/export_flight.h"
+#include "core/io/export/content/export_flight.h"
 #include "core/io/export/flight_log.h"
-#include "core/io/export/plan_wpl.h"
+#include "core/io/export/missions/plan_wpl.h"
 #include "core/io/text/sha256.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/export_fixtures.h"
+#include "tests/support/files/export_fixtures.h"
 
 #include <QCryptographicHash>
 #include <QTest>

@@ -1,5 +1,5 @@
 #include "core/io/export/mission_checks.h"
-#include "tests/support/mission_builder.h"
+#include "tests/support/flight/mission_builder.h"
 
 #include <QTest>
 
@@ -156,7 +156,7 @@ private slots:
         scenario.uavs[0].spec.endurance_s = 1e6;
         scenario.uavs[0].spec.reserve_s = 0;
         const ExportContent content = planContent(scenario);
-        QVERIFY(content.uavs[0].visits.back().iceberg < 0); // the plan ends at home
+        QVERIFY(!content.uavs[0].visits.back().iceberg); // the plan ends at home
         scenario.uavs[0].spec.endurance_s = content.uavs[0].visits.back().time_s + 60;
         QCOMPARE(planContent(scenario).uavs[0].visits.size(), std::size_t{5});
         QCOMPARE(findings(scenario), QStringLiteral("endurance-short"));

@@ -1,6 +1,6 @@
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 

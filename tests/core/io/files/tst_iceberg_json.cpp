@@ -1,5 +1,5 @@
 #include "core/io/files/iceberg_json.h"
-#include "tests/support/random_scenario.h"
+#include "tests/support/flight/random_scenario.h"
 
 #include <QtTest>
 

@@ -1,9 +1,9 @@
 #include "core/io/files/problem_json.h"
 #include "core/io/text/json_writer.h"
+#include "core/plan/problem/tuning.h"
 #include "core/plan/solve/names.h"
-#include "core/plan/solve/tuning.h"
-#include "tests/support/brute_force.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/plan/brute_force.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 #include "core/io/files/run_json.h"
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/file_texts.h"
+#include "tests/support/files/file_texts.h"
 
 #include <QTemporaryDir>
 #include <QTest>

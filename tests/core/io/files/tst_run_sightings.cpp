@@ -1,7 +1,7 @@
 #include "core/io/files/run_json.h"
-#include "core/scenario/presets.h"
-#include "tests/support/file_texts.h"
-#include "tests/support/scenario_builder.h"
+#include "core/presets/presets.h"
+#include "tests/support/files/file_texts.h"
+#include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
 

@@ -1,11 +1,10 @@
+#include "core/checks/validate.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
-#include "core/scenario/presets.h"
-#include "core/scenario/priority.h"
-#include "core/scenario/validate.h"
+#include "core/presets/presets.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/file_texts.h"
-#include "tests/support/random_scenario.h"
+#include "tests/support/files/file_texts.h"
+#include "tests/support/flight/random_scenario.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -390,21 +389,6 @@ private slots:
         const std::optional<Error> error = errorOf([] { (void)read("\xEF\xBB\xBF\n x"); });
         QVERIFY(error);
         QVERIFY(std::string(error->what()).find("line 2, column 2") != std::string::npos);
-    }
-
-    /** Older files may hold the 0 that stood for half the range. */
-    void anInnerRingOfZeroIsHalfTheRange()
-    {
-        Scenario scenario = loadScenario(kData + "minimal.berg");
-        scenario.asset = Asset{.name = "Rig", .range_m = 4000, .alarm_m = 1234};
-        std::string text = scenarioToJson(scenario);
-        const std::size_t at = text.find("1234");
-        QVERIFY(at != std::string::npos);
-        text.replace(at, 4, "0");
-        const Scenario read = scenarioFromJson(text, "text");
-        QVERIFY(!read.asset.value().alarm_m);
-        QVERIFY(scenarioToJson(read).find("alarm_m") == std::string::npos);
-        QCOMPARE(alarmRadius_m(*read.asset), 2000.0);
     }
 
     void columnsCountCharacters()

@@ -1,9 +1,9 @@
-#include "core/io/export/plan_qgc.h"
-#include "core/io/export/plan_wpl.h"
+#include "core/io/export/missions/plan_qgc.h"
+#include "core/io/export/missions/plan_wpl.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/export_fixtures.h"
-#include "tests/support/export_text.h"
-#include "tests/support/import_fixtures.h"
+#include "tests/support/files/export_fixtures.h"
+#include "tests/support/files/export_text.h"
+#include "tests/support/files/import_fixtures.h"
 
 #include <QtTest>
 

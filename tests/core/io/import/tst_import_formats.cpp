@@ -1,10 +1,10 @@
 #include "core/base/angles.h"
-#include "core/io/import/import_fields.h"
-#include "core/io/import/import_formats.h"
+#include "core/io/import/fields/import_fields.h"
+#include "core/io/import/fields/import_source.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/export_text.h"
-#include "tests/support/import_fixtures.h"
+#include "tests/support/files/export_text.h"
+#include "tests/support/files/import_fixtures.h"
 
 #include <QtTest>
 

@@ -1,9 +1,9 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/checks/validate.h"
 #include "core/io/files/scenario_json.h"
-#include "core/io/import/import_scenario.h"
-#include "core/scenario/validate.h"
-#include "tests/support/import_fixtures.h"
+#include "core/io/import/scenario/import_scenario.h"
+#include "tests/support/files/import_fixtures.h"
 
 #include <QtTest>
 

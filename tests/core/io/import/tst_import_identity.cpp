@@ -1,8 +1,8 @@
-#include "core/io/import/import_fields.h"
+#include "core/io/import/fields/import_fields.h"
 #include "core/io/import/import_identity.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/import_fixtures.h"
+#include "tests/support/files/import_fixtures.h"
 
 #include <QtTest>
 

@@ -1,5 +1,5 @@
-#include "tests/support/known_check.h"
-#include "tests/support/known_files.h"
+#include "tests/support/files/known_check.h"
+#include "tests/support/files/known_files.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 #include "core/base/random.h"
-#include "core/io/import/import_formats.h"
-#include "tests/support/import_fixtures.h"
-#include "tests/support/stored_zip.h"
+#include "core/io/import/fields/import_source.h"
+#include "tests/support/files/import_fixtures.h"
+#include "tests/support/files/stored_zip.h"
 
 #include <QtTest>
 

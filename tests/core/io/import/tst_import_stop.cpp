@@ -4,10 +4,10 @@
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/import/import_formats.h"
-#include "core/io/import/import_scenario.h"
+#include "core/io/import/scenario/import_scenario.h"
 #include "core/io/study/study_json.h"
-#include "tests/support/export_text.h"
-#include "tests/support/import_fixtures.h"
+#include "tests/support/files/export_text.h"
+#include "tests/support/files/import_fixtures.h"
 
 #include <QtTest>
 

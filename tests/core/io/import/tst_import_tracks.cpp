@@ -1,4 +1,4 @@
-#include "core/io/import/import_formats.h"
+#include "core/io/import/fields/import_source.h"
 #include "core/io/import/import_tracks.h"
 #include "core/io/text/atomic_file.h"
 #include "tests/support/expect_error.h"

@@ -1,21 +1,21 @@
 // Clusters in files: scenarios, runs, exports and what the command line prints.
 
-#include "core/base/enclosing_circle.h"
-#include "core/io/export/mission_items.h"
-#include "core/io/export/plan_csv.h"
+#include "core/geometry/enclosing_circle.h"
+#include "core/io/export/missions/mission_items.h"
+#include "core/io/export/missions/plan_csv.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/results/curve_result.h"
 #include "core/io/results/plan_result.h"
 #include "core/io/results/result_json.h"
+#include "core/mission/mission_instant.h"
+#include "core/mission/visits.h"
 #include "core/sim/clusters.h"
-#include "core/sim/mission_instant.h"
-#include "core/sim/visits.h"
 #include "tests/support/approx.h"
-#include "tests/support/cluster_scenes.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/file_texts.h"
-#include "tests/support/geojson_view.h"
+#include "tests/support/files/file_texts.h"
+#include "tests/support/files/geojson_view.h"
+#include "tests/support/flight/cluster_scenes.h"
 
 #include <QTest>
 

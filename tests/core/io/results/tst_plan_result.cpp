@@ -1,8 +1,8 @@
 #include "core/io/results/plan_result.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/fleet_flight.h"
+#include "tests/support/flight/fleet_flight.h"
 
 #include <QTest>
 

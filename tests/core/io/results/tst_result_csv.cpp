@@ -1,12 +1,12 @@
 #include "core/base/angles.h"
-#include "core/io/export/plan_csv.h"
+#include "core/io/export/missions/plan_csv.h"
 #include "core/io/results/result_csv.h"
-#include "core/sim/visits.h"
+#include "core/mission/visits.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/flight_tables.h"
-#include "tests/support/german_numbers.h"
-#include "tests/support/golden.h"
-#include "tests/support/mission_builder.h"
+#include "tests/support/files/flight_tables.h"
+#include "tests/support/files/german_numbers.h"
+#include "tests/support/files/golden.h"
+#include "tests/support/flight/mission_builder.h"
 
 #include <QTest>
 

@@ -3,7 +3,7 @@
 #include "core/io/study/study_json.h"
 #include "core/io/text/atomic_file.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/flown_study.h"
+#include "tests/support/flight/flown_study.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,5 +1,5 @@
 #include "core/base/random.h"
-#include "core/io/export/track_points.h"
+#include "core/io/export/content/track_points.h"
 #include "core/io/text/file_backed_buffer.h"
 #include "core/io/text/zip_file.h"
 #include "tests/support/expect_error.h"

@@ -1,10 +1,10 @@
 #include "core/base/error.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/import/import_formats.h"
-#include "core/io/import/import_scenario.h"
+#include "core/io/import/scenario/import_scenario.h"
 #include "core/io/text/read_budget.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/export_text.h"
+#include "tests/support/files/export_text.h"
 
 #include <QtTest>
 

@@ -1,13 +1,13 @@
 #include "core/plan/fleet/fleet_bound.h"
 #include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/policy/tau_curve.h"
+#include "core/plan/proof/layered_bound.h"
 #include "core/plan/solve/engine.h"
-#include "core/plan/solve/layered_bound.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
-#include "tests/support/fleet_problems.h"
-#include "tests/support/nasty_problems.h"
-#include "tests/support/reference_optimum.h"
+#include "tests/support/plan/brute_force.h"
+#include "tests/support/plan/fleet_problems.h"
+#include "tests/support/plan/nasty_problems.h"
+#include "tests/support/plan/reference_optimum.h"
 
 #include <QtTest>
 

@@ -1,10 +1,10 @@
 #include "core/io/files/certificate_json.h"
 #include "core/plan/fleet/fleet_solver.h"
-#include "core/plan/solve/layered_graph.h"
+#include "core/plan/proof/layered_graph.h"
 #include "core/plan/solve/order_moves.h"
-#include "tests/support/fleet_problems.h"
-#include "tests/support/hard_problems.h"
-#include "tests/support/nasty_problems.h"
+#include "tests/support/plan/fleet_problems.h"
+#include "tests/support/plan/hard_problems.h"
+#include "tests/support/plan/nasty_problems.h"
 
 #include <QProcess>
 #include <QTemporaryDir>

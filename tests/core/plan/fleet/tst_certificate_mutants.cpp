@@ -1,9 +1,9 @@
 #include "core/io/files/certificate_json.h"
 #include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/solve/order_moves.h"
-#include "tests/support/fleet_problems.h"
-#include "tests/support/hard_problems.h"
-#include "tests/support/reference_optimum.h"
+#include "tests/support/plan/fleet_problems.h"
+#include "tests/support/plan/hard_problems.h"
+#include "tests/support/plan/reference_optimum.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

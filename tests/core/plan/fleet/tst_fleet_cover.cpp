@@ -3,8 +3,8 @@
 #include "core/plan/fleet/cbc_cover.h"
 #endif
 #include "core/plan/fleet/fleet_subsets.h"
-#include "core/plan/solve/ng_memory.h"
-#include "tests/support/fleet_rows.h"
+#include "core/plan/proof/ng_memory.h"
+#include "tests/support/plan/fleet_rows.h"
 
 #include <QtTest>
 

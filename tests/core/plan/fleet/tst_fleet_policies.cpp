@@ -1,8 +1,8 @@
 #include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/policy/policy.h"
-#include "core/plan/solve/assignment.h"
+#include "core/plan/problem/assignment.h"
 #include "tests/support/approx.h"
-#include "tests/support/fleet_requests.h"
+#include "tests/support/plan/fleet_requests.h"
 
 #include <array>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "core/plan/fleet/fleet_problem.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/fleet_rows.h"
+#include "tests/support/plan/fleet_rows.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 #include "core/plan/fleet/fleet_search.h"
 #include "core/plan/fleet/fleet_subsets.h"
-#include "tests/support/fleet_rows.h"
+#include "tests/support/plan/fleet_rows.h"
 
 #include <QtTest>
 

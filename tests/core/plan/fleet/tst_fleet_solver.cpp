@@ -2,7 +2,7 @@
 #include "core/plan/fleet/fleet_solver.h"
 #include "core/plan/fleet/fleet_subsets.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/fleet_rows.h"
+#include "tests/support/plan/fleet_rows.h"
 
 #include <QtTest>
 

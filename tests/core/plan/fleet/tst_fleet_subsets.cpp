@@ -1,5 +1,5 @@
 #include "core/plan/fleet/fleet_subsets.h"
-#include "tests/support/fleet_rows.h"
+#include "tests/support/plan/fleet_rows.h"
 
 #include <QtTest>
 

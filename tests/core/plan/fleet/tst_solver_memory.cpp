@@ -2,8 +2,8 @@
 #include "core/plan/fleet/fleet_costs.h"
 #include "core/plan/fleet/fleet_ranks.h"
 #include "core/plan/fleet/fleet_solver.h"
-#include "tests/support/fleet_problems.h"
-#include "tests/support/hard_problems.h"
+#include "tests/support/plan/fleet_problems.h"
+#include "tests/support/plan/hard_problems.h"
 
 #include <QtTest>
 

@@ -1,11 +1,11 @@
+#include "core/mission/mission.h"
+#include "core/mission/plan_requests.h"
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/policy/tau_curve.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
-#include "core/sim/plan_requests.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/fleet_flight.h"
-#include "tests/support/fleet_problems.h"
+#include "tests/support/flight/fleet_flight.h"
+#include "tests/support/plan/fleet_problems.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "core/plan/policy/policy.h"
 #include "tests/support/approx.h"
-#include "tests/support/fleet_requests.h"
-#include "tests/support/request_builder.h"
-#include "tests/support/test_solvers.h"
+#include "tests/support/plan/fleet_requests.h"
+#include "tests/support/plan/request_builder.h"
+#include "tests/support/plan/test_solvers.h"
 
 #include <algorithm>
 #include <array>

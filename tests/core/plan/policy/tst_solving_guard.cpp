@@ -1,6 +1,6 @@
 #include "core/base/solving_guard.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
 
 #include <QtTest>
 

@@ -1,13 +1,13 @@
+#include "core/mission/mission.h"
+#include "core/mission/plan_requests.h"
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/policy/tau_curve.h"
+#include "core/plan/problem/tuning.h"
 #include "core/plan/solve/subset_solver.h"
-#include "core/plan/solve/tuning.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
-#include "core/sim/plan_requests.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/plan/brute_force.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "core/plan/solve/cbc_helper.h"
 #include "core/plan/solve/cbc_solver.h"
 #include "core/plan/solve/engine.h"
-#include "tests/support/brute_force.h"
-#include "tests/support/cbc_checks.h"
-#include "tests/support/fleet_problems.h"
+#include "tests/support/plan/brute_force.h"
+#include "tests/support/plan/cbc_checks.h"
+#include "tests/support/plan/fleet_problems.h"
 
 #include <QFile>
 #include <QProcess>

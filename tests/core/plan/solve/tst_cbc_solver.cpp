@@ -1,8 +1,8 @@
 #include "core/plan/solve/cbc_solver.h"
 #include "core/plan/solve/engine.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
-#include "tests/support/cbc_checks.h"
+#include "tests/support/plan/brute_force.h"
+#include "tests/support/plan/cbc_checks.h"
 
 #include <QRegularExpression>
 

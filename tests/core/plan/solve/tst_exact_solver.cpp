@@ -2,7 +2,7 @@
 #include "core/plan/solve/order_moves.h"
 #include "core/plan/solve/subset_solver.h"
 #include "tests/support/approx.h"
-#include "tests/support/hard_problems.h"
+#include "tests/support/plan/hard_problems.h"
 
 #include <QtTest>
 

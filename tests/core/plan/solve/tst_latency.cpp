@@ -1,10 +1,10 @@
+#include "core/plan/proof/layered_bound.h"
 #include "core/plan/solve/engine.h"
-#include "core/plan/solve/layered_bound.h"
 #include "core/plan/solve/order_moves.h"
 #include "core/plan/solve/subset_solver.h"
 #include "tests/support/approx.h"
-#include "tests/support/hard_problems.h"
-#include "tests/support/orders.h"
+#include "tests/support/plan/hard_problems.h"
+#include "tests/support/plan/orders.h"
 
 #include <QtTest>
 

@@ -1,5 +1,5 @@
 #include "core/plan/solve/latency_problem.h"
-#include "tests/support/brute_force.h"
+#include "tests/support/plan/brute_force.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
 #include "core/plan/solve/engine.h"
 #include "core/plan/solve/order_moves.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
-#include "tests/support/orders.h"
-#include "tests/support/problem_rows.h"
+#include "tests/support/plan/brute_force.h"
+#include "tests/support/plan/orders.h"
+#include "tests/support/plan/problem_rows.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 #include "core/plan/solve/order_moves.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
+#include "tests/support/plan/brute_force.h"
 
 #include <QtTest>
 

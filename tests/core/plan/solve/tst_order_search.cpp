@@ -1,7 +1,7 @@
 #include "core/plan/solve/order_search.h"
 #include "core/plan/solve/subset_solver.h"
-#include "tests/support/brute_force.h"
-#include "tests/support/problem_rows.h"
+#include "tests/support/plan/brute_force.h"
+#include "tests/support/plan/problem_rows.h"
 
 #include <QtTest>
 

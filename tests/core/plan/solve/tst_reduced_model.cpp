@@ -1,7 +1,7 @@
 #include "core/plan/solve/reduced_model.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
-#include "tests/support/milp_checks.h"
+#include "tests/support/plan/brute_force.h"
+#include "tests/support/plan/milp_checks.h"
 
 #include <QRegularExpression>
 #include <QtTest>

@@ -1,7 +1,7 @@
 #include "core/plan/solve/subset_solver.h"
 #include "tests/support/approx.h"
-#include "tests/support/brute_force.h"
-#include "tests/support/orders.h"
+#include "tests/support/plan/brute_force.h"
+#include "tests/support/plan/orders.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 #include "tests/support/approx.h"
-#include "tests/support/map_builder.h"
-#include "tests/support/map_layouts.h"
+#include "tests/support/window/map_builder.h"
+#include "tests/support/window/map_layouts.h"
 #include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_legs.h"

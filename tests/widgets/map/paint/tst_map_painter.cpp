@@ -1,13 +1,13 @@
 #include "core/base/angles.h"
 #include "tests/support/approx.h"
-#include "tests/support/map_builder.h"
-#include "tests/support/map_layouts.h"
+#include "tests/support/window/map_builder.h"
+#include "tests/support/window/map_layouts.h"
+#include "widgets/flight/sigma_end.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/paint/map_sprites.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/map/picture/footprint.h"
-#include "widgets/model/sigma_end.h"
 
 #include <QFontMetricsF>
 #include <QtTest>

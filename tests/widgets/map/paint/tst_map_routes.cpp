@@ -1,11 +1,11 @@
 #include "tests/support/approx.h"
-#include "tests/support/fleet_maps.h"
+#include "tests/support/window/fleet_maps.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_legend_rows.h"
 #include "widgets/map/paint/map_legs.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/picture/route_colours.h"
-#include "widgets/model/scenario_edits.h"
 #include "widgets/theme/palette.h"
 
 using namespace berg;

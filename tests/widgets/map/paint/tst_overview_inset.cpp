@@ -1,5 +1,5 @@
 #include "tests/support/approx.h"
-#include "tests/support/map_fixture.h"
+#include "tests/support/window/map_fixture.h"
 #include "widgets/map/paint/overview_inset.h"
 
 #include <QSignalSpy>

@@ -1,5 +1,5 @@
-#include "core/scenario/presets.h"
-#include "tests/support/panel_test.h"
+#include "core/presets/presets.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/map/paint/map_layout.h"
 #include "widgets/map/picture/scenario_picture.h"
 

@@ -1,7 +1,7 @@
 #include "core/base/angles.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
-#include "tests/support/scenario_builder.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
+#include "tests/support/flight/scenario_builder.h"
 #include "widgets/map/paint/swept_layer.h"
 
 #include <QPainter>

@@ -1,4 +1,4 @@
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
 #include "widgets/charts/mission_charts.h"
 #include "widgets/map/picture/mission_picture.h"

@@ -1,6 +1,6 @@
-#include "core/base/geometry.h"
-#include "tests/support/ids.h"
-#include "tests/support/map_fixture.h"
+#include "core/geometry/geometry.h"
+#include "tests/support/window/ids.h"
+#include "tests/support/window/map_fixture.h"
 
 #include <QSignalSpy>
 

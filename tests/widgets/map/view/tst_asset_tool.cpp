@@ -1,7 +1,7 @@
-#include "core/scenario/validate.h"
-#include "tests/support/ids.h"
-#include "tests/support/map_fixture.h"
-#include "tests/support/panel_test.h"
+#include "core/checks/validate.h"
+#include "tests/support/window/ids.h"
+#include "tests/support/window/map_fixture.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/inspector/inspector_panel.h"
 

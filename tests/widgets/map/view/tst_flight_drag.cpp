@@ -1,9 +1,9 @@
 #include "tests/support/approx.h"
-#include "tests/support/ids.h"
-#include "tests/support/map_fixture.h"
-#include "tests/support/panel_test.h"
+#include "tests/support/window/ids.h"
+#include "tests/support/window/map_fixture.h"
+#include "tests/support/window/panel_test.h"
+#include "widgets/document/wind.h"
 #include "widgets/map/paint/wind_panel.h"
-#include "widgets/model/wind.h"
 
 #include <QSignalSpy>
 

@@ -1,9 +1,9 @@
+#include "core/checks/validate.h"
 #include "core/io/files/iceberg_json.h"
-#include "core/scenario/validate.h"
-#include "tests/support/ids.h"
-#include "tests/support/map_fixture.h"
-#include "widgets/model/iceberg_clipboard.h"
-#include "widgets/model/scenario_edits.h"
+#include "tests/support/window/ids.h"
+#include "tests/support/window/map_fixture.h"
+#include "widgets/document/iceberg_clipboard.h"
+#include "widgets/document/scenario_edits.h"
 
 #include <QClipboard>
 #include <QSignalSpy>

@@ -1,11 +1,11 @@
 #include "core/base/angles.h"
-#include "core/scenario/validate.h"
+#include "core/checks/validate.h"
 #include "tests/support/approx.h"
-#include "tests/support/fleet_maps.h"
-#include "tests/support/ids.h"
+#include "tests/support/window/fleet_maps.h"
+#include "tests/support/window/ids.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_painter.h"
 #include "widgets/map/view/map_handles.h"
-#include "widgets/model/scenario_edits.h"
 #include "widgets/theme/palette.h"
 
 #include <QSignalSpy>

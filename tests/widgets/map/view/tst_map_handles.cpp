@@ -1,7 +1,7 @@
 #include "core/base/angles.h"
 #include "tests/support/approx.h"
-#include "tests/support/ids.h"
-#include "tests/support/map_fixture.h"
+#include "tests/support/window/ids.h"
+#include "tests/support/window/map_fixture.h"
 #include "widgets/map/view/map_handles.h"
 
 #include <QSignalSpy>

@@ -1,6 +1,6 @@
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/map_fixture.h"
+#include "tests/support/window/map_fixture.h"
 
 #include <QNativeGestureEvent>
 #include <QPointingDevice>

@@ -1,7 +1,7 @@
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/ids.h"
-#include "tests/support/map_fixture.h"
+#include "tests/support/window/ids.h"
+#include "tests/support/window/map_fixture.h"
 
 #include <QContextMenuEvent>
 #include <QSignalSpy>

@@ -1,6 +1,6 @@
 #include "core/base/angles.h"
 #include "tests/support/approx.h"
-#include "tests/support/map_fixture.h"
+#include "tests/support/window/map_fixture.h"
 #include "widgets/map/view/measure_tool.h"
 
 #include <QSignalSpy>

@@ -1,6 +1,6 @@
 #include "tests/support/approx.h"
-#include "tests/support/ids.h"
-#include "tests/support/map_fixture.h"
+#include "tests/support/window/ids.h"
+#include "tests/support/window/map_fixture.h"
 
 #include <QSignalSpy>
 

@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/text/atomic_file.h"
 #include "tests/support/approx.h"
-#include "tests/support/chart_panel_fixture.h"
+#include "tests/support/window/chart_panel_fixture.h"
 #include "widgets/charts/figure_painter.h"
 #include "widgets/theme/palette.h"
 #include "widgets/theme/quantity_text.h"

@@ -1,5 +1,5 @@
-#include "core/scenario/presets.h"
-#include "tests/support/panel_test.h"
+#include "core/presets/presets.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/panels/flight/event_model.h"
 #include "widgets/panels/flight/event_panel.h"
 

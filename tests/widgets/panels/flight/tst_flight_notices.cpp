@@ -1,7 +1,7 @@
 #include "tests/support/approx.h"
-#include "tests/support/panel_test.h"
-#include "tests/support/scenario_builder.h"
-#include "tests/support/test_solvers.h"
+#include "tests/support/flight/scenario_builder.h"
+#include "tests/support/plan/test_solvers.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/panels/flight/flight_notices.h"
 
 #include <stdexcept>

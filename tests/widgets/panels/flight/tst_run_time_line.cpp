@@ -1,4 +1,4 @@
-#include "tests/support/panel_test.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/panels/flight/run_time_line.h"
 #include "widgets/theme/palette.h"
 

@@ -1,7 +1,7 @@
 #include "core/io/files/scenario_json.h"
 #include "tests/support/approx.h"
-#include "tests/support/mission_builder.h"
-#include "tests/support/table_fixture.h"
+#include "tests/support/flight/mission_builder.h"
+#include "tests/support/window/table_fixture.h"
 
 #include <QSignalSpy>
 

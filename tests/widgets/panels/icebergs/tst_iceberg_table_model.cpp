@@ -1,8 +1,8 @@
 #include "core/io/files/scenario_json.h"
 #include "core/tracking/position_error.h"
 #include "tests/support/approx.h"
-#include "tests/support/mission_builder.h"
-#include "tests/support/table_fixture.h"
+#include "tests/support/flight/mission_builder.h"
+#include "tests/support/window/table_fixture.h"
 #include "widgets/panels/plan/plan_rows.h"
 
 #include <QSignalSpy>

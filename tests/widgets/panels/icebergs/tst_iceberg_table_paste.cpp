@@ -1,7 +1,7 @@
-#include "core/base/geodesy.h"
+#include "core/earth/geodesy.h"
 #include "tests/support/approx.h"
-#include "tests/support/scenario_builder.h"
-#include "widgets/model/scenario_edits.h"
+#include "tests/support/flight/scenario_builder.h"
+#include "widgets/document/scenario_edits.h"
 #include "widgets/panels/icebergs/iceberg_table_paste.h"
 #include "widgets/words/iceberg_table_text.h"
 

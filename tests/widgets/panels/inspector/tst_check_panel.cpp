@@ -1,6 +1,5 @@
-#include "core/scenario/scenario_warnings.h"
-#include "tests/support/panel_test.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/scenario_builder.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/panels/inspector/check_panel.h"
 #include "widgets/words/issue_text.h"
 

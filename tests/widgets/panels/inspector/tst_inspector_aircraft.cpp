@@ -1,4 +1,4 @@
-#include "tests/support/inspector_fixture.h"
+#include "tests/support/window/inspector_fixture.h"
 #include "widgets/panels/fields/fold_heading.h"
 
 #include <QCheckBox>

@@ -1,5 +1,5 @@
-#include "tests/support/mission_builder.h"
-#include "tests/support/panel_test.h"
+#include "tests/support/flight/mission_builder.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/panels/fields/fold_heading.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/inspector/inspector_panel.h"

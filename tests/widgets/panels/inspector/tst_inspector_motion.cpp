@@ -1,6 +1,6 @@
-#include "core/base/geodesy.h"
+#include "core/earth/geodesy.h"
 #include "tests/support/approx.h"
-#include "tests/support/inspector_fixture.h"
+#include "tests/support/window/inspector_fixture.h"
 
 using namespace berg;
 using namespace Qt::StringLiterals;

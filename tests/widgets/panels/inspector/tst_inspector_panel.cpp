@@ -1,5 +1,5 @@
 #include "tests/support/approx.h"
-#include "tests/support/inspector_fixture.h"
+#include "tests/support/window/inspector_fixture.h"
 #include "widgets/panels/inspector/inspector_rows.h"
 #include "widgets/words/issue_text.h"
 

@@ -1,11 +1,11 @@
-#include "core/scenario/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/scenario_builder.h"
+#include "tests/support/flight/scenario_builder.h"
 #include "widgets/map/picture/mission_picture.h"
 #include "widgets/map/picture/scenario_picture.h"
-#include "widgets/model/workspace.h"
 #include "widgets/panels/plan/plan_model.h"
 #include "widgets/panels/plan/plan_rows.h"
+#include "widgets/workspace/workspace.h"
 
 #include <QtTest>
 

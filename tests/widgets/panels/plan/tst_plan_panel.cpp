@@ -1,5 +1,5 @@
 #include "tests/support/approx.h"
-#include "tests/support/plan_panel_fixture.h"
+#include "tests/support/window/plan_panel_fixture.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/plan/plan_delegate.h"
 

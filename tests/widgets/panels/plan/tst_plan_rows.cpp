@@ -1,9 +1,9 @@
 #include "core/base/angles.h"
-#include "core/scenario/presets.h"
-#include "core/sim/mission.h"
+#include "core/mission/mission.h"
+#include "core/presets/presets.h"
 #include "tests/support/approx.h"
-#include "tests/support/plan_panel_fixture.h"
-#include "widgets/model/mission_snapshot.h"
+#include "tests/support/window/plan_panel_fixture.h"
+#include "widgets/flight/mission_snapshot.h"
 #include "widgets/theme/declination.h"
 #include "widgets/theme/unit_settings.h"
 

@@ -1,4 +1,4 @@
-#include "tests/support/panel_test.h"
+#include "tests/support/window/panel_test.h"
 #include "widgets/panels/plan/policy_combo.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
 #include "widgets/words/policy_words.h"

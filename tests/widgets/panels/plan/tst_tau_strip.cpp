@@ -1,7 +1,7 @@
 #include "tests/support/approx.h"
-#include "tests/support/curve_builder.h"
-#include "tests/support/panel_test.h"
-#include "widgets/model/curve_choice.h"
+#include "tests/support/plan/curve_builder.h"
+#include "tests/support/window/panel_test.h"
+#include "widgets/forecast/curve_choice.h"
 #include "widgets/panels/plan/tau_strip.h"
 
 #include <QMouseEvent>

@@ -1,5 +1,5 @@
-#include "tests/support/panel_test.h"
-#include "tests/support/patience.h"
+#include "tests/support/window/panel_test.h"
+#include "tests/support/window/patience.h"
 #include "widgets/charts/solve_time_chart.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/study/solve_time_panel.h"

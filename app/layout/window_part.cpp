@@ -1,0 +1,48 @@
+#include "app/layout/window_part.h"
+
+#include "app/dialogs/interaction.h"
+#include "app/layout/panels.h"
+#include "core/base/error.h"
+#include "widgets/panels/flight/message_list.h"
+#include "widgets/theme/announcer.h"
+#include "widgets/words/error_text.h"
+
+#include <QMainWindow>
+#include <QStatusBar>
+
+namespace berg {
+
+QLocale WindowPart::locale() const
+{
+    return window().locale();
+}
+
+QWidget* WindowPart::windowOf(const QWidget& panel) const
+{
+    return panel.isVisible() ? panel.window() : &window();
+}
+
+void WindowPart::showMessage(const QString& text, int duration_ms) const
+{
+    window().statusBar()->showMessage(text, duration_ms);
+    announce(text);
+}
+
+bool WindowPart::attempt(const std::function<void()>& work) const
+{
+    try {
+        work();
+        return true;
+    } catch (const Error& error) {
+        interaction().showError(&window(), errorReport(error));
+        return false;
+    }
+}
+
+void WindowPart::announce(const QString& text) const
+{
+    panels().messages->add(text);
+    panels().announcer->say(text);
+}
+
+} // namespace berg

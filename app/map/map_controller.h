@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/layout/window_part.h"
+#include "widgets/map/paint/map_layers.h"
+#include "widgets/map/paint/map_overlays.h"
+
+namespace berg {
+
+class Docks;
+
+/** Connects the map, the tables beside it, the overview and the workspace. */
+class MapController : public WindowPart
+{
+    Q_OBJECT
+
+public:
+    MapController(WindowContext& context, const Docks& docks);
+
+    [[nodiscard]] bool overviewIsShown() const;
+    void setOverviewShown(bool shown);
+    [[nodiscard]] bool panelIsShown(MapPanel panel) const;
+    void setPanelShown(MapPanel panel, bool shown);
+    [[nodiscard]] bool layerIsShown(MapLayer layer) const;
+    /** Wholly or not at all. */
+    void setLayerShown(MapLayer layer, bool shown);
+    /** The widget below the map; may be null. */
+    void setBackdrop(const BackdropPointer& backdrop);
+
+signals:
+    /** Layers of the map are shown, hidden or made faint. */
+    void layersChanged();
+
+private:
+    void connectMap(const Docks& docks);
+    void connectTables();
+    void showOverview();
+    void savePanels();
+    [[nodiscard]] MapLayers savedLayers() const;
+    void showLayers(const MapLayers& layers);
+    [[nodiscard]] MapPanelStates savedPanels() const;
+};
+
+} // namespace berg

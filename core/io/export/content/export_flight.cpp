@@ -1,0 +1,127 @@
+#include "core/io/export/content/export_flight.h"
+
+#include "core/base/angles.h"
+#include "core/mission/policy_forecast.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+/** Time after the end of any flight. */
+constexpr double kNever_s = 2 * kLargestTime_s;
+
+/** Returns the iceberg at its estimate, for a scenario that starts now. */
+Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, int index)
+{
+    Iceberg now = iceberg;
+    now.track = {};
+    const double appears_s = iceberg.appears_s - simulation.time_s();
+    now.appears_s = simulation.active(index) ? 0 : appears_s > 0 ? appears_s : kNever_s;
+    if (now.appears_s > 0)
+        return now;
+    const Track& track = simulation.track(index);
+    now.position_m = simulation.observer().estimate_m(index);
+    now.velocity_mps = track.velocity_mps - track.mean_mps; // the scenario still adds the current
+    now.sigma0_m2 = track.sigma_m2;
+    now.velocitySd_mps = std::sqrt(track.velocity_m2ps2);
+    now.observed_s = 0;
+    return now;
+}
+
+void advanceToNow(Uav& uav, const UavState& now, double least_s)
+{
+    uav.home_m = uav.home_m.value_or(uav.position_m);
+    uav.position_m = now.pose.position_m;
+    uav.heading_deg = headingFromPsi(now.pose.psi_rad);
+    if (uav.spec.endurance_s == 0)
+        return;
+    const double left_s = std::max(least_s, usableEndurance_s(uav.spec) - now.aloft_s);
+    uav.spec.reserve_s = reserve_s(uav.spec); // fixed by the whole endurance, not by what is left
+    uav.spec.climb_s = 0;                     // the climb is over
+    uav.spec.endurance_s = left_s + *uav.spec.reserve_s + uav.spec.landing_s;
+}
+
+/** Updates the scenario, which has UAV `row` only, to the present state of the mission. */
+void advanceToNow(Scenario& scene, const Mission& mission, int row)
+{
+    const Simulation& simulation = mission.simulation();
+    scene.planner = mission.plannerSettings();
+    scene.wind_mps = simulation.motion(row).wind_mps;
+    scene.asset = simulation.world().asset();
+    scene.icebergs.clear();
+    for (const Iceberg& iceberg : mission.icebergs())
+        scene.icebergs.push_back(
+            presentIceberg(iceberg, simulation, static_cast<int>(scene.icebergs.size())));
+    advanceToNow(scene.uavs.front(), simulation.uav(row), simulation.world().dt_s());
+}
+
+UavOrder orderAtStart(const PlanAnswer& plan, std::size_t row)
+{
+    if (row >= plan.uavs.size()) // a plan from the start covers all UAVs
+        return {};
+    return {
+        .icebergs = plan.uavs[row].order, .clusters = plan.clusters, .legs = plan.uavs[row].legs};
+}
+
+} // namespace
+
+PlanAnswer startPlan(const Mission& mission)
+{
+    PlanAnswer answer;
+    for (const PlanEvent& plan : mission.plans()) {
+        if (&plan != &mission.plans().front() && !plan.sameSolve)
+            break; // made after the start
+        answer.uavs.push_back({.order = plan.order, .legs = plan.legs});
+        answer.clusters.insert(answer.clusters.end(), plan.clusters.begin(), plan.clusters.end());
+        answer.outcome.status = plan.status;
+        answer.gap = plan.gap;
+        answer.fellBack = plan.fellBack;
+    }
+    return answer;
+}
+
+UavOrder presentOrder(const ExportSource& source, std::size_t row)
+{
+    const int uav = static_cast<int>(row);
+    const PlanEvent* plan = source.mission ? lastPlanOf(source.mission->plans(), uav) : nullptr;
+    if (plan == nullptr)
+        return orderAtStart(source.plan, row);
+    const Simulation& simulation = source.mission->simulation();
+    if (!simulation.uav(uav).isPlanned())
+        return {};
+    UavOrder order{.icebergs = plan->order, .clusters = plan->clusters, .legs = plan->legs};
+    if (plan->outlook)
+        order.searches = plan->outlook->searches;
+    if (!order.legs.empty() && simulation.uav(uav).aim)
+        order.legs.front() = *simulation.uav(uav).aim; // the rest of the current turn
+    for (AimedLeg& leg : order.legs) {
+        leg.sighting_s -= simulation.time_s();
+        if (leg.end_s)
+            *leg.end_s -= simulation.time_s();
+    }
+    return order;
+}
+
+Scenario presentScene(const ExportSource& source, std::size_t row)
+{
+    Scenario scene = withoutUnknowns(source.scenario, source.scenario.planner.policy);
+    scene.uavs = {source.scenario.uavs.at(row)};
+    if (source.mission != nullptr)
+        advanceToNow(scene, *source.mission, static_cast<int>(row));
+    for (Iceberg& iceberg : scene.icebergs)
+        iceberg.uav.clear(); // the order determines the UAV
+    return scene;
+}
+
+TrackPoints flownTrack(const Mission& mission, std::size_t row)
+{
+    TrackPoints track;
+    for (const Sample& sample : mission.recorder().samples())
+        track.append(trackPointOf(sample, row));
+    return track;
+}
+
+} // namespace berg

@@ -1,0 +1,244 @@
+#include "core/io/import/maps/geojson_places.h"
+
+#include "core/base/error.h"
+#include "core/base/number_text.h"
+#include "core/io/text/byte_order_mark.h"
+#include "core/io/text/json_writer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+constexpr double kLargestDegrees = 360; ///< largest value of a longitude
+constexpr double kSurelyMetres = 1000;
+
+std::string typeOf(const Json* object)
+{
+    return textOf(memberOf(object, "type"));
+}
+
+/** Name or code of a `crs`, as files before RFC 7946 have it. */
+std::string systemName(const Json& crs)
+{
+    if (crs.is_string())
+        return crs.get<std::string>();
+    const Json* properties = memberOf(&crs, "properties");
+    for (const char* member : {"name", "href", "code"}) {
+        const Json* value = memberOf(properties, member);
+        if (value != nullptr && value->is_string())
+            return value->get<std::string>();
+        if (value != nullptr && value->is_number_integer())
+            return "EPSG:" + std::to_string(value->get<std::int64_t>());
+    }
+    return typeOf(&crs);
+}
+
+/**
+ * Returns the code of "EPSG:4326", "urn:ogc:def:crs:EPSG::4326" or ".../EPSG/0/4326", or nullopt
+ * for any other name.
+ */
+std::optional<int> epsgOf(const std::string& name)
+{
+    const std::string plain = plainName(name);
+    if (plain.find("epsg") == std::string::npos)
+        return std::nullopt;
+    const std::string_view code = std::string_view(name).substr(name.find_last_of(":/") + 1);
+    int epsg = 0;
+    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), epsg);
+    return error == std::errc() && end == code.data() + code.size() ? std::optional(epsg)
+                                                                    : std::nullopt;
+}
+
+/** Whether this is a name by OGC of longitude and latitude of WGS 84. */
+bool isWgs84(const std::string& name)
+{
+    const std::string plain = plainName(name);
+    return plain.ends_with("crs84") || plain.ends_with("crs84h") || plain == "wgs84" ||
+           plain == "wgs1984";
+}
+
+/** Returns the rings of a polygon; none if it has no centroid. */
+AreaRings ringsOf(const Json& polygon, const GeoJsonSystem& system)
+{
+    AreaRings rings;
+    for (const Json& corners : listOf(polygon)) {
+        AreaRing& ring = rings.emplace_back();
+        for (const Json& corner : listOf(corners)) {
+            const std::optional<Point> position = positionOf(corner);
+            if (!position)
+                return {};
+            ring.push_back(*position);
+        }
+    }
+    return centroidOf(rings, system.unprojected ? 0 : kTurn_deg) ? rings : AreaRings();
+}
+
+class Parts
+{
+public:
+    explicit Parts(const GeoJsonSystem& system) : m_system(system) {}
+
+    void add(const Json* geometry)
+    {
+        const std::string type = typeOf(geometry);
+        if (type == "GeometryCollection") {
+            if (const Json* geometries = arrayOf(geometry, "geometries"))
+                for (const Json& one : *geometries)
+                    add(&one);
+            return;
+        }
+        const Json* coordinates = arrayOf(geometry, "coordinates");
+        if (coordinates == nullptr)
+            ++m_parts.broken;
+        else if (type == "Point")
+            addPoint(*coordinates);
+        else if (type == "MultiPoint")
+            addEach(*coordinates, &Parts::addPoint);
+        else if (type == "Polygon")
+            addArea(*coordinates);
+        else if (type == "MultiPolygon")
+            addEach(*coordinates, &Parts::addArea);
+        else if (type == "LineString")
+            addLine(*coordinates);
+        else if (type == "MultiLineString")
+            addEach(*coordinates, &Parts::addLine);
+        else
+            m_parts.other = type.empty() ? "?" : type;
+    }
+
+    GeometryParts take() { return std::move(m_parts); }
+
+private:
+    void addEach(const Json& list, void (Parts::*addOne)(const Json&))
+    {
+        for (const Json& one : list)
+            (this->*addOne)(one);
+    }
+    void addPoint(const Json& position)
+    {
+        if (const std::optional<Point> point = positionOf(position))
+            m_parts.points.push_back(*point);
+        else
+            ++m_parts.broken;
+    }
+    void addArea(const Json& polygon)
+    {
+        if (AreaRings rings = ringsOf(polygon, m_system); !rings.empty())
+            m_parts.areas.push_back(std::move(rings));
+        else
+            ++m_parts.broken;
+    }
+    void addLine(const Json& corners) { m_parts.lines.push_back(&corners); }
+
+    const GeoJsonSystem& m_system;
+    GeometryParts m_parts;
+};
+
+/** Whether a line of a text is a complete object, so that another may follow it. */
+bool isWholeObject(std::string_view line)
+{
+    std::size_t depth = 0;
+    bool isInText = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (isInText && c == '\\')
+            ++i;
+        else if (c == '"')
+            isInText = !isInText;
+        else if (!isInText && (c == '{' || c == '['))
+            ++depth;
+        else if (!isInText && (c == '}' || c == ']') && (depth == 0 || --depth == 0))
+            return i + 1 == line.size();
+    }
+    return false;
+}
+
+std::vector<std::string_view> splitAt(char separator, std::string_view text)
+{
+    std::vector<std::string_view> texts;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(separator, at), text.size());
+        if (const std::string_view one = trimmed(text.substr(at, end - at)); !one.empty())
+            texts.push_back(one);
+        at = end + 1;
+    }
+    return texts;
+}
+
+} // namespace
+
+GeoJsonSystem systemOf(const Json& object, const GeoJsonSystem& outer, const std::string& subject)
+{
+    const Json* crs = memberOf(&object, "crs");
+    if (crs == nullptr || crs->is_null())
+        return outer;
+    const std::string name = systemName(*crs);
+    const std::optional<int> epsg = epsgOf(name);
+    if (isWgs84(name) || (epsg && isGeographic(*epsg)))
+        return {.name = name, .unprojected = std::nullopt};
+    std::optional<Unprojection> unprojected = epsg ? unprojectionOf(*epsg) : std::nullopt;
+    if (!unprojected)
+        throw Error(ErrorCode::InvalidInput, subject,
+                    {{Severity::Error, "crs", {IssueId::CrsUnknown, {cleanText(name, 100)}}}});
+    return {.name = "EPSG:" + std::to_string(*epsg), .unprojected = std::move(unprojected)};
+}
+
+std::optional<RejectedRow> setPlace(FieldTexts& texts, const Point& position,
+                                    const GeoJsonSystem& system)
+{
+    LatLon place{.latitude_deg = position.y(), .longitude_deg = position.x()};
+    if (system.unprojected) {
+        if (std::abs(position.x()) <= kLargestDegrees && std::abs(position.y()) <= 90)
+            return RejectedRow{.fault = IssueId::PlaceInDegrees, .detail = system.name};
+        place = (*system.unprojected)(position);
+    } else if (position.cwiseAbs().maxCoeff() > kSurelyMetres) {
+        return RejectedRow{.fault = IssueId::PlaceInMetres,
+                           .detail = numberText(position.x()) + ' ' + numberText(position.y())};
+    }
+    texts.set(SightingField::Longitude, jsonText(place.longitude_deg));
+    texts.set(SightingField::Latitude, jsonText(place.latitude_deg));
+    return std::nullopt;
+}
+
+std::optional<Point> positionOf(const Json& position)
+{
+    if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
+        !position[1].is_number())
+        return std::nullopt;
+    return Point(position[0].get<double>(), position[1].get<double>());
+}
+
+GeometryParts partsOf(const Json* geometry, const GeoJsonSystem& system)
+{
+    Parts parts(system);
+    parts.add(geometry);
+    return parts.take();
+}
+
+bool hasPlaces(const Json* geometry)
+{
+    const std::string type = typeOf(geometry);
+    if (type != "GeometryCollection")
+        return type.ends_with("Point") || type.ends_with("Polygon");
+    const Json* geometries = arrayOf(geometry, "geometries");
+    return geometries != nullptr && std::any_of(geometries->begin(), geometries->end(),
+                                                [](const Json& one) { return hasPlaces(&one); });
+}
+
+std::vector<std::string_view> jsonTextsOf(std::string_view text)
+{
+    constexpr char kRecord = '\x1E'; // RFC 8142
+    const std::string_view whole = trimmed(withoutByteOrderMark(text));
+    if (whole.starts_with(kRecord))
+        return splitAt(kRecord, whole);
+    const std::size_t end = whole.find('\n');
+    if (end != std::string_view::npos && isWholeObject(trimmed(whole.substr(0, end))))
+        return splitAt('\n', whole);
+    return {text};
+}
+
+} // namespace berg

@@ -1,0 +1,63 @@
+#pragma once
+
+// Private to core/io: places of GeoJSON geometries and their coordinate systems.
+
+#include "core/earth/map_projection.h"
+#include "core/io/import/fields/area_centroid.h"
+#include "core/io/import/fields/import_fields.h"
+#include "core/io/import/fields/json_members.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berg {
+
+/** Coordinate system of a file: longitude and latitude, or those of a map projection. */
+struct GeoJsonSystem
+{
+    std::string name; ///< e.g. "EPSG:3413"; empty if the file names no system
+    std::optional<Unprojection> unprojected; ///< set if the coordinates are metres
+};
+
+/**
+ * Returns the system that the member `crs` of an object names, or `outer` if it has none. Throws
+ * `Error` InvalidInput with its name if it is neither WGS 84 in degrees nor has an
+ * `unprojectionOf`.
+ */
+[[nodiscard]] GeoJsonSystem systemOf(const Json& object, const GeoJsonSystem& outer,
+                                     const std::string& subject);
+
+/**
+ * Sets the place in the texts from x, y. Returns the fault if the numbers are degrees where the
+ * system has metres, or the reverse, and nullopt otherwise; the range of degrees is checked when
+ * the texts are read.
+ */
+[[nodiscard]] std::optional<RejectedRow> setPlace(FieldTexts& texts, const Point& position,
+                                                  const GeoJsonSystem& system);
+
+/** Returns x and y of a position, or nullopt if it is not one. */
+[[nodiscard]] std::optional<Point> positionOf(const Json& position);
+
+/** Parts of a geometry, including those of nested collections. */
+struct GeometryParts
+{
+    std::vector<Point> points;
+    std::vector<AreaRings> areas;   ///< polygons that have a centroid
+    std::vector<const Json*> lines; ///< lists of positions
+    std::size_t broken = 0;         ///< number of faulty points and areas
+    std::string other;              ///< type of a geometry of another kind; empty if there is none
+};
+/** Splits a geometry into its parts; null has one broken part. */
+[[nodiscard]] GeometryParts partsOf(const Json* geometry, const GeoJsonSystem& system);
+
+/** Returns true if a geometry (may be null) contains a point or an area. */
+[[nodiscard]] bool hasPlaces(const Json* geometry);
+
+/**
+ * Returns the JSON texts of a file: a single one, those of a text sequence (RFC 8142), or lines
+ * with an object each.
+ */
+[[nodiscard]] std::vector<std::string_view> jsonTextsOf(std::string_view text);
+
+} // namespace berg

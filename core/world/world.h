@@ -1,0 +1,120 @@
+#pragma once
+
+#include "core/scenario/scenario.h"
+#include "core/tracking/drift.h"
+#include "core/world/world_state.h"
+
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace berg {
+
+/**
+ * Draws the drift noise of each iceberg of the scenario, in its order. Simulations whose scenarios
+ * differ only in planner or duration can share it. Memory is limited to 32 MB; in long runs with
+ * many icebergs each simulation draws the rest itself.
+ */
+[[nodiscard]] std::vector<DriftNoise> drawNoise(const Scenario& scenario);
+
+/** Properties of an iceberg that are constant, except its assignment. */
+struct IcebergParameters
+{
+    std::uint64_t stream = 0; ///< stream of its random numbers
+    double radius_m = 0;
+    Track start; ///< knowledge at its start; the velocity includes the current
+    /** Only UAV that may visit it; nullopt if every UAV may. */
+    std::optional<int> assignedUav;
+};
+
+/** The true state: time and positions of the icebergs. */
+class World
+{
+public:
+    /** Starts at step 0 without icebergs, which `add` adds. */
+    explicit World(const Scenario& scenario);
+
+    [[nodiscard]] double time_s() const { return static_cast<double>(m_step) * m_dt_s; }
+    [[nodiscard]] double dt_s() const { return m_dt_s; }
+    [[nodiscard]] std::int64_t step() const { return m_step; }
+    [[nodiscard]] std::int64_t lastStep() const { return m_lastStep; }
+    [[nodiscard]] std::int64_t stepsPerSecond() const { return m_stepsPerSecond; }
+    [[nodiscard]] bool isWholeSecond() const { return m_inSecond == 0; }
+    [[nodiscard]] std::uint64_t seed() const { return m_seed; }
+    void tick()
+    {
+        ++m_step;
+        m_inSecond = m_inSecond + 1 == m_stepsPerSecond ? 0 : m_inSecond + 1;
+    }
+    /** Advances the truth to a later step. No iceberg may have been added in between. */
+    void goTo(std::int64_t step);
+    /** Returns the specification of the camera's measurements. */
+    [[nodiscard]] const ObserverSpec& observer() const { return m_observer; }
+    [[nodiscard]] const std::optional<Asset>& asset() const { return m_asset; }
+    void setAsset(const Asset& asset) { m_asset = asset; }
+
+    /**
+     * Adds an iceberg that is at its `position_m` at `start_s` and is monitored from `appearsStep`
+     * on.
+     */
+    void add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep);
+    [[nodiscard]] int icebergCount() const { return static_cast<int>(m_parameters.size()); }
+    [[nodiscard]] const IcebergParameters& parameters(int iceberg) const
+    {
+        return m_parameters[toIndex(iceberg)];
+    }
+    /** Treats the iceberg as if it had never appeared. */
+    void remove(int iceberg)
+    {
+        m_appearsStep[toIndex(iceberg)] = std::numeric_limits<std::int64_t>::max();
+    }
+    /** Assigns the iceberg to a UAV, or to every UAV if `uav` is nullopt. */
+    void assign(int iceberg, std::optional<int> uav)
+    {
+        m_parameters[toIndex(iceberg)].assignedUav = uav;
+    }
+    /** Returns the number of steps since the iceberg appeared; negative before. */
+    [[nodiscard]] std::int64_t age(int iceberg) const
+    {
+        return m_step - m_appearsStep[toIndex(iceberg)];
+    }
+
+    /** Returns the true position now, or at its start before the iceberg has appeared, m. */
+    [[nodiscard]] Point truth_m(int iceberg) const;
+    /**
+     * Returns the true position of an iceberg that has appeared, m. Draws its noise up to now, so
+     * later calls are cheap.
+     */
+    [[nodiscard]] Point position_m(int iceberg)
+    {
+        return m_drift[toIndex(iceberg)].position_m(time_s());
+    }
+    /** Draws the noise of all icebergs up to now, so that `truth_m` has little left to draw. */
+    void advanceDrift();
+    /** Returns a speed that the iceberg does not exceed, m/s. */
+    [[nodiscard]] double speedLimit_mps(int iceberg) const
+    {
+        return m_drift[toIndex(iceberg)].speedLimit_mps();
+    }
+    /** Returns the random draw for camera sample `sample` of the iceberg; the default without
+     * noise. */
+    [[nodiscard]] SampleDraw sampleDraw(int iceberg, std::int64_t sample) const;
+
+private:
+    double m_dt_s;
+    std::int64_t m_lastStep;
+    std::int64_t m_stepsPerSecond;
+    std::uint64_t m_seed;
+    bool m_noise;
+    ObserverSpec m_observer;
+    std::optional<Asset> m_asset; ///< protected asset
+    Point m_current_mps;
+    std::vector<std::string> m_uavs; ///< UAV ids
+    std::int64_t m_step = 0;
+    std::int64_t m_inSecond = 0; ///< steps since the last whole second
+    std::vector<IcebergParameters> m_parameters;
+    std::vector<DriftModel> m_drift;
+    std::vector<std::int64_t> m_appearsStep;
+};
+
+} // namespace berg

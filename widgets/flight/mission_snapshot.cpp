@@ -1,0 +1,175 @@
+#include "widgets/flight/mission_snapshot.h"
+
+#include "core/mission/mission_instant.h"
+#include "core/mission/plan_requests.h"
+#include "core/sim/clusters.h"
+#include "widgets/words/object_names.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace berg {
+
+namespace {
+
+template <class Record>
+void join(std::vector<Record>& known, std::size_t first, std::vector<Record> news)
+{
+    known.resize(std::min(known.size(), first));
+    std::move(news.begin(), news.end(), std::back_inserter(known));
+}
+
+/** Returns the index of the event of the same solve's first UAV. */
+std::size_t firstOfSolve(std::span<const PlanEvent> plans, std::size_t place)
+{
+    while (place > 0 && plans[place].sameSolve)
+        --place;
+    return place;
+}
+
+std::vector<double> airspeedsOf(const std::vector<Motion>& motions)
+{
+    std::vector<double> airspeeds_mps;
+    for (const Motion& motion : motions)
+        airspeeds_mps.push_back(motion.airspeed_mps);
+    return airspeeds_mps;
+}
+
+MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
+{
+    MissionSnapshot snapshot{.time_s = simulation.time_s(),
+                             .world = simulation.state(),
+                             .icebergs = mission.icebergs(),
+                             .asset = simulation.world().asset()};
+    for (int uav = 0; uav < simulation.uavCount(); ++uav) {
+        snapshot.motions.push_back(simulation.motion(uav));
+        const Autopilot& autopilot = simulation.fleet().autopilot(uav);
+        snapshot.fences.push_back(autopilot.guard().uav().fence);
+        snapshot.homeMargins_s.push_back(autopilot.homeMargin_s(simulation.observer()));
+    }
+    // At an earlier instant some icebergs have not been added yet.
+    snapshot.icebergs.resize(static_cast<std::size_t>(simulation.icebergCount()));
+    for (int i = 0; i < simulation.icebergCount(); ++i) {
+        snapshot.truth_m.push_back(simulation.truth_m(i));
+        snapshot.active.push_back(simulation.active(i));
+        const std::optional<int>& assigned = simulation.world().parameters(i).assignedUav;
+        snapshot.assigned.push_back(areDistinguished(snapshot.world.uavs) ? assigned
+                                                                          : std::nullopt);
+    }
+    return snapshot;
+}
+
+void setPlan(MissionSnapshot& snapshot, const Mission& mission, std::size_t count)
+{
+    snapshot.planCount = count;
+    const std::span<const PlanEvent> made(mission.plans().data(), count);
+    for (std::size_t uav = 0; uav < snapshot.world.uavs.size(); ++uav)
+        if (const PlanEvent* plan = lastPlanOf(made, static_cast<int>(uav)))
+            snapshot.plans.push_back(*plan);
+    if (count > 0)
+        snapshot.plan = made[firstOfSolve(made, count - 1)];
+}
+
+std::vector<Intervention> worldChangesOf(const Mission& mission)
+{
+    std::vector<Intervention> changes;
+    for (const Intervention& change : mission.interventions())
+        if (change.wind_mps || change.asset || change.appears || change.removed)
+            changes.push_back({.time_s = change.time_s,
+                               .wind_mps = change.wind_mps,
+                               .asset = change.asset,
+                               .appears = change.appears,
+                               .removed = change.removed});
+    return changes;
+}
+
+} // namespace
+
+void append(MissionHistory& history, HistoryUpdate news)
+{
+    if (news.firstSample < history.samples.size() || news.firstEvent < history.events.size())
+        ++history.rewrites;
+    join(history.samples, news.firstSample, std::move(news.part.samples));
+    join(history.rows, news.firstSample, std::move(news.part.rows));
+    join(history.plans, news.firstPlan, std::move(news.part.plans));
+    join(history.events, news.firstEvent, std::move(news.part.events));
+}
+
+ForecastStart forecastStart(const MissionSnapshot& snapshot)
+{
+    return {.world = snapshot.world,
+            .active = snapshot.active,
+            .time_s = snapshot.time_s,
+            .airspeeds_mps = airspeedsOf(snapshot.motions),
+            .wind_mps = snapshot.motions.front().wind_mps};
+}
+
+const PlanEvent* planOf(const MissionSnapshot& snapshot, int uav)
+{
+    const auto it = std::ranges::find(snapshot.plans, uav, &PlanEvent::uav);
+    return it == snapshot.plans.end() ? nullptr : &*it;
+}
+
+OrdersByUav ordersOf(const MissionSnapshot& snapshot)
+{
+    OrdersByUav orders(snapshot.world.uavs.size());
+    for (const PlanEvent& plan : snapshot.plans)
+        orders.at(static_cast<std::size_t>(plan.uav)) = plan.order;
+    return orders;
+}
+
+std::vector<AimedPath> pathsOf(const PlanEvent& plan, const DubinsState& uav, double time_s,
+                               const Motion& motion)
+{
+    if (plan.legs.empty())
+        return {};
+    std::vector<AimedPath> paths = aimedPaths(plan.legs, uav, time_s, motion);
+    constexpr double kSlack_s = 1; // a leg that starts at the last sighting sees no further iceberg
+    if (plan.outlook && !plan.outlook->sightings_s.empty())
+        std::erase_if(paths, [last_s = plan.outlook->sightings_s.back()](const AimedPath& path) {
+            return path.points.front().time_s > last_s - kSlack_s;
+        });
+    else // without an outlook the plan has not been evaluated yet
+        paths.resize(std::min(paths.size(), plan.order.size()));
+    return paths;
+}
+
+std::vector<AimedPath> pathsAhead(const MissionSnapshot& snapshot, int uav)
+{
+    const PlanEvent* inForce = planOf(snapshot, uav);
+    if (inForce == nullptr)
+        return {};
+    PlanEvent plan = *inForce;
+    const auto k = static_cast<std::size_t>(uav);
+    const UavState& state = snapshot.world.uavs[k];
+    if (state.aim && !plan.legs.empty())
+        plan.legs.front() = *state.aim; // the remaining part of its turn
+    return pathsOf(plan, state.pose, snapshot.time_s, snapshot.motions[k]);
+}
+
+MissionSnapshot snapshotOf(const Mission& mission)
+{
+    MissionSnapshot snapshot = worldOf(mission, mission.simulation());
+    snapshot.planner = mission.plannerSettings();
+    snapshot.metrics = mission.metrics();
+    snapshot.request = mission.lastRequest();
+    snapshot.worldChanges = worldChangesOf(mission);
+    snapshot.lastChange = lastChangeOf(mission.interventions());
+    setPlan(snapshot, mission, mission.plans().size());
+    return snapshot;
+}
+
+MissionSnapshot snapshotAt(const Mission& mission, double time_s)
+{
+    const MissionInstant instant = instantAt(mission, time_s);
+    MissionSnapshot snapshot = worldOf(mission, instant.simulation);
+    snapshot.planner = instant.planner;
+    snapshot.metrics = instant.metrics;
+    setPlan(snapshot, mission, instant.plans);
+    if (snapshot.plan) // rebuilt from the state at the time of the plan
+        snapshot.request = std::make_shared<const PlanRequest>(requestFor(
+            instantAt(mission, snapshot.plan->time_s).simulation, snapshot.planner.policy));
+    return snapshot;
+}
+
+} // namespace berg
