@@ -464,15 +464,15 @@
     </message>
     <message>
         <source>the forecasts hold no wind: add one that does, or give %1</source>
-        <translation>prognoserne indeholder ingen vind: tilføj en, der gør det, eller angiv %1</translation>
+        <translation>prognoserne indeholder ikke vind: tilføj en prognose, der gør det, eller angiv %1</translation>
     </message>
     <message>
         <source>the forecasts hold no current: add one that does, or give %1</source>
-        <translation>prognoserne indeholder ingen strøm: tilføj en, der gør det, eller angiv %1</translation>
+        <translation>prognoserne indeholder ikke strøm: tilføj en prognose, der gør det, eller angiv %1</translation>
     </message>
     <message>
         <source>--at: wind and current are not both known then; the forecast is from %1 to %2</source>
-        <translation>--at: vind og strøm er ikke begge kendt da; prognosen går fra %1 til %2</translation>
+        <translation>--at: vinden eller strømmen er ikke kendt på dette tidspunkt; prognosen går fra %1 til %2</translation>
     </message>
     <message>
         <source>wind and current are known for %1 h only</source>
@@ -484,7 +484,7 @@
     </message>
     <message>
         <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
-        <translation>En prognose er JSON-svaret fra MET Norges locationforecast eller oceanforecast.</translation>
+        <translation>En prognose er JSON-svaret fra locationforecast eller oceanforecast hos MET Norway.</translation>
     </message>
 </context>
 <context>
@@ -1244,7 +1244,7 @@
     </message>
     <message>
         <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
-        <translation>Missionspunkter som QGC WPL 110, første række er hjemmepunktet, til Mission Planner og MAVProxy. Uden geohegn. Én fil pr. drone.</translation>
+        <translation>Missionselementer som QGC WPL 110 til Mission Planner og MAVProxy; første række er hjemmepunktet. Uden geohegn. Én fil pr. drone.</translation>
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
@@ -1252,7 +1252,7 @@
     </message>
     <message>
         <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Missionen fra start til landing for dronens autopilot, geohegnet og et samlingspunkt hjemme. Læses også af Mission Planner og MAVSDK. Én fil pr. drone.</translation>
+        <translation>Missionen fra start til landing for dronens autopilot, geohegnet og et samlingspunkt ved hjemmepunktet. Filen læses også af Mission Planner og MAVSDK. Én fil pr. drone.</translation>
     </message>
     <message>
         <source>Check before the flight</source>
@@ -1577,7 +1577,7 @@
     </message>
     <message>
         <source>Times do not include the loiter turns, which add %1 at each iceberg, %2 in total.</source>
-        <translation>Tiderne er uden kredsninger, som lægger %1 til ved hvert isbjerg, %2 i alt.</translation>
+        <translation>Tiderne omfatter ikke kredsningerne, som lægger %1 til ved hvert isbjerg, %2 i alt.</translation>
     </message>
     <message>
         <source>With the loiter turns the endurance is too short: %1</source>
@@ -2899,7 +2899,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>ArduPilot, fixed wing</source>
-        <translation>ArduPilot, fastvinget</translation>
+        <translation>ArduPilot, fastvinget fly</translation>
     </message>
     <message>
         <source>ArduPilot, flying wing launched by hand</source>
@@ -2911,11 +2911,11 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>ArduPilot, multirotor</source>
-        <translation>ArduPilot, multirotorfartøj</translation>
+        <translation>ArduPilot, multirotordrone</translation>
     </message>
     <message>
         <source>PX4, fixed wing</source>
-        <translation>PX4, fastvinget</translation>
+        <translation>PX4, fastvinget fly</translation>
     </message>
     <message>
         <source>PX4, VTOL</source>
@@ -2923,7 +2923,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>PX4, multirotor</source>
-        <translation>PX4, multirotorfartøj</translation>
+        <translation>PX4, multirotordrone</translation>
     </message>
     <message>
         <source>as set below</source>
@@ -2943,7 +2943,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>by mission item</source>
-        <translation>med et punkt i missionen</translation>
+        <translation>med et missionselement</translation>
     </message>
     <message>
         <source>by hand</source>
@@ -2951,7 +2951,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>return to launch</source>
-        <translation>retur hjem</translation>
+        <translation>flyv hjem</translation>
     </message>
     <message>
         <source>landing pattern</source>
@@ -2975,7 +2975,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>fixed wing</source>
-        <translation>fastvinget</translation>
+        <translation>fastvinget fly</translation>
     </message>
     <message>
         <source>VTOL</source>
@@ -2983,7 +2983,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>multirotor</source>
-        <translation>multirotorfartøj</translation>
+        <translation>multirotordrone</translation>
     </message>
     <message>
         <source>Autopilot mission</source>
@@ -4415,27 +4415,27 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>there is no take-off item: launch the UAV by hand and start the mission in the air</source>
-        <translation>der er intet startpunkt: kast dronen med hånden, og start missionen i luften</translation>
+        <translation>missionen har intet startelement: kast dronen med hånden, og start missionen i luften</translation>
     </message>
     <message>
         <source>after the last iceberg the mission returns home, %1 m that the plan does not include</source>
-        <translation>efter det sidste isbjerg går missionen hjem, %1 m som ikke er med i planen</translation>
+        <translation>efter det sidste isbjerg flyver dronen hjem, %1 m, som ikke er med i planen</translation>
     </message>
     <message>
         <source>the mission ends in an endless loiter: command the return yourself</source>
-        <translation>missionen slutter med kredsning uden grænse: giv selv kommando om retur</translation>
+        <translation>missionen slutter med en kredsning uden ende: giv selv kommandoen til at flyve hjem</translation>
     </message>
     <message>
         <source>%1 has no loiter by turns: the time that they take is written</source>
-        <translation>%1 har ingen kredsninger efter antal: den tid, de tager, skrives</translation>
+        <translation>%1 kan ikke tælle kredsninger: filen indeholder den tid, de tager</translation>
     </message>
     <message>
         <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
-        <translation>kredsninger er udeladt: en VTOL eller multirotor flyver over hvert isbjerg</translation>
+        <translation>kredsninger udelades: en VTOL eller multirotor flyver over hvert isbjerg</translation>
     </message>
     <message>
         <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
-        <translation>%1 bruger acceptradius i sin parameter %2, ikke den i filen</translation>
+        <translation>%1 bruger acceptradiussen i sin parameter %2, ikke den i filen</translation>
     </message>
     <message>
         <source>%1 keeps to the fence only if its parameter %2 says so</source>
@@ -4443,7 +4443,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the first row is home, which %1 does not have: upload the file with QGroundControl</source>
-        <translation>den første række er hjem, som %1 ikke har: upload filen med QGroundControl</translation>
+        <translation>den første række er hjemmepunktet, som %1 ikke har: upload filen med QGroundControl</translation>
     </message>
     <message>
         <source>the first iceberg is %2 m from the start, but the climb takes %1 m</source>
@@ -4455,7 +4455,7 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1</source>
-        <translation>etaper ved start, retur og landing, der går ud af geohegnet eller gennem et flyveforbudsområde: %1</translation>
+        <translation>etaper ved start, hjemflyvning og landing, der fører ud af geohegnet eller gennem et flyveforbudsområde: %1</translation>
     </message>
     <message>
         <source>the landing approach leads over land</source>
@@ -4471,15 +4471,15 @@ Tilstødende område %4</translation>
     </message>
     <message>
         <source>the mission has %2 items; %1 holds about %3</source>
-        <translation>missionen har %2 punkter; %1 rummer omkring %3</translation>
+        <translation>missionen har %2 elementer; %1 har plads til omkring %3</translation>
     </message>
     <message>
         <source>airspace areas that the mission enters at its altitudes: %1</source>
-        <translation>luftrumsområder, som missionen går ind i, i sine højder: %1</translation>
+        <translation>luftrumsområder, som missionen kommer ind i med sine flyvehøjder: %1</translation>
     </message>
     <message>
         <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
-        <translation>med stigning, retur og landing tager missionen %1 min; udholdenheden uden reserve er %2 min</translation>
+        <translation>med stigning, hjemflyvning og landing tager missionen %1 min; udholdenheden uden reserven er %2 min</translation>
     </message>
 </context>
 <context>
@@ -8279,7 +8279,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
-        <translation>Den tid, hvori en kendt drift aftager mod strømmens. Ved 0 er driften konstant. Eksempel, en bøje ud for Canada: 36.000 s.</translation>
+        <translation>Den tid, det tager, før en kendt drift nærmer sig strømmen. Ved 0 er driften konstant. Eksempel, en bøje ud for Canada: 36.000 s.</translation>
     </message>
     <message>
         <source>Growth q</source>
@@ -8871,7 +8871,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>By mission item, or by hand: then the mission is started in the air.</source>
-        <translation>Med et punkt i missionen, eller med hånden: så startes missionen i luften.</translation>
+        <translation>Med et missionselement, eller med hånden: så startes missionen i luften.</translation>
     </message>
     <message>
         <source>Take-off altitude</source>
@@ -8883,11 +8883,11 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Take-off pitch</source>
-        <translation>Hældning ved start</translation>
+        <translation>Pitchvinkel ved start</translation>
     </message>
     <message>
         <source>Least pitch of a fixed wing in the take-off.</source>
-        <translation>Mindste hældning for et fastvinget fly ved start.</translation>
+        <translation>Mindste pitchvinkel for et fastvinget fly ved start.</translation>
     </message>
     <message>
         <source>End of the mission</source>
@@ -8895,15 +8895,15 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>What the last items of an exported mission do, unless it ends over the last iceberg.</source>
-        <translation>Hvad de sidste punkter i en eksporteret mission gør, undtagen når den slutter over det sidste isbjerg.</translation>
+        <translation>Hvad de sidste elementer i en eksporteret mission gør, hvis den ikke slutter over det sidste isbjerg.</translation>
     </message>
     <message>
         <source>Approach leg</source>
-        <translation>Indflyvning</translation>
+        <translation>Indflyvningsetape</translation>
     </message>
     <message>
         <source>Distance from the loiter in which the UAV descends to the landing place.</source>
-        <translation>Afstand fra den cirkel, hvor dronen går ned, til landingsstedet.</translation>
+        <translation>Afstand fra den kredsning, hvor dronen går ned, til landingsstedet.</translation>
     </message>
     <message>
         <source>Approach altitude</source>
@@ -8935,7 +8935,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>Radius of loiters in missions; never less than the tightest turn in the wind.</source>
-        <translation>Radius, når dronen venter i missioner; aldrig mindre end det snævreste drej i vinden.</translation>
+        <translation>Radius af kredsninger i missioner; aldrig mindre end det snævreste drej i vinden.</translation>
     </message>
     <message>
         <source>Hover speed</source>
@@ -8983,7 +8983,7 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
     <message>
         <source>An item of the mission points the gimbal straight down.</source>
-        <translation>Et punkt i missionen peger gimbalen lige ned.</translation>
+        <translation>Et element i missionen retter gimbalen lodret ned.</translation>
     </message>
 </context>
 <context>

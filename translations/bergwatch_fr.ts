@@ -472,7 +472,7 @@
     </message>
     <message>
         <source>--at: wind and current are not both known then; the forecast is from %1 to %2</source>
-        <translation>--at : le vent et le courant ne sont pas tous deux connus alors ; la prévision va de %1 à %2</translation>
+        <translation>--at : le vent ou le courant n&apos;est pas connu à cet instant ; la prévision va de %1 à %2</translation>
     </message>
     <message>
         <source>wind and current are known for %1 h only</source>
@@ -1252,7 +1252,7 @@
     </message>
     <message>
         <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Éléments de la mission du décollage à l&apos;atterrissage pour l&apos;autopilote du drone, barrière virtuelle et point de ralliement à la base. Aussi lu par Mission Planner et MAVSDK. Un fichier par drone.</translation>
+        <translation>Éléments de la mission du décollage à l&apos;atterrissage pour l&apos;autopilote du drone, barrière virtuelle et point de ralliement à la base. Le fichier est aussi lu par Mission Planner et MAVSDK. Un fichier par drone.</translation>
     </message>
     <message>
         <source>Check before the flight</source>
@@ -2911,7 +2911,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>ArduPilot, multirotor</source>
-        <translation>ArduPilot, multirotors</translation>
+        <translation>ArduPilot, drone multirotor</translation>
     </message>
     <message>
         <source>PX4, fixed wing</source>
@@ -2923,7 +2923,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>PX4, multirotor</source>
-        <translation>PX4, multirotors</translation>
+        <translation>PX4, drone multirotor</translation>
     </message>
     <message>
         <source>as set below</source>
@@ -2951,7 +2951,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>return to launch</source>
-        <translation>retour au lancement</translation>
+        <translation>retour à la base</translation>
     </message>
     <message>
         <source>landing pattern</source>
@@ -2983,7 +2983,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>multirotor</source>
-        <translation>multirotors</translation>
+        <translation>drone multirotor</translation>
     </message>
     <message>
         <source>Autopilot mission</source>
@@ -4423,15 +4423,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>the mission ends in an endless loiter: command the return yourself</source>
-        <translation>la mission se termine par une attente sans fin : commandez le retour vous-même</translation>
+        <translation>la mission se termine par une attente sans fin : commandez vous-même le retour</translation>
     </message>
     <message>
         <source>%1 has no loiter by turns: the time that they take is written</source>
-        <translation>%1 n&apos;a pas d&apos;attente par tours : c&apos;est leur durée qui est écrite</translation>
+        <translation>%1 ne compte pas les tours d&apos;attente : le fichier contient leur durée</translation>
     </message>
     <message>
         <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
-        <translation>les tours d&apos;attente sont omis : un ADAV ou un multirotors survole chaque iceberg</translation>
+        <translation>les tours d&apos;attente sont omis : un ADAV ou un multirotor survole chaque iceberg</translation>
     </message>
     <message>
         <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
@@ -4475,7 +4475,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>airspace areas that the mission enters at its altitudes: %1</source>
-        <translation>espaces aériens où la mission entre à ses altitudes : %1</translation>
+        <translation>espaces aériens dans lesquels la mission entre à ses altitudes : %1</translation>
     </message>
     <message>
         <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
@@ -8863,7 +8863,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>A VTOL and a multirotor fly over icebergs without loiter circles.</source>
-        <translation>Un ADAV et un multirotors survolent les icebergs sans tours d&apos;attente.</translation>
+        <translation>Un ADAV et un multirotor survolent les icebergs sans tours d&apos;attente.</translation>
     </message>
     <message>
         <source>Take-off</source>
@@ -8871,7 +8871,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>By mission item, or by hand: then the mission is started in the air.</source>
-        <translation>Par un élément de la mission, ou à la main : la mission est alors démarrée en vol.</translation>
+        <translation>Par un élément de la mission, ou à la main : dans ce cas, la mission est démarrée en vol.</translation>
     </message>
     <message>
         <source>Take-off altitude</source>
@@ -8943,7 +8943,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>Speed of a VTOL while it flies like a multirotor.</source>
-        <translation>Vitesse d&apos;un ADAV tant qu&apos;il vole comme un multirotors.</translation>
+        <translation>Vitesse d&apos;un ADAV tant qu&apos;il vole comme un multirotor.</translation>
     </message>
     <message>
         <source>Speed in the mission</source>
@@ -8983,7 +8983,7 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
     <message>
         <source>An item of the mission points the gimbal straight down.</source>
-        <translation>Un élément de la mission pointe la nacelle à la verticale vers le bas.</translation>
+        <translation>Un élément de la mission oriente la nacelle à la verticale vers le bas.</translation>
     </message>
 </context>
 <context>

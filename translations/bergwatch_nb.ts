@@ -464,15 +464,15 @@
     </message>
     <message>
         <source>the forecasts hold no wind: add one that does, or give %1</source>
-        <translation>varslene inneholder ingen vind: legg til et som gjør det, eller oppgi %1</translation>
+        <translation>varslene inneholder ikke vind: legg til et varsel som gjør det, eller oppgi %1</translation>
     </message>
     <message>
         <source>the forecasts hold no current: add one that does, or give %1</source>
-        <translation>varslene inneholder ingen strøm: legg til et som gjør det, eller oppgi %1</translation>
+        <translation>varslene inneholder ikke strøm: legg til et varsel som gjør det, eller oppgi %1</translation>
     </message>
     <message>
         <source>--at: wind and current are not both known then; the forecast is from %1 to %2</source>
-        <translation>--at: vind og strøm er ikke begge kjent da; varselet går fra %1 til %2</translation>
+        <translation>--at: vinden eller strømmen er ikke kjent på dette tidspunktet; varselet går fra %1 til %2</translation>
     </message>
     <message>
         <source>wind and current are known for %1 h only</source>
@@ -484,7 +484,7 @@
     </message>
     <message>
         <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
-        <translation>Et varsel er JSON-svaret fra MET Norges locationforecast eller oceanforecast.</translation>
+        <translation>Et varsel er JSON-svaret fra locationforecast eller oceanforecast hos MET Norway.</translation>
     </message>
 </context>
 <context>
@@ -1244,7 +1244,7 @@
     </message>
     <message>
         <source>Mission items as QGC WPL 110, the first row home, for Mission Planner and MAVProxy. No geofence. One file per UAV.</source>
-        <translation>Oppdragspunkter som QGC WPL 110 for Mission Planner og MAVProxy; første rad er hjemstedet. Uten geogjerde. Én fil per UAV.</translation>
+        <translation>Oppdragselementer som QGC WPL 110 for Mission Planner og MAVProxy; første rad er hjemstedet. Uten geogjerde. Én fil per UAV.</translation>
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
@@ -1252,7 +1252,7 @@
     </message>
     <message>
         <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
-        <translation>Oppdraget fra avgang til landing for autopiloten i UAV-en, geogjerdet og et samlingspunkt hjemme. Leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
+        <translation>Oppdraget fra avgang til landing for autopiloten i UAV-en, geogjerdet og et samlingspunkt ved hjemstedet. Filen leses også av Mission Planner og MAVSDK. Én fil per UAV.</translation>
     </message>
     <message>
         <source>Check before the flight</source>
@@ -1577,11 +1577,11 @@
     </message>
     <message>
         <source>Times do not include the loiter turns, which add %1 at each iceberg, %2 in total.</source>
-        <translation>Tidene er uten rundene over isfjell, som legger til %1 ved hvert isfjell, %2 i alt.</translation>
+        <translation>Tidene omfatter ikke rundene over isfjell, som legger til %1 ved hvert isfjell, %2 i alt.</translation>
     </message>
     <message>
         <source>With the loiter turns the endurance is too short: %1</source>
-        <translation>Med rundene er utholdenheten for kort: %1</translation>
+        <translation>Med rundene over isfjell er utholdenheten for kort: %1</translation>
     </message>
     <message>
         <source>Reserve</source>
@@ -2899,7 +2899,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>ArduPilot, fixed wing</source>
-        <translation>ArduPilot, fastvinget</translation>
+        <translation>ArduPilot, fastvinget fly</translation>
     </message>
     <message>
         <source>ArduPilot, flying wing launched by hand</source>
@@ -2911,11 +2911,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>ArduPilot, multirotor</source>
-        <translation>ArduPilot, multirotorfartøy</translation>
+        <translation>ArduPilot, multirotordrone</translation>
     </message>
     <message>
         <source>PX4, fixed wing</source>
-        <translation>PX4, fastvinget</translation>
+        <translation>PX4, fastvinget fly</translation>
     </message>
     <message>
         <source>PX4, VTOL</source>
@@ -2923,7 +2923,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>PX4, multirotor</source>
-        <translation>PX4, multirotorfartøy</translation>
+        <translation>PX4, multirotordrone</translation>
     </message>
     <message>
         <source>as set below</source>
@@ -2943,7 +2943,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>by mission item</source>
-        <translation>med et punkt i oppdraget</translation>
+        <translation>med et oppdragselement</translation>
     </message>
     <message>
         <source>by hand</source>
@@ -2951,7 +2951,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>return to launch</source>
-        <translation>retur hjem</translation>
+        <translation>fly hjem</translation>
     </message>
     <message>
         <source>landing pattern</source>
@@ -2975,7 +2975,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>fixed wing</source>
-        <translation>fastvinget</translation>
+        <translation>fastvinget fly</translation>
     </message>
     <message>
         <source>VTOL</source>
@@ -2983,7 +2983,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>multirotor</source>
-        <translation>multirotorfartøy</translation>
+        <translation>multirotordrone</translation>
     </message>
     <message>
         <source>Autopilot mission</source>
@@ -4190,7 +4190,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
-        <translation>%1 lagrer sirkelradier over 255 m i trinn på 10 m: %2 m blir %3 m</translation>
+        <translation>%1 lagrer venteradier over 255 m i trinn på 10 m: %2 m blir %3 m</translation>
     </message>
     <message>
         <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
@@ -4415,23 +4415,23 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>there is no take-off item: launch the UAV by hand and start the mission in the air</source>
-        <translation>det er ikke noe avgangspunkt: kast UAV-en for hånd og start oppdraget i luften</translation>
+        <translation>oppdraget har ikke noe avgangselement: kast UAV-en for hånd og start oppdraget i luften</translation>
     </message>
     <message>
         <source>after the last iceberg the mission returns home, %1 m that the plan does not include</source>
-        <translation>etter det siste isfjellet går oppdraget hjem, %1 m som ikke er med i planen</translation>
+        <translation>etter det siste isfjellet flyr UAV-en hjem, %1 m som ikke er med i planen</translation>
     </message>
     <message>
         <source>the mission ends in an endless loiter: command the return yourself</source>
-        <translation>oppdraget slutter med venting uten grense: gi selv kommando om retur</translation>
+        <translation>oppdraget slutter i en ventesirkel uten ende: gi selv kommandoen om å fly hjem</translation>
     </message>
     <message>
         <source>%1 has no loiter by turns: the time that they take is written</source>
-        <translation>%1 har ikke venting etter runder: tiden som de tar, blir skrevet</translation>
+        <translation>%1 kan ikke telle runder: filen inneholder tiden som de tar</translation>
     </message>
     <message>
         <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
-        <translation>runder over isfjell er utelatt: en VTOL eller multirotor flyr over hvert isfjell</translation>
+        <translation>runder over isfjell utelates: en VTOL eller multirotor flyr over hvert isfjell</translation>
     </message>
     <message>
         <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
@@ -4439,11 +4439,11 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>%1 keeps to the fence only if its parameter %2 says so</source>
-        <translation>%1 holder seg til gjerdet bare dersom parameteren %2 sier det</translation>
+        <translation>%1 holder seg innenfor gjerdet bare hvis parameteren %2 sier det</translation>
     </message>
     <message>
         <source>the first row is home, which %1 does not have: upload the file with QGroundControl</source>
-        <translation>den første raden er hjem, som %1 ikke har: last opp filen med QGroundControl</translation>
+        <translation>den første raden er hjemstedet, som %1 ikke har: last opp filen med QGroundControl</translation>
     </message>
     <message>
         <source>the first iceberg is %2 m from the start, but the climb takes %1 m</source>
@@ -4455,7 +4455,7 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1</source>
-        <translation>etapper ved avgang, retur og landing som går ut av geogjerdet eller gjennom et flyforbudsområde: %1</translation>
+        <translation>etapper ved avgang, hjemflyging og landing som fører ut av geogjerdet eller gjennom et flyforbudsområde: %1</translation>
     </message>
     <message>
         <source>the landing approach leads over land</source>
@@ -4471,15 +4471,15 @@ Tilstøtende område %4</translation>
     </message>
     <message>
         <source>the mission has %2 items; %1 holds about %3</source>
-        <translation>oppdraget har %2 punkter; %1 rommer omtrent %3</translation>
+        <translation>oppdraget har %2 elementer; %1 har plass til omtrent %3</translation>
     </message>
     <message>
         <source>airspace areas that the mission enters at its altitudes: %1</source>
-        <translation>luftromsområder som oppdraget går inn i, i høydene sine: %1</translation>
+        <translation>luftromsområder som oppdraget kommer inn i med flygehøydene sine: %1</translation>
     </message>
     <message>
         <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
-        <translation>med stigning, retur og landing tar oppdraget %1 min; utholdenheten uten reserve er %2 min</translation>
+        <translation>med stigning, hjemflyging og landing tar oppdraget %1 min; utholdenheten uten reserven er %2 min</translation>
     </message>
 </context>
 <context>
@@ -8191,7 +8191,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Time from take-off to the flight altitude.</source>
-        <translation>Tid fra avgang til flyhøyden.</translation>
+        <translation>Tid fra avgang til flygehøyden.</translation>
     </message>
     <message>
         <source>Landing</source>
@@ -8239,7 +8239,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
-        <translation>Tid mellom to kommandoer fra autopiloten; ved 0 gir den en i hvert tidssteg.</translation>
+        <translation>Tid mellom to kommandoer fra autopiloten; ved 0 gir den én i hvert tidssteg.</translation>
     </message>
     <message>
         <source>Drift east</source>
@@ -8279,7 +8279,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
-        <translation>Tiden det tar før en kjent drift avtar mot strømmen. Ved 0 er driften konstant. Eksempel, en bøye utenfor Canada: 36 000 s.</translation>
+        <translation>Tiden det tar før en kjent drift nærmer seg strømmen. Ved 0 er driften konstant. Eksempel, en bøye utenfor Canada: 36 000 s.</translation>
     </message>
     <message>
         <source>Growth q</source>
@@ -8863,7 +8863,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>A VTOL and a multirotor fly over icebergs without loiter circles.</source>
-        <translation>En VTOL og en multirotor flyr over isfjell uten sirkler.</translation>
+        <translation>En VTOL og en multirotor flyr over isfjell uten ventesirkler.</translation>
     </message>
     <message>
         <source>Take-off</source>
@@ -8871,7 +8871,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>By mission item, or by hand: then the mission is started in the air.</source>
-        <translation>Med et punkt i oppdraget, eller for hånd: da startes oppdraget i luften.</translation>
+        <translation>Med et oppdragselement, eller for hånd: da startes oppdraget i luften.</translation>
     </message>
     <message>
         <source>Take-off altitude</source>
@@ -8883,11 +8883,11 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Take-off pitch</source>
-        <translation>Stigning ved avgang</translation>
+        <translation>Pitchvinkel ved avgang</translation>
     </message>
     <message>
         <source>Least pitch of a fixed wing in the take-off.</source>
-        <translation>Minste stigning for et fastvinget fly ved avgang.</translation>
+        <translation>Minste pitchvinkel for et fastvinget fly ved avgang.</translation>
     </message>
     <message>
         <source>End of the mission</source>
@@ -8895,15 +8895,15 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>What the last items of an exported mission do, unless it ends over the last iceberg.</source>
-        <translation>Hva de siste punktene i et eksportert oppdrag gjør, unntatt når det slutter over det siste isfjellet.</translation>
+        <translation>Hva de siste elementene i et eksportert oppdrag gjør, hvis det ikke slutter over det siste isfjellet.</translation>
     </message>
     <message>
         <source>Approach leg</source>
-        <translation>Innflyging</translation>
+        <translation>Innflygingsetappe</translation>
     </message>
     <message>
         <source>Distance from the loiter in which the UAV descends to the landing place.</source>
-        <translation>Avstand fra sirkelen der UAV-en går ned, til landingsstedet.</translation>
+        <translation>Avstand fra ventesirkelen der UAV-en går ned, til landingsstedet.</translation>
     </message>
     <message>
         <source>Approach altitude</source>
@@ -8935,7 +8935,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Radius of loiters in missions; never less than the tightest turn in the wind.</source>
-        <translation>Radius når UAV-en venter i oppdrag; aldri mindre enn den krappeste svingen i vinden.</translation>
+        <translation>Radius på ventesirkler i oppdrag; aldri mindre enn den krappeste svingen i vinden.</translation>
     </message>
     <message>
         <source>Hover speed</source>
@@ -8983,7 +8983,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>An item of the mission points the gimbal straight down.</source>
-        <translation>Et punkt i oppdraget peker gimbalen rett ned.</translation>
+        <translation>Et element i oppdraget retter gimbalen loddrett ned.</translation>
     </message>
 </context>
 <context>
@@ -9744,7 +9744,7 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
     <message>
         <source>Time after which a known drift is no longer valid. 0 means never.</source>
-        <translation>Tiden før en kjent drift ikke lenger gjelder. 0 betyr aldri.</translation>
+        <translation>Tiden til en kjent drift ikke lenger gjelder. 0 betyr aldri.</translation>
     </message>
     <message>
         <source>Automatic</source>
