@@ -1,3 +1,5 @@
+#include "tests/core/layering_rules.h"
+
 #include <QtTest>
 
 #include <algorithm>
@@ -11,141 +13,13 @@
 #include <string_view>
 #include <vector>
 
+using berg::test::kModules;
+using berg::test::kRooms;
+using berg::test::Module;
+
 namespace {
 
 namespace fs = std::filesystem;
-
-/** A module of the core and the other modules its files may include. */
-struct Module
-{
-    std::string name;
-    std::set<std::string> mayInclude;
-};
-
-// The table of ARCHITECTURE.md, section 1. Modules of one level never include each other.
-const std::vector<Module> kModules{
-    {"base", {}},
-    {"geometry", {"base"}},
-    {"earth", {"base", "geometry"}},
-    {"plan", {"base", "geometry"}},
-    {"land", {"base", "geometry", "earth"}},
-    {"link", {"base", "geometry", "earth"}},
-    {"vehicle", {"base", "geometry"}},
-    {"cbc", {"base", "plan"}},
-    {"tracking", {"base", "geometry", "earth"}},
-    {"coverage", {"base", "geometry", "plan", "vehicle", "tracking"}},
-    {"scenario", {"base", "geometry", "earth", "plan", "vehicle", "tracking"}},
-    {"permit", {"base", "geometry", "earth", "plan", "vehicle", "tracking", "scenario"}},
-    {"bound", {"base", "geometry", "plan", "vehicle", "tracking", "scenario"}},
-    {"world", {"base", "geometry", "plan", "vehicle", "tracking", "coverage", "scenario"}},
-    {"checks", {"base", "geometry", "earth", "plan", "vehicle", "tracking", "scenario", "permit"}},
-    {"presets",
-     {"base", "geometry", "earth", "plan", "vehicle", "tracking", "scenario", "permit", "checks"}},
-    {"sim",
-     {"base", "geometry", "earth", "plan", "link", "vehicle", "tracking", "coverage", "scenario",
-      "permit", "world", "checks"}},
-    {"mission",
-     {"base", "geometry", "earth", "plan", "link", "vehicle", "tracking", "coverage", "scenario",
-      "permit", "world", "checks", "sim"}},
-    {"study",
-     {"base", "geometry", "earth", "plan", "vehicle", "tracking", "coverage", "scenario", "permit",
-      "world", "checks", "presets", "sim", "mission"}},
-    {"io",
-     {"base", "geometry", "earth", "plan", "land", "link", "vehicle", "tracking", "coverage",
-      "scenario", "permit", "world", "checks", "presets", "sim", "mission", "study"}},
-};
-
-// Rooms of modules and of the window: each may use those before it that it names.
-const std::vector<Module> kRooms{
-    {"core/plan/problem", {}},
-    {"core/plan/proof", {"core/plan/problem"}},
-    {"core/plan/solve", {"core/plan/problem", "core/plan/proof"}},
-    {"core/plan/fleet", {"core/plan/problem", "core/plan/proof", "core/plan/solve"}},
-    {"core/plan/policy",
-     {"core/plan/problem", "core/plan/proof", "core/plan/solve", "core/plan/fleet"}},
-    {"core/io/text", {}},
-    {"core/io/words", {"core/io/text"}},
-    {"core/io/files", {"core/io/text"}},
-    {"core/io/results", {"core/io/text"}},
-    {"core/io/figure", {"core/io/text"}},
-    {"core/io/study",
-     {"core/io/text", "core/io/words", "core/io/files", "core/io/results", "core/io/figure"}},
-    {"core/io/export/content", {"core/io/text", "core/io/words", "core/io/results"}},
-    {"core/io/export/maps", {"core/io/text", "core/io/export/content"}},
-    {"core/io/export/missions", {"core/io/text", "core/io/export/content"}},
-    {"core/io/export",
-     {"core/io/text", "core/io/words", "core/io/results", "core/io/figure",
-      "core/io/export/content", "core/io/export/maps", "core/io/export/missions"}},
-    {"core/io/import/fields", {"core/io/text", "core/io/export/content"}},
-    {"core/io/import/tables", {"core/io/text", "core/io/import/fields"}},
-    {"core/io/import/maps", {"core/io/text", "core/io/import/fields"}},
-    {"core/io/import/missions", {"core/io/text", "core/io/import/fields"}},
-    {"core/io/import/scenario", {"core/io/text", "core/io/import/fields"}},
-    {"core/io/import/airspace",
-     {"core/io/text", "core/io/import/fields", "core/io/import/scenario"}},
-    {"core/io/import",
-     {"core/io/text", "core/io/import/fields", "core/io/import/tables", "core/io/import/maps",
-      "core/io/import/missions", "core/io/import/scenario", "core/io/import/airspace"}},
-    {"widgets/theme", {}},
-    {"widgets/words", {"widgets/theme"}},
-    {"widgets/tasks", {"widgets/words"}},
-    {"widgets/tables", {"widgets/theme"}},
-    {"widgets/places", {"widgets/theme"}},
-    {"widgets/document", {"widgets/words", "widgets/tasks"}},
-    {"widgets/flight", {"widgets/theme", "widgets/words", "widgets/tasks"}},
-    {"widgets/forecast", {"widgets/theme", "widgets/tasks", "widgets/flight"}},
-    {"widgets/sightings", {"widgets/tasks", "widgets/flight"}},
-    {"widgets/study", {"widgets/words", "widgets/tasks", "widgets/document", "widgets/flight"}},
-    {"widgets/workspace",
-     {"widgets/document", "widgets/flight", "widgets/forecast", "widgets/sightings",
-      "widgets/study"}},
-    {"widgets/map/picture",
-     {"widgets/theme", "widgets/words", "widgets/document", "widgets/flight"}},
-    {"widgets/map/land", {"widgets/theme", "widgets/tasks", "widgets/map/picture"}},
-    {"widgets/map/paint",
-     {"widgets/theme", "widgets/words", "widgets/places", "widgets/document", "widgets/map/picture",
-      "widgets/map/land"}},
-    {"widgets/map/view",
-     {"widgets/theme", "widgets/words", "widgets/document", "widgets/flight", "widgets/map/picture",
-      "widgets/map/land", "widgets/map/paint"}},
-    {"widgets/manual", {"widgets/theme"}},
-    {"widgets/charts",
-     {"widgets/theme", "widgets/words", "widgets/tables", "widgets/flight", "widgets/forecast",
-      "widgets/study"}},
-    {"widgets/panels/fields", {"widgets/theme", "widgets/places", "widgets/map/paint"}},
-    {"widgets/panels/map",
-     {"widgets/theme", "widgets/places", "widgets/map/paint", "widgets/panels/fields"}},
-    {"widgets/panels/inspector",
-     {"widgets/theme", "widgets/words", "widgets/places", "widgets/document",
-      "widgets/panels/fields"}},
-    {"widgets/panels/plan",
-     {"widgets/theme", "widgets/words", "widgets/tables", "widgets/flight", "widgets/forecast",
-      "widgets/map/paint", "widgets/panels/fields"}},
-    {"widgets/panels/icebergs",
-     {"widgets/theme", "widgets/words", "widgets/tables", "widgets/places", "widgets/document",
-      "widgets/flight", "widgets/map/paint", "widgets/panels/fields", "widgets/panels/inspector",
-      "widgets/panels/plan"}},
-    {"widgets/panels/flight",
-     {"widgets/theme", "widgets/words", "widgets/tables", "widgets/document", "widgets/flight",
-      "widgets/charts", "widgets/panels/fields"}},
-    {"widgets/panels/study",
-     {"widgets/theme", "widgets/words", "widgets/tables", "widgets/study", "widgets/charts",
-      "widgets/panels/fields"}},
-    {"widgets/print",
-     {"widgets/theme", "widgets/words", "widgets/flight", "widgets/map/picture",
-      "widgets/map/paint", "widgets/charts"}},
-    {"app/dialogs", {}},
-    {"app/start", {}},
-    {"app/layout", {"app/dialogs"}},
-    {"app/map", {"app/dialogs", "app/layout"}},
-    {"app/settings", {"app/dialogs", "app/layout"}},
-    {"app/files", {"app/dialogs", "app/start", "app/layout"}},
-    {"app/flight", {"app/dialogs", "app/layout", "app/files"}},
-    {"app/study", {"app/dialogs", "app/layout", "app/files"}},
-    {"app/window",
-     {"app/dialogs", "app/layout", "app/map", "app/settings", "app/files", "app/flight",
-      "app/study"}},
-};
 
 struct Include
 {

@@ -8,13 +8,11 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
-#include <QUndoStack>
 
 using namespace berg;
 using namespace Qt::StringLiterals;

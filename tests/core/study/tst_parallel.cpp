@@ -41,10 +41,10 @@ class TestParallel : public QObject
 private:
     static void addThreads()
     {
-        QTest::addColumn<int>("threads");
+        QTest::addColumn<std::optional<int>>("threads");
         for (int threads = 1; threads <= 8; ++threads)
-            QTest::addRow("%d threads", threads) << threads;
-        QTest::newRow("one per core") << 0;
+            QTest::addRow("%d threads", threads) << std::optional<int>(threads);
+        QTest::newRow("one per core") << std::optional<int>();
     }
 
 private slots:
@@ -52,7 +52,7 @@ private slots:
 
     void everyIndexOnce()
     {
-        QFETCH(int, threads);
+        QFETCH(std::optional<int>, threads);
         for (const std::size_t count : {0U, 1U, 2U, 7U, 1000U}) {
             std::vector<std::atomic<int>> calls(count);
             const bool complete =
@@ -82,8 +82,8 @@ private slots:
 
     void noMoreThreadsThanAskedFor()
     {
-        QFETCH(int, threads);
-        if (threads == 0)
+        QFETCH(std::optional<int>, threads);
+        if (!threads)
             return; // one per core of this machine
         std::mutex mutex;
         std::set<std::thread::id> seen;
@@ -93,7 +93,7 @@ private slots:
         };
         QVERIFY(forEachIndex(200, note, {.threads = threads}));
         QVERIFY(!seen.empty());
-        QVERIFY(seen.size() <= static_cast<std::size_t>(threads));
+        QVERIFY(seen.size() <= static_cast<std::size_t>(*threads));
         QVERIFY(!seen.contains(std::this_thread::get_id()));
     }
 
@@ -101,7 +101,7 @@ private slots:
 
     void progressCountsUpOneAtATime()
     {
-        QFETCH(int, threads);
+        QFETCH(std::optional<int>, threads);
         std::vector<std::size_t> progress; // needs no lock: never called by two threads at once
         std::atomic<int> inside{0};
         bool overlapped = false;
@@ -124,7 +124,7 @@ private slots:
     /** Every job from 5 on fails; the reported one must not depend on their order. */
     void exceptionOfTheSmallestIndex()
     {
-        QFETCH(int, threads);
+        QFETCH(std::optional<int>, threads);
         for (int repeat = 0; repeat < 30; ++repeat) {
             std::atomic<int> begun{0};
             const bool smallestLast = repeat % 2 == 0;
@@ -142,8 +142,8 @@ private slots:
             } catch (const JobFailure& failure) {
                 QCOMPARE(failure.index, std::size_t{5});
             }
-            if (threads > 0)
-                QVERIFY(begun <= 5 + threads);
+            if (threads)
+                QVERIFY(begun <= 5 + *threads);
         }
     }
 
@@ -151,7 +151,7 @@ private slots:
 
     void restIsAbandonedAfterAFailure()
     {
-        QFETCH(int, threads);
+        QFETCH(std::optional<int>, threads);
         std::atomic<std::size_t> begun{0};
         constexpr std::size_t kCount = 100000;
         const auto job = [&](std::size_t i) {
@@ -181,7 +181,7 @@ private slots:
     /** `onProgress` runs on the threads of the pool, where nothing would catch it. */
     void failureOfTheReportIsThrownHere()
     {
-        QFETCH(int, threads);
+        QFETCH(std::optional<int>, threads);
         const auto onProgress = [](std::size_t done) {
             if (done == 3)
                 throw JobFailure(done);
@@ -195,7 +195,7 @@ private slots:
 
     void stopBeforeTheStart()
     {
-        QFETCH(int, threads);
+        QFETCH(std::optional<int>, threads);
         std::stop_source source;
         source.request_stop();
         std::atomic<int> begun{0};
@@ -209,7 +209,7 @@ private slots:
     /** Jobs after number 10 end only after the stop request, so no thread starts a second one. */
     void stopUnderWay()
     {
-        QFETCH(int, threads);
+        QFETCH(std::optional<int>, threads);
         std::stop_source source;
         std::atomic<int> begun{0};
         const auto job = [&](std::size_t i) {
@@ -221,8 +221,8 @@ private slots:
         };
         QVERIFY(!forEachIndex(100000, job, {.threads = threads, .stop = source.get_token()}));
         QVERIFY(begun >= 11);
-        if (threads > 0)
-            QVERIFY(begun <= 10 + threads);
+        if (threads)
+            QVERIFY(begun <= 10 + *threads);
     }
 
     /** A stop during the last job comes after everything is done. */

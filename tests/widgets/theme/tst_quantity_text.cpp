@@ -114,21 +114,24 @@ private slots:
     void placeTextHasHemispheres_data()
     {
         QTest::addColumn<double>("angle_deg");
-        QTest::addColumn<int>("decimals");
+        QTest::addColumn<std::optional<int>>("decimals");
         QTest::addColumn<QString>("latitude");
         QTest::addColumn<QString>("longitude");
-        QTest::newRow("minutes") << 47.0533 << 1 << u"47° 03.2′ N"_s << u"47° 03.2′ E"_s;
+        QTest::newRow("minutes") << 47.0533 << std::optional<int>(1) << u"47° 03.2′ N"_s
+                                 << u"47° 03.2′ E"_s;
         QTest::newRow("never sixty minutes")
-            << 46.99999 << 1 << u"47° 00.0′ N"_s << u"47° 00.0′ E"_s;
-        QTest::newRow("whole minutes") << -12.5 << 0 << u"12° 30′ S"_s << u"12° 30′ W"_s;
-        QTest::newRow("whole degrees") << -80.0 << -1 << u"80° S"_s << u"80° W"_s;
-        QTest::newRow("two decimals") << 0.0125 << 2 << u"0° 00.75′ N"_s << u"0° 00.75′ E"_s;
+            << 46.99999 << std::optional<int>(1) << u"47° 00.0′ N"_s << u"47° 00.0′ E"_s;
+        QTest::newRow("whole minutes")
+            << -12.5 << std::optional<int>(0) << u"12° 30′ S"_s << u"12° 30′ W"_s;
+        QTest::newRow("whole degrees") << -80.0 << std::optional<int>() << u"80° S"_s << u"80° W"_s;
+        QTest::newRow("two decimals")
+            << 0.0125 << std::optional<int>(2) << u"0° 00.75′ N"_s << u"0° 00.75′ E"_s;
     }
 
     void placeTextHasHemispheres()
     {
         QFETCH(double, angle_deg);
-        QFETCH(int, decimals);
+        QFETCH(std::optional<int>, decimals);
         QFETCH(QString, latitude);
         QFETCH(QString, longitude);
         QCOMPARE(latitudeText(angle_deg, decimals, kEnglish), latitude);
@@ -138,8 +141,8 @@ private slots:
     void linesBetweenHemispheres()
     {
         QCOMPARE(latitudeText(0, 0, kEnglish), u"0° 00′"_s);
-        QCOMPARE(longitudeText(0, -1, kEnglish), u"0°"_s);
-        QCOMPARE(longitudeText(180, -1, kEnglish), u"180°"_s);
+        QCOMPARE(longitudeText(0, std::nullopt, kEnglish), u"0°"_s);
+        QCOMPARE(longitudeText(180, std::nullopt, kEnglish), u"180°"_s);
         QCOMPARE(longitudeText(-180, 1, kEnglish), u"180° 00.0′"_s);
         QCOMPARE(longitudeText(179.99, 1, kEnglish), u"179° 59.4′ E"_s);
     }

@@ -7,7 +7,7 @@
 #include "widgets/theme/unit_settings.h"
 #include "widgets/words/issue_text.h"
 
-#include <QDir>
+#include <QDirIterator>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTranslator>
@@ -242,9 +242,11 @@ private slots:
         QCoreApplication::installTranslator(&norwegian);
         QStringList wrong;
         int count = 0;
-        for (const QFileInfo& file :
-             QDir(QStringLiteral(BERG_TEST_DATA "/broken"))
-                 .entryInfoList({u"*.berg"_s, u"*.json"_s, u"*.bergrun"_s}, QDir::Files)) {
+        QDirIterator files(QStringLiteral(BERG_TEST_DATA "/broken"),
+                           {u"*.berg"_s, u"*.json"_s, u"*.bergrun"_s}, QDir::Files,
+                           QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            const QFileInfo file(files.next());
             const std::optional<Error> error =
                 test::errorOf([&] { read(file.filePath().toStdString()); });
             QVERIFY2(error, qPrintable(file.fileName()));

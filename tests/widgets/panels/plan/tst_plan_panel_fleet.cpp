@@ -114,7 +114,8 @@ private slots:
         installLanguage(language);
         const auto back = qScopeGuard([] { installLanguage(u"en"_s); });
         std::vector<PlanSection> sections = twoUavSections();
-        sections[1].rows.assign(16, {.id = "c", .leg_m = 24320. / 16, .arrival_s = 1104});
+        sections[1].rows.assign(16,
+                                {.id = "c", .leg_m = 24320. / 16, .arrival_s = 1104, .number = 1});
         PlanModel model{QLocale(language)};
         model.setPlan(sections);
         const QModelIndex uav = model.index(3, PlanModel::Name);

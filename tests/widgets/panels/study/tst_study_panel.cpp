@@ -3,6 +3,7 @@
 #include "tests/support/window/panel_test.h"
 #include "tests/support/window/patience.h"
 #include "tests/support/window/study_builder.h"
+#include "tests/support/window/study_panel_fixture.h"
 #include "widgets/charts/study_chart.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/study/study_panel.h"
@@ -15,8 +16,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHeaderView>
-#include <QImage>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -30,6 +29,7 @@
 using namespace berg;
 using namespace Qt::StringLiterals;
 using test::kPatience_ms;
+using test::StudyPanelFixture;
 
 namespace {
 
@@ -41,58 +41,6 @@ constexpr int kSettingBestIn = 6;
 constexpr int kCaseZeta = 2;
 constexpr int kCaseBestTau = 4;
 constexpr int kCaseBest = 5;
-
-struct StudyPanelFixture
-{
-    StudyRunner runner;
-    StudyPanel panel{runner};
-    QSignalSpy finished{&runner, &StudyRunner::finished};
-    NoBlockingScope onThisThread;
-
-    explicit StudyPanelFixture(const Scenario& scenario = test::quickScenario())
-    {
-        QObject::connect(&panel, &StudyPanel::startRequested, &panel, &StudyPanel::start);
-        panel.setLocale(QLocale::c());
-        panel.resize(panel.sizeHint());
-        panel.setScenario(scenario);
-        panel.show();
-    }
-    template <class Widget>
-    [[nodiscard]] Widget& get(const QString& name)
-    {
-        return test::child<Widget>(panel, name);
-    }
-    void setNumber(const QString& name, const QString& value)
-    {
-        test::enter(get<NumberField>(name), value);
-    }
-    void setPolicies(const QStringList& names)
-    {
-        for (QCheckBox* box : panel.findChildren<QCheckBox*>())
-            box->setChecked(names.contains(box->objectName().section(u'-', 1)));
-    }
-    [[nodiscard]] StudySpec spec() { return test::child<StudySetup>(panel, {}).spec(); }
-    [[nodiscard]] QPushButton& start() { return get<QPushButton>(u"startStudy"_s); }
-    [[nodiscard]] QString state() { return get<QLabel>(u"studyState"_s).text(); }
-    [[nodiscard]] bool ends(int times = 1)
-    {
-        return QTest::qWaitFor([&] { return finished.count() >= times; }, kPatience_ms);
-    }
-    /** Shows a result as if it had been flown. */
-    void show(const StudyPointer& result)
-    {
-        runner.show(result->study);
-        QVERIFY(QTest::qWaitFor([&] { return runner.result() != nullptr; }, kPatience_ms));
-    }
-    [[nodiscard]] QStringList column(const QString& table, int column)
-    {
-        QStringList texts;
-        const QAbstractItemModel& model = *get<QTableView>(table).model();
-        for (int row = 0; row < model.rowCount(); ++row)
-            texts << model.index(row, column).data().toString();
-        return texts;
-    }
-};
 
 } // namespace
 
