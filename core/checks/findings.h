@@ -1,6 +1,6 @@
 #pragma once
 
-// This header is private to core/scenario.
+// For core/checks and the sources that draw fields.
 
 #include "core/base/issue.h"
 #include "core/scenario/limits.h"

@@ -120,7 +120,8 @@ std::variant<double, CoordinateFault> decode(const CoordinateAngle& angle)
 
 bool isLatitude(const CoordinateAngle& angle)
 {
-    return angle.letter == 'N' || angle.letter == 'S';
+    const char letter = angle.letter.value_or(' ');
+    return letter == 'N' || letter == 'S';
 }
 
 PlaceOrFault placeOf(CoordinateAngle first, CoordinateAngle second)

@@ -56,8 +56,10 @@ std::vector<TimedPoint> cornersWith(const ExportUav& uav, const std::vector<Came
             corners.push_back(point);
     });
     std::ranges::stable_sort(corners, {}, &TimedPoint::time_s);
-    const auto repeated = std::ranges::unique(corners, {}, &TimedPoint::time_s);
-    corners.erase(repeated.begin(), repeated.end());
+    const auto isSameTime = [](const TimedPoint& one, const TimedPoint& other) {
+        return one.time_s == other.time_s;
+    };
+    corners.erase(std::unique(corners.begin(), corners.end(), isSameTime), corners.end());
     return corners;
 }
 

@@ -168,14 +168,16 @@ std::optional<Angle> takeAngle(std::string_view& text)
     }
     if (!isInFront)
         angle.letter = takeHemisphere(text);
-    if (angle.letter == 'S' || angle.letter == 'W')
+    const char letter = angle.letter.value_or(' ');
+    if (letter == 'S' || letter == 'W')
         angle.angle_deg = -angle.angle_deg;
     return angle.letter ? std::optional(angle) : std::nullopt;
 }
 
 bool isLatitude(const Angle& angle)
 {
-    return angle.letter == 'N' || angle.letter == 'S';
+    const char letter = angle.letter.value_or(' ');
+    return letter == 'N' || letter == 'S';
 }
 
 std::optional<LatLon> takePlace(std::string_view& text)
