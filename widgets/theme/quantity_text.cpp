@@ -313,7 +313,7 @@ QString withPlainHemispheres(const QString& text)
     return plain;
 }
 
-QString placeText(const LatLon& place, int decimals, const QLocale& locale)
+QString placeText(const LatLon& place, std::optional<int> decimals, const QLocale& locale)
 {
     return latitudeText(place.latitude_deg, decimals, locale) + u"  "_s +
            longitudeText(place.longitude_deg, decimals, locale);

@@ -113,8 +113,9 @@ inline constexpr int kPlaceDecimals = 3;
  * N, S, E and W, which all readers accept.
  */
 [[nodiscard]] QString withPlainHemispheres(const QString& text);
-/** Latitude and longitude, separated by two spaces. */
-[[nodiscard]] QString placeText(const LatLon& place, int decimals, const QLocale& locale);
+/** Latitude and longitude in the same form, separated by two spaces. */
+[[nodiscard]] QString placeText(const LatLon& place, std::optional<int> decimals,
+                                const QLocale& locale);
 
 /** Direction as navigators write it: "045°", clockwise from north, in [0, 360). */
 [[nodiscard]] QString directionText(double heading_deg);

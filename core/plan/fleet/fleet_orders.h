@@ -22,7 +22,7 @@ public:
         int uav = 0;
         NodeSet visited;
         double excess = 0; ///< length above the shortest one of its root
-        int state = 0;     ///< state that `icebergsOf` starts from
+        int state = 0;     ///< state that `icebergsOf` starts from; 0, a root, for an empty order
     };
 
     FleetOrders(int uavs, int icebergs) : m_uavs(uavs), m_icebergs(icebergs) {}

@@ -138,6 +138,12 @@ private slots:
         QCOMPARE(longitudeText(angle_deg, decimals, kEnglish), longitude);
     }
 
+    void wholeDegreesOfAPlace()
+    {
+        QCOMPARE(placeText({.latitude_deg = 47.1, .longitude_deg = -48.2}, std::nullopt, kEnglish),
+                 u"47° N  48° W"_s);
+    }
+
     void linesBetweenHemispheres()
     {
         QCOMPARE(latitudeText(0, 0, kEnglish), u"0° 00′"_s);

@@ -9,6 +9,12 @@
 using namespace berg;
 using namespace Qt::StringLiterals;
 
+namespace {
+
+constexpr std::optional<int> kNoIceberg;
+
+} // namespace
+
 class TestEventText : public QObject
 {
     Q_OBJECT
@@ -18,39 +24,42 @@ private slots:
     {
         QTest::addColumn<EventKind>("kind");
         QTest::addColumn<double>("time_s");
-        QTest::addColumn<int>("iceberg");
+        QTest::addColumn<std::optional<int>>("iceberg");
         QTest::addColumn<QString>("text");
-        QTest::newRow("planned") << EventKind::Planned << 0.0 << 0
+        QTest::newRow("planned") << EventKind::Planned << 0.0 << std::optional(0)
                                  << u"00:00  Planned: next berg-1"_s;
-        QTest::newRow("circling") << EventKind::Planned << 61.0 << -1
+        QTest::newRow("circling") << EventKind::Planned << 61.0 << kNoIceberg
                                   << u"01:01  Nothing to visit now: circling"_s;
-        QTest::newRow("reached") << EventKind::Reached << 201.4 << 0 << u"03:21  berg-1 reached"_s;
-        QTest::newRow("by name") << EventKind::Reached << 201.0 << 1
+        QTest::newRow("reached") << EventKind::Reached << 201.4 << std::optional(0)
+                                 << u"03:21  berg-1 reached"_s;
+        QTest::newRow("by name") << EventKind::Reached << 201.0 << std::optional(1)
                                  << u"03:21  Storberget reached"_s;
-        QTest::newRow("sighted") << EventKind::Sighted << 5.0 << 0 << u"00:05  berg-1 in view"_s;
-        QTest::newRow("appeared") << EventKind::Appeared << 3600.0 << 1
+        QTest::newRow("sighted") << EventKind::Sighted << 5.0 << std::optional(0)
+                                 << u"00:05  berg-1 in view"_s;
+        QTest::newRow("appeared") << EventKind::Appeared << 3600.0 << std::optional(1)
                                   << u"1:00:00  Storberget appeared"_s;
-        QTest::newRow("intervention")
-            << EventKind::Intervention << 59.6 << -1 << u"01:00  Planned from now on by: τ 0.00"_s;
-        QTest::newRow("left") << EventKind::Left << 1.0 << 0
+        QTest::newRow("intervention") << EventKind::Intervention << 59.6 << kNoIceberg
+                                      << u"01:00  Planned from now on by: τ 0.00"_s;
+        QTest::newRow("left") << EventKind::Left << 1.0 << std::optional(0)
                               << u"00:01  berg-1 has left the area"_s;
-        QTest::newRow("lost") << EventKind::Lost << 1.0 << 1
+        QTest::newRow("lost") << EventKind::Lost << 1.0 << std::optional(1)
                               << u"00:01  Storberget is lost: not where it should be"_s;
-        QTest::newRow("found") << EventKind::Found << 1.0 << 1
+        QTest::newRow("found") << EventKind::Found << 1.0 << std::optional(1)
                                << u"00:01  Storberget found again"_s;
-        QTest::newRow("search abandoned")
-            << EventKind::GivenUp << 1.0 << 0 << u"00:01  Search for berg-1 given up"_s;
+        QTest::newRow("search abandoned") << EventKind::GivenUp << 1.0 << std::optional(0)
+                                          << u"00:01  Search for berg-1 given up"_s;
         QTest::newRow("home bound")
-            << EventKind::HomeBound << 1.0 << -1 << u"00:01  Returning home"_s;
-        QTest::newRow("landed") << EventKind::Landed << 1.0 << -1 << u"00:01  Landed"_s;
-        QTest::newRow("took off") << EventKind::TookOff << 1.0 << -1 << u"00:01  Took off"_s;
+            << EventKind::HomeBound << 1.0 << kNoIceberg << u"00:01  Returning home"_s;
+        QTest::newRow("landed") << EventKind::Landed << 1.0 << kNoIceberg << u"00:01  Landed"_s;
+        QTest::newRow("took off") << EventKind::TookOff << 1.0 << kNoIceberg
+                                  << u"00:01  Took off"_s;
     }
 
     void sentenceStatesTheEvent()
     {
         QFETCH(EventKind, kind);
         QFETCH(double, time_s);
-        QFETCH(int, iceberg);
+        QFETCH(std::optional<int>, iceberg);
         QFETCH(QString, text);
         std::vector<Iceberg> icebergs(2);
         icebergs[0].id = "berg-1";
@@ -149,16 +158,17 @@ private slots:
     /** An invalid index gives no name rather than another iceberg's. */
     void unknownIcebergHasNoName_data()
     {
-        QTest::addColumn<int>("iceberg");
-        QTest::newRow("none") << -1;
-        QTest::newRow("one beyond the last") << 1;
-        QTest::newRow("largest") << std::numeric_limits<int>::max();
-        QTest::newRow("smallest") << std::numeric_limits<int>::min();
+        QTest::addColumn<std::optional<int>>("iceberg");
+        QTest::newRow("none") << kNoIceberg;
+        QTest::newRow("negative") << std::optional(-1);
+        QTest::newRow("one beyond the last") << std::optional(1);
+        QTest::newRow("largest") << std::optional(std::numeric_limits<int>::max());
+        QTest::newRow("smallest") << std::optional(std::numeric_limits<int>::min());
     }
 
     void unknownIcebergHasNoName()
     {
-        QFETCH(int, iceberg);
+        QFETCH(std::optional<int>, iceberg);
         std::vector<Iceberg> icebergs(1);
         icebergs[0].id = "berg-1";
         for (const EventKind kind : {EventKind::Planned, EventKind::Reached, EventKind::Sighted,

@@ -201,7 +201,8 @@ void OverviewInset::paintCoordinates(QPainter& painter) const
     const std::optional<LatLon> place = m_cursor ? placeAt(*m_cursor) : std::nullopt;
     if (!place)
         return;
-    const int decimals = m_view.scale_pxpm() > 2e-4 ? 0 : -1;
+    const std::optional<int> decimals =
+        m_view.scale_pxpm() > 2e-4 ? std::optional(0) : std::nullopt;
     const QString text = placeText(*place, decimals, locale());
     const QFontMetricsF metrics(m_theme.small());
     const QSizeF size(metrics.horizontalAdvance(text) + 12, metrics.height() + 6);

@@ -267,7 +267,7 @@ CellSheet studyCases(const StudyPointer& result, std::optional<std::size_t> sett
                       return of.bestTau(row) ? fixedText(*of.bestTau(row), 2, of.locale)
                                              : missingValueText();
                   },
-              .key = [of](int row) { return of.bestTau(row).value_or(0); }},
+              .key = [of](int row) { return of.bestTau(row); }},
              {.title = StudyTables::tr("Best of all"),
               .tip = StudyTables::tr("The setting with the lowest ζ in this case."),
               .text =
