@@ -271,7 +271,7 @@ int runDrift(const DriftArguments& given, const std::stop_token& stop)
                 .json = given.json});
     DriftReport report{.dimensions = dimensionsOfLength(lengthOf(given)), .law = lawOf(given)};
     const Forcing constant = constantForcing(given);
-    ForcingAt forcing = [&constant](double) { return constant; };
+    ForcingAt forcing = [&constant](double) { return Forcing(constant); };
     if (given.forecasts.empty()) {
         if (given.latitude_deg || report.law.turn_deg == 0 || !given.wind_mps)
             report.velocity_mps =
