@@ -1,15 +1,9 @@
-#include "core/io/export/maps/czml.h"
-
-#include "core/io/export/maps/uav_colours.h"
-#include "core/io/export/maps/xml_text.h"
+#include "core/io/export/maps/map_json.h"
+#include "core/io/export/maps/map_writers.h"
 #include "core/io/text/export_numbers.h"
 #include "core/io/text/json_writer.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <array>
-#include <charconv>
 
 namespace berg {
 
@@ -17,19 +11,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/** Height up to which an area without a ceiling is drawn. */
+constexpr double kDrawnCeiling_m = 1000;
+
 Json colour(const Rgb& rgb, int alpha = 255)
 {
     Json json;
     json["rgba"] = {rgb.red, rgb.green, rgb.blue, alpha};
     return json;
 }
-
-constexpr Rgb kIceColour{120, 200, 240};
-constexpr Rgb kAssetColour{220, 60, 60};
-constexpr Rgb kAreaColour{128, 128, 128};
-constexpr Rgb kClosedColour{200, 40, 40};
-/** Height up to which an area without a ceiling is drawn. */
-constexpr double kDrawnCeiling_m = 1000;
 
 Json solid(const Rgb& rgb, int alpha = 255)
 {
@@ -49,41 +39,16 @@ public:
     {
         m_put("[\n");
         addDocument();
-        for (const ExportIceberg& now : m_content.icebergs)
-            if (now.isListed)
-                addIceberg(now);
-        addArea();
-        for (std::size_t i = 0; i < m_content.noFly.size(); ++i)
-            addClosed("no-fly/" + std::to_string(i), m_content.noFly[i]);
-        if (m_content.standoff)
-            addClosed("stand-off", *m_content.standoff);
-        if (m_content.asset) {
-            Json packet =
-                marker("asset", m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
-                       assetPlace_m(m_content), kAssetColour);
-            addProperties(packet, assetData(m_content));
-            add(std::move(packet));
-        }
-        for (const ExportUav& uav : m_content.uavs) {
-            Json packet = marker("home/" + uav.uav.id, "Home of " + titleOf(uav.uav), uav.home_m,
-                                 uavColour(uav.row));
-            addProperties(packet, dataOf(m_content, uav));
-            add(std::move(packet));
-            addUav(uav);
-        }
+        for (const MapFeature& feature : mapFeatures(m_content))
+            std::visit([&](const auto& geometry) { add(feature, geometry); }, feature.geometry);
         m_put("\n]\n");
     }
 
 private:
-    void add(Json packet)
+    void put(Json packet)
     {
         const JsonTreeGuard later(packet);
-        addText(jsonText(packet));
-    }
-
-    void addText(const std::string& begin)
-    {
-        m_put(m_isFirst ? begin : ",\n" + begin);
+        m_put((m_isFirst ? "" : ",\n") + jsonText(packet));
         m_isFirst = false;
     }
 
@@ -119,130 +84,102 @@ private:
             clock["currentTime"] = utcText(*m_content.start, from_s);
             clock["multiplier"] = 10;
         }
-        add(std::move(packet));
+        put(std::move(packet));
     }
 
-    [[nodiscard]] Json marker(const std::string& id, const std::string& name,
-                              const Point& position_m, const Rgb& rgb) const
+    static Json packetOf(const MapFeature& feature)
     {
         Json packet;
-        packet["id"] = id;
-        packet["name"] = name;
-        Json place = Json::array();
-        append(place, position_m, 0);
-        packet["position"]["cartographicDegrees"] = std::move(place);
-        packet["point"]["pixelSize"] = 8;
-        packet["point"]["color"] = colour(rgb);
-        packet["label"]["text"] = name;
-        packet["label"]["font"] = "12px sans-serif";
-        packet["label"]["horizontalOrigin"] = "LEFT";
-        packet["label"]["pixelOffset"]["cartesian2"] = {10, 0};
+        packet["id"] = feature.key.empty() ? feature.kind : feature.kind + '/' + feature.key;
+        packet["name"] = feature.title;
+        addProperties(packet["properties"], flatProperties(feature));
         return packet;
     }
 
-    /** Adds the values that imports read back, numbers as such, and the time they apply to. */
-    void addProperties(Json& packet, const std::vector<XmlData>& data) const
+    static void addPoint(Json& packet, int size_px, const Rgb& rgb)
     {
-        constexpr std::array<std::string_view, 3> kTexts{"id", "name", "state"};
-        Json& properties = packet["properties"];
-        for (const XmlData& item : data) {
-            const bool isText = std::ranges::find(kTexts, item.name) != kTexts.end();
-            properties[std::string(item.name)] = isText ? Json(item.value) : numberOf(item.value);
-        }
-        if (m_content.start)
-            properties["time"] = utcText(*m_content.start, m_content.now_s);
+        packet["point"]["pixelSize"] = size_px;
+        packet["point"]["color"] = colour(rgb);
     }
 
-    static Json numberOf(const std::string& text)
+    void add(const MapFeature& feature, const Point& place_m)
     {
-        double value = 0;
-        std::from_chars(text.data(), text.data() + text.size(), value);
-        return value;
-    }
-
-    void addIceberg(const ExportIceberg& now)
-    {
-        Json packet =
-            marker("iceberg/" + now.iceberg.id, titleOf(now.iceberg), now.position_m, kIceColour);
-        addProperties(packet, dataOf(m_content, now));
-        add(std::move(packet));
-    }
-
-    void addArea()
-    {
-        if (m_content.area_m.empty())
+        if (feature.kind == "uav") // its path shows the start
             return;
-        Json outline = Json::array();
-        for (const Point& corner_m : m_content.area_m)
-            append(outline, corner_m, 0);
-        append(outline, m_content.area_m.front(), 0);
-        Json packet;
-        packet["id"] = "area";
-        packet["name"] = "Area";
-        packet["properties"]["geofence"] = m_content.geofence;
-        packet["polyline"]["positions"]["cartographicDegrees"] = std::move(outline);
-        packet["polyline"]["width"] = 2;
-        packet["polyline"]["material"] = solid(kAreaColour);
-        add(std::move(packet));
+        Json packet = packetOf(feature);
+        Json& place = packet["position"]["cartographicDegrees"] = Json::array();
+        append(place, place_m, feature.altitude_m);
+        addPoint(packet, 8, styleOf(feature).colour);
+        if (feature.kind != "visit") { // whose iceberg has a label
+            Json& label = packet["label"];
+            label["text"] = feature.title;
+            label["font"] = "12px sans-serif";
+            label["horizontalOrigin"] = "LEFT";
+            label["pixelOffset"]["cartesian2"] = {10, 0};
+        }
+        put(std::move(packet));
     }
 
-    void addClosed(const std::string& id, const NoFlyArea& area)
+    void add(const MapFeature& feature, const MapOutline& outline)
     {
+        const MapStyle style = styleOf(feature);
         Json corners = Json::array();
-        for (const Point& corner_m : area.corners_m)
+        for (const Point& corner_m : outline.corners_m)
             append(corners, corner_m, 0);
-        Json packet;
-        packet["id"] = id;
-        packet["name"] = area.name.empty() ? "No-fly area" : area.name;
-        addProperties(packet, dataOf(area));
-        Json& polygon = packet["polygon"];
-        polygon["positions"]["cartographicDegrees"] = std::move(corners);
-        polygon["height"] = area.floor_m;
-        polygon["extrudedHeight"] =
-            area.ceiling_m.value_or(std::max(kDrawnCeiling_m, 2 * area.floor_m));
-        polygon["material"] = solid(kClosedColour, 64);
-        polygon["outline"] = true;
-        polygon["outlineColor"] = colour(kClosedColour);
-        add(std::move(packet));
+        Json packet = packetOf(feature);
+        const bool hasHeights =
+            style.isFilled || feature.kind == "airspace" || outline.ceiling_m.has_value();
+        if (!hasHeights) {
+            append(corners, outline.corners_m.front(), 0);
+            packet["polyline"]["positions"]["cartographicDegrees"] = std::move(corners);
+            packet["polyline"]["width"] = 2;
+            packet["polyline"]["material"] = solid(style.colour);
+        } else {
+            Json& polygon = packet["polygon"];
+            polygon["positions"]["cartographicDegrees"] = std::move(corners);
+            polygon["height"] = outline.floor_m;
+            polygon["extrudedHeight"] =
+                outline.ceiling_m.value_or(std::max(kDrawnCeiling_m, 2 * outline.floor_m));
+            if (style.isFilled)
+                polygon["material"] = solid(style.colour, 64);
+            else
+                polygon["fill"] = false;
+            polygon["outline"] = true;
+            polygon["outlineColor"] = colour(style.colour);
+        }
+        put(std::move(packet));
     }
 
-    void addUav(const ExportUav& uav)
+    void add(const MapFeature& feature, const ExportUav* uav)
     {
         TimedPoint start;
         std::size_t points = 0;
-        eachPoint(uav, [&](const TimedPoint& point) { start = points++ == 0 ? point : start; });
-        const double end_s = endOf(uav).time_s;
+        eachPoint(*uav, [&](const TimedPoint& point) { start = points++ == 0 ? point : start; });
+        const double end_s = endOf(*uav).time_s;
         const bool isMoving = m_content.start && points > 1 && end_s > start.time_s;
-        const double altitude_m = uav.uav.spec.altitude_m;
-        const Rgb rgb = uavColour(uav.row);
-        Json packet;
-        packet["id"] = "uav/" + uav.uav.id;
-        packet["name"] = titleOf(uav.uav);
-        packet["point"]["pixelSize"] = 10;
-        packet["point"]["color"] = colour(rgb);
-        packet["properties"]["airspeed_mps"] = uav.uav.spec.airspeed_mps;
-        packet["properties"]["altitude_m"] = altitude_m;
+        const Rgb rgb = styleOf(feature).colour;
+        Json packet = packetOf(feature);
+        addPoint(packet, 10, rgb);
         if (isMoving) {
             packet["availability"] = interval(start.time_s, end_s);
         } else {
-            Json place = Json::array();
-            append(place, start.position_m, altitude_m);
-            packet["position"]["cartographicDegrees"] = std::move(place);
+            Json& place = packet["position"]["cartographicDegrees"] = Json::array();
+            append(place, start.position_m, uav->uav.spec.altitude_m);
         }
         Json line;
         line["width"] = 3;
         line["material"] = solid(rgb);
         std::string head = jsonText(packet);
         head.pop_back(); // the closing brace
-        addText(head);
+        m_put(",\n" + head);
         if (isMoving) {
             m_put(R"(,"position":{"epoch":)" + jsonText(utcText(*m_content.start, 0)) +
                   R"(,"cartographicDegrees":[)");
-            addMoving(uav);
+            addMoving(*uav);
             m_put(R"(]},"path":)" + jsonText(line) + '}');
         } else {
             m_put(R"(,"polyline":{"positions":{"cartographicDegrees":[)");
-            addNumbers(uav, [](Json&, const TimedPoint&) { return true; });
+            addNumbers(*uav, [](Json&, const TimedPoint&) { return true; });
             m_put("]}," + jsonText(line).substr(1) + '}');
         }
     }

@@ -1,9 +1,6 @@
-#include "core/io/export/maps/gpx.h"
-
-#include "core/base/number_text.h"
-#include "core/io/export/maps/xml_text.h"
+#include "core/io/export/maps/map_writers.h"
+#include "core/io/export/maps/map_xml.h"
 #include "core/io/text/export_numbers.h"
-#include "core/io/text/html_text.h"
 
 #include <cmath>
 
@@ -19,7 +16,7 @@ constexpr const char* kHead =
 /** A point of GPX; the schema requires its children in this order. */
 struct GpxPoint
 {
-    std::string tag;
+    const char* tag = "";
     Point position_m = Point::Zero();
     std::optional<double> altitude_m = {};
     std::optional<double> time_s = {};
@@ -29,12 +26,12 @@ struct GpxPoint
     std::string extensions = {}; ///< XML
 };
 
-std::string extensionsOf(const std::vector<XmlData>& data)
+std::string extensionsOf(const MapFeature& feature)
 {
-    std::string text;
-    for (const XmlData& item : data)
-        text += xmlElement("berg:" + std::string(item.name), item.value);
-    return text;
+    std::string text = "<extensions>";
+    for (const MapProperty& property : flatProperties(feature))
+        text += xmlElement("berg:" + property.name, valueText(property.value));
+    return text + "</extensions>";
 }
 
 class GpxWriter
@@ -51,21 +48,25 @@ public:
         if (m_content.start)
             m_put(xmlElement("time", timeText(m_content, m_content.now_s)));
         m_put("</metadata>\n");
-        addWaypoints();
+        const std::vector<MapFeature> features = mapFeatures(m_content);
+        for (const MapFeature& feature : features)
+            if (const auto* place_m = std::get_if<Point>(&feature.geometry))
+                addWaypoint(feature, *place_m);
         for (const ExportUav& uav : m_content.uavs)
             if (m_content.what != ExportScope::Track)
                 addRoute(uav);
-        for (const ExportUav& uav : m_content.uavs)
-            if (!uav.track.empty())
-                addTrack(uav);
+        for (const MapFeature& feature : features)
+            if (const auto* uav = std::get_if<const ExportUav*>(&feature.geometry))
+                addTrack(feature, **uav);
         m_put("</gpx>\n");
     }
 
 private:
     void add(const GpxPoint& point)
     {
-        const XmlPlace place = placeText(m_content.frame.toGeographic(point.position_m));
-        m_put("<" + point.tag + " lat=\"" + place.latitude + "\" lon=\"" + place.longitude + "\">");
+        const LatLon place = roundedPlace(m_content.frame.toGeographic(point.position_m));
+        m_put(std::string("<") + point.tag + " lat=\"" + decimalText(place.latitude_deg) +
+              "\" lon=\"" + decimalText(place.longitude_deg) + "\">");
         if (point.altitude_m)
             m_put(xmlElement("ele", decimalText(*point.altitude_m)));
         if (point.time_s && m_content.start)
@@ -76,38 +77,21 @@ private:
             m_put(xmlElement("desc", point.description));
         if (!point.type.empty())
             m_put(xmlElement("type", point.type));
-        if (!point.extensions.empty())
-            m_put("<extensions>" + point.extensions + "</extensions>");
-        m_put("</" + point.tag + ">\n");
+        m_put(point.extensions + "</" + point.tag + ">\n");
     }
 
-    void addWaypoints()
+    /** Adds a place that the routes do not show. */
+    void addWaypoint(const MapFeature& feature, const Point& place_m)
     {
-        for (const ExportIceberg& now : m_content.icebergs)
-            if (now.isListed)
-                add({.tag = "wpt",
-                     .position_m = now.position_m,
-                     .altitude_m = 0,
-                     .time_s = m_content.now_s,
-                     .name = titleOf(now.iceberg),
-                     .description = aboutText(m_content, now),
-                     .type = "iceberg",
-                     .extensions = extensionsOf(dataOf(m_content, now))});
-        for (const ExportUav& uav : m_content.uavs)
+        if (feature.kind != "uav" && feature.kind != "visit")
             add({.tag = "wpt",
-                 .position_m = uav.home_m,
-                 .altitude_m = 0,
-                 .name = "Home of " + titleOf(uav.uav),
-                 .type = "home",
-                 .extensions = extensionsOf(dataOf(m_content, uav))});
-        if (m_content.asset)
-            add({.tag = "wpt",
-                 .position_m = assetPlace_m(m_content),
-                 .altitude_m = 0,
-                 .time_s = m_content.now_s,
-                 .name = m_content.asset->name.empty() ? "Asset" : m_content.asset->name,
-                 .type = "asset",
-                 .extensions = extensionsOf(assetData(m_content))});
+                 .position_m = place_m,
+                 .altitude_m = feature.altitude_m,
+                 .time_s = feature.time_s,
+                 .name = feature.title,
+                 .description = feature.about,
+                 .type = feature.kind,
+                 .extensions = extensionsOf(feature)});
     }
 
     void addRoute(const ExportUav& uav)
@@ -129,10 +113,12 @@ private:
         m_put("</rte>\n");
     }
 
-    void addTrack(const ExportUav& uav)
+    void addTrack(const MapFeature& feature, const ExportUav& uav)
     {
-        m_put("<trk>" + xmlElement("name", titleOf(uav.uav)) +
-              xmlElement("type", nameOf(kExportScopeNames, m_content.what)) + "<trkseg>\n");
+        if (uav.track.empty())
+            return;
+        m_put("<trk>" + xmlElement("name", feature.title) + xmlElement("type", feature.kind) +
+              extensionsOf(feature) + "<trkseg>\n");
         std::optional<double> last_deg;
         for (const TrackPoint& point : uav.track) {
             const double here_deg =

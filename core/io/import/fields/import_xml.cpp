@@ -96,6 +96,11 @@ std::optional<std::vector<LatLon>> placesOfTuples(std::string_view tuples)
     return places;
 }
 
+bool isVectorPart(std::string_view name)
+{
+    return name.ends_with("_east_mps") || name.ends_with("_north_mps");
+}
+
 std::variant<Sighting, RejectedRow>
 withData(SightingTable& table, std::variant<Sighting, RejectedRow> row, const OwnData& data)
 {
@@ -103,7 +108,10 @@ withData(SightingTable& table, std::variant<Sighting, RejectedRow> row, const Ow
         table, std::move(row),
         {.east = valueOf(data, "drift_east_mps"), .north = valueOf(data, "drift_north_mps")});
     if (auto* const sighting = std::get_if<Sighting>(&row)) {
-        sighting->appearsIn_s = numberOf(data, "appears_in_s");
+        const std::optional<double> appears_s = numberOf(data, "appears_s");
+        const std::optional<double> time_s = numberOf(data, "time_s");
+        sighting->appearsIn_s = appears_s && time_s ? std::optional(*appears_s - *time_s)
+                                                    : numberOf(data, "appears_in_s");
         sighting->change = changeOf([&](const char* name) { return numberOf(data, name); });
     }
     return row;

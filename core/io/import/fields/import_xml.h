@@ -24,6 +24,8 @@ void setName(FieldTexts& texts, const std::string& name);
 
 /** Values for programs in a Bergwatch export, by their names. */
 using OwnData = std::map<std::string, std::string, std::less<>>;
+/** Returns true if a value of this name is a component of a vector to true east and north. */
+[[nodiscard]] bool isVectorPart(std::string_view name);
 /** Returns the row with drift, appearance and change of drift of the data, if it has them. */
 [[nodiscard]] std::variant<Sighting, RejectedRow>
 withData(SightingTable& table, std::variant<Sighting, RejectedRow> row, const OwnData& data);

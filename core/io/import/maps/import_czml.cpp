@@ -84,7 +84,7 @@ private:
         if (m_isOwn &&
             (id == "area" || id == "asset" || id.starts_with(kHome) || id.starts_with(kNoFly)))
             readOwn(packet, id, degrees);
-        else if (m_isOwn && (id.starts_with(kUav) || id == "stand-off"))
+        else if (m_isOwn && (id.starts_with(kUav) || id == "stand-off" || isOtherKind()))
             return;
         else if (degrees == nullptr)
             reject(position == nullptr ? IssueId::NotAPoint : IssueId::NoPosition);
@@ -100,13 +100,20 @@ private:
             return;
         for (const auto& [name, value] : properties->items()) {
             std::string text = propertyText(value);
-            const bool isDrift = name == "drift_east_mps" || name == "drift_north_mps";
-            if (const std::optional<FieldUse> use = isDrift ? std::nullopt : m_names.of(name);
+            if (const std::optional<FieldUse> use =
+                    isVectorPart(name) ? std::nullopt : m_names.of(name);
                 use && use->field != SightingField::Latitude &&
                 use->field != SightingField::Longitude) // the position determines the place
                 m_texts.set(*use, text);
             m_data[name] = std::move(text);
         }
+    }
+
+    /** Whether the packet of a Bergwatch export is neither an iceberg nor of an older version. */
+    [[nodiscard]] bool isOtherKind() const
+    {
+        const auto kind = m_data.find("kind");
+        return kind != m_data.end() && kind->second != "iceberg";
     }
 
     static bool setPlace(FieldTexts& texts, const Json& longitude, const Json& latitude)

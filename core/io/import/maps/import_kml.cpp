@@ -18,7 +18,7 @@ namespace {
 
 bool isOwnKml(std::string_view text)
 {
-    return text.find("<Style id=\"iceberg\">") != std::string_view::npos &&
+    return text.find("\"airspeed_mps\"") != std::string_view::npos &&
            text.find("<Style id=\"uav-") != std::string_view::npos;
 }
 
@@ -144,7 +144,7 @@ private:
     void property(const std::string& name, const std::string& text)
     {
         m_data[name] = text;
-        if (name == "drift_east_mps" || name == "drift_north_mps")
+        if (isVectorPart(name))
             return;
         if (const std::optional<FieldUse> use = m_names.of(name))
             m_texts.set(*use, text);

@@ -383,6 +383,61 @@ private slots:
         QVERIFY(unzipped(kmz, ".kml", budget) == kmlText(content));
     }
 
+    /** Every format that has a place for areas holds every object, each with its kind. */
+    void mapsHoldTheSameObjects_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<QString>("kind");
+        QTest::newRow("geojson") << u"geojson"_s << u"\"kind\":\"%1\""_s;
+        QTest::newRow("czml") << u"czml"_s << u"\"kind\":\"%1\""_s;
+        QTest::newRow("kml") << u"kml"_s << u"\"kind\"><value>%1</value>"_s;
+    }
+
+    void mapsHoldTheSameObjects()
+    {
+        QFETCH(QString, id);
+        QFETCH(QString, kind);
+        const QString text = QString::fromStdString(
+            format(id.toLatin1().constData()).text(planContent(hostile(), fourIcebergPlan())));
+        const std::vector<std::pair<QString, int>> expected{{u"area"_s, 1},
+                                                            {u"no-fly"_s, 1},
+                                                            {u"stand-off"_s, 1},
+                                                            {u"airspace"_s, 1},
+                                                            {u"flight-geography"_s, 1},
+                                                            {u"contingency-volume"_s, 1},
+                                                            {u"asset"_s, 1},
+                                                            {u"ground-risk-buffer"_s, 1},
+                                                            {u"adjacent-area"_s, 1},
+                                                            {u"iceberg"_s, 4},
+                                                            {u"visit"_s, 4},
+                                                            {u"plan"_s, 1}};
+        for (const auto& [name, count] : expected)
+            QVERIFY2(text.count(kind.arg(name)) == count, qPrintable(name));
+        QVERIFY(text.contains(u"from_utc"_s) && text.contains(u"2026-01-01T00:00Z"_s));
+    }
+
+    /** Airspace of CZML extends from its floor upwards, and the volume up to its height. */
+    void czmlHasHeightsOfAirspace()
+    {
+        const ExportContent content = planContent(hostile());
+        const QJsonArray packets =
+            QJsonDocument::fromJson(bytes(format("czml").text(content))).array();
+        const auto polygon = [&packets](const char* id) {
+            for (const QJsonValue& packet : packets)
+                if (packet["id"_L1].toString() == QLatin1StringView(id))
+                    return packet["polygon"_L1].toObject();
+            return QJsonObject();
+        };
+        const QJsonObject airspace = polygon("airspace/0");
+        QCOMPARE(airspace["height"_L1].toDouble(), 900.0);
+        QCOMPARE(airspace["extrudedHeight"_L1].toDouble(), 1800.0); // twice the floor, for drawing
+        QCOMPARE(airspace["positions"_L1]["cartographicDegrees"_L1].toArray().size(), 9);
+        const QJsonObject volume = polygon("contingency-volume");
+        QCOMPARE(volume["height"_L1].toDouble(), 0.0);
+        QCOMPARE(volume["extrudedHeight"_L1].toDouble(),
+                 *content.operation->top_m(VolumePart::Contingency));
+    }
+
     void textMatchesTheGoldenFile_data()
     {
         QTest::addColumn<QString>("id");

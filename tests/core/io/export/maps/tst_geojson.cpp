@@ -83,7 +83,9 @@ private slots:
         QTest::newRow("no properties")
             << Bytes("\"properties\"") << Bytes("\"values\"") << u"3.2"_s;
         QTest::newRow("geometry type") << Bytes("\"Point\"") << Bytes("\"Place\"") << u"3.1"_s;
-        QTest::newRow("latitude first") << Bytes("[-48") << Bytes("[47.1,-148") << u"4 long"_s;
+        QTest::newRow("latitude first")
+            << Bytes("\"Point\",\"coordinates\":[-48")
+            << Bytes("\"Point\",\"coordinates\":[47.1,-148") << u"4 long"_s;
         QTest::newRow("ring not closed")
             << Bytes("]]]},\"properties\":{\"kind\":\"area\"")
             << Bytes(",0]]]},\"properties\":{\"kind\":\"area\"") << u"3.1.6 ring is not closed"_s;
