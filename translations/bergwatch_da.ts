@@ -4481,6 +4481,26 @@ Tilstødende område %4</translation>
         <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
         <translation>med stigning, hjemflyvning og landing tager missionen %1 min; udholdenheden uden reserven er %2 min</translation>
     </message>
+    <message>
+        <source>%1 is no link: write udp:HOST:PORT to listen, udpout:HOST:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD</source>
+        <translation>%1 er ikke en forbindelse: skriv udp:VÆRT:PORT for at lytte, udpout:VÆRT:PORT, tcp:VÆRT:PORT eller serial:ENHED:BAUD</translation>
+    </message>
+    <message>
+        <source>%1 has no host: write an IPv4 address or a name</source>
+        <translation>%1 har ingen vært: skriv en IPv4-adresse eller et navn</translation>
+    </message>
+    <message>
+        <source>%1 has no port from 1 to 65535</source>
+        <translation>%1 har ingen port fra 1 til 65535</translation>
+    </message>
+    <message>
+        <source>%1 has no device: write a path such as /dev/ttyUSB0</source>
+        <translation>%1 har ingen enhed: skriv en sti som /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>%1 has no baud rate of a serial port, such as 57600 or 115200</source>
+        <translation>%1 har ingen baudhastighed for en seriel port, som 57600 eller 115200</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>

@@ -4481,6 +4481,26 @@ Zone adjacente %4</translation>
         <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
         <translation>avec montée, retour et atterrissage, la mission prend %1 min ; l&apos;autonomie sans réserve est de %2 min</translation>
     </message>
+    <message>
+        <source>%1 is no link: write udp:HOST:PORT to listen, udpout:HOST:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD</source>
+        <translation>%1 n&apos;est pas une liaison : écrivez udp:HÔTE:PORT pour écouter, udpout:HÔTE:PORT, tcp:HÔTE:PORT ou serial:PÉRIPHÉRIQUE:BAUD</translation>
+    </message>
+    <message>
+        <source>%1 has no host: write an IPv4 address or a name</source>
+        <translation>%1 n&apos;a pas d&apos;hôte : écrivez une adresse IPv4 ou un nom</translation>
+    </message>
+    <message>
+        <source>%1 has no port from 1 to 65535</source>
+        <translation>%1 n&apos;a pas de port de 1 à 65535</translation>
+    </message>
+    <message>
+        <source>%1 has no device: write a path such as /dev/ttyUSB0</source>
+        <translation>%1 n&apos;a pas de périphérique : écrivez un chemin tel que /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>%1 has no baud rate of a serial port, such as 57600 or 115200</source>
+        <translation>%1 n&apos;a pas de débit de port série, tel que 57600 ou 115200</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>

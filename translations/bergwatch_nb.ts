@@ -4481,6 +4481,26 @@ Tilstøtende område %4</translation>
         <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
         <translation>med stigning, hjemflyging og landing tar oppdraget %1 min; utholdenheten uten reserven er %2 min</translation>
     </message>
+    <message>
+        <source>%1 is no link: write udp:HOST:PORT to listen, udpout:HOST:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD</source>
+        <translation>%1 er ingen forbindelse: skriv udp:VERT:PORT for å lytte, udpout:VERT:PORT, tcp:VERT:PORT eller serial:ENHET:BAUD</translation>
+    </message>
+    <message>
+        <source>%1 has no host: write an IPv4 address or a name</source>
+        <translation>%1 har ingen vert: skriv en IPv4-adresse eller et navn</translation>
+    </message>
+    <message>
+        <source>%1 has no port from 1 to 65535</source>
+        <translation>%1 har ingen port fra 1 til 65535</translation>
+    </message>
+    <message>
+        <source>%1 has no device: write a path such as /dev/ttyUSB0</source>
+        <translation>%1 har ingen enhet: skriv en bane som /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>%1 has no baud rate of a serial port, such as 57600 or 115200</source>
+        <translation>%1 har ingen baudhastighet for en serieport, som 57600 eller 115200</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>

@@ -1,36 +1,15 @@
 #pragma once
 
-// Private to core/io: POSIX file descriptors and loops over their system calls.
+// Private to core/io: loops over the system calls of file descriptors.
+
+#include "core/base/descriptor.h"
 
 #include <array>
 #include <cerrno>
 #include <string_view>
 #include <unistd.h>
-#include <utility>
 
 namespace berg {
-
-/** A POSIX file descriptor that closes itself. */
-class Descriptor
-{
-public:
-    explicit Descriptor(int fd) : m_fd(fd) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor()
-    {
-        if (m_fd >= 0)
-            ::close(m_fd);
-    }
-
-    [[nodiscard]] int get() const { return m_fd; }
-    [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
-    /** Closes now. Returns false if the system reports that data were lost. */
-    [[nodiscard]] bool close() { return ::close(std::exchange(m_fd, -1)) == 0; }
-
-private:
-    int m_fd;
-};
 
 /** Writes all of `content` to `fd`. Returns false on failure, with the reason in errno. */
 [[nodiscard]] inline bool writeAll(int fd, std::string_view content)

@@ -15,6 +15,9 @@ struct LinkTime
     bool operator==(const LinkTime&) const = default;
 };
 
+/** Largest number of packets processed at once, so that a flood leaves time for other work. */
+inline constexpr int kPacketsAtOnce = 1000;
+
 /** Bytes received over a link. */
 struct LinkPacket
 {

@@ -36,7 +36,10 @@ bool FrameExchange::isWithinLimits(const LinkPacket& packet, double now_s)
 std::vector<ReceivedFrame> FrameExchange::receive(LinkTime now)
 {
     std::vector<ReceivedFrame> received;
-    while (const std::optional<LinkPacket> packet = m_link.receive()) {
+    for (int i = 0; i < kPacketsAtOnce; ++i) {
+        const std::optional<LinkPacket> packet = m_link.receive();
+        if (!packet)
+            break;
         if (!isWithinLimits(*packet, now.monotonic_s)) {
             m_dropped_bytes += packet->bytes.size();
             continue;

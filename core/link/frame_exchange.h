@@ -54,7 +54,7 @@ public:
 
     /**
      * Returns the frames received since the last call, without those dropped for the limits or for
-     * their signature.
+     * their signature. At most 1000 packets are processed; the others follow in the next call.
      */
     [[nodiscard]] std::vector<ReceivedFrame> receive(LinkTime now);
     /** Sends a message to one peer. */

@@ -29,8 +29,12 @@ void ImpairedLink::setTime(double now_s)
         m_inner.send(m_outgoing.front().packet.peer, m_outgoing.front().packet.bytes);
         m_outgoing.pop_front();
     }
-    while (std::optional<LinkPacket> packet = m_inner.receive())
+    for (int i = 0; i < kPacketsAtOnce; ++i) {
+        std::optional<LinkPacket> packet = m_inner.receive();
+        if (!packet)
+            return;
         delay(m_incoming, std::move(*packet));
+    }
 }
 
 std::optional<LinkPacket> ImpairedLink::receive()

@@ -54,6 +54,8 @@ inline const std::vector<Module> kRooms{
     {"core/plan/fleet", {"core/plan/problem", "core/plan/proof", "core/plan/solve"}},
     {"core/plan/policy",
      {"core/plan/problem", "core/plan/proof", "core/plan/solve", "core/plan/fleet"}},
+    {"core/link", {}},
+    {"core/link/transport", {"core/link"}},
     {"core/io/text", {}},
     {"core/io/words", {"core/io/text"}},
     {"core/io/files", {"core/io/text"}},
