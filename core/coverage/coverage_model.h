@@ -189,10 +189,10 @@ public:
      * lost iceberg that has been in view before.
      */
     [[nodiscard]] bool inView(const CoverageState& state, int iceberg) const;
-    /** Returns the distance between two places at the start of the prediction. */
-    [[nodiscard]] double between_m(int a, int b) const
+    /** Returns a place in the air's frame at a time. */
+    [[nodiscard]] Point place_m(int iceberg, double time_s) const
     {
-        return (place_m(a, 0) - place_m(b, 0)).norm();
+        return berg(iceberg).place_m + berg(iceberg).velocity_mps * time_s;
     }
     /** Returns the distance from the UAV to a place at the time of the state. */
     [[nodiscard]] double distance_m(const CoverageState& state, int iceberg) const;
@@ -273,10 +273,6 @@ private:
     }
     void passOthers(CoverageState& state) const;
 
-    [[nodiscard]] Point place_m(int iceberg, double time_s) const
-    {
-        return berg(iceberg).place_m + berg(iceberg).velocity_mps * time_s;
-    }
     /** Returns the view that surely holds an iceberg with this sigma. */
     [[nodiscard]] ViewWindow windowOf(int iceberg, double sigma_m2) const
     {

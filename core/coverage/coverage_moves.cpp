@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace berg {
 
@@ -63,18 +64,30 @@ int icebergBefore(const CoveragePlan& plan, std::size_t place)
 
 CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random,
                              const std::vector<bool>& allowed)
-    : m_edge_m(model.largestOffset_m()), m_paysForSamples(model.paysForSamples()), m_random(random)
+    : m_allowed(allowed)
+    , m_neighbours(static_cast<std::size_t>(model.placeCount()))
+    , m_edge_m(model.largestOffset_m())
+    , m_paysForSamples(model.paysForSamples())
+    , m_random(random)
 {
-    for (int i = 0; i < model.placeCount(); ++i) {
-        std::vector<int> others;
-        for (int j = 0; j < model.placeCount(); ++j)
-            if (j != i && (allowed.empty() || allowed[static_cast<std::size_t>(j)]))
-                others.push_back(j);
-        std::stable_sort(others.begin(), others.end(), [&](int a, int b) {
-            return model.between_m(i, a) < model.between_m(i, b);
-        });
-        m_neighbours.push_back(std::move(others));
-    }
+    for (int i = 0; i < model.placeCount(); ++i)
+        m_places_m.push_back(model.place_m(i, 0));
+}
+
+const std::vector<int>& CoverageMoves::neighbours(int iceberg)
+{
+    const auto i = static_cast<std::size_t>(iceberg);
+    std::vector<int>& others = m_neighbours[i];
+    if (!others.empty())
+        return others;
+    std::vector<std::pair<double, int>> distances;
+    for (std::size_t j = 0; j < m_places_m.size(); ++j)
+        if (j != i && (m_allowed.empty() || m_allowed[j]))
+            distances.emplace_back((m_places_m[i] - m_places_m[j]).norm(), static_cast<int>(j));
+    std::ranges::sort(distances);
+    for (const auto& [distance_m, j] : distances)
+        others.push_back(j);
+    return others;
 }
 
 std::size_t CoverageMoves::change(CoveragePlan& plan)
@@ -191,7 +204,7 @@ std::size_t CoverageMoves::placeNear(std::size_t place, std::size_t count)
 CoverageLeg CoverageMoves::anyLeg(const CoveragePlan& plan, std::size_t place)
 {
     const int before = icebergBefore(plan, place);
-    const std::vector<int>& others = m_neighbours[static_cast<std::size_t>(before)];
+    const std::vector<int>& others = neighbours(before);
     const int iceberg = others.empty() ? before : others[drawn(others.size(), kNearPower)];
     CoverageLeg leg{.iceberg = iceberg, .offset_m = anyOffset_m()};
     if (m_paysForSamples && m_random.below(3) != 0) {

@@ -39,11 +39,14 @@ private:
     [[nodiscard]] std::size_t placeNear(std::size_t place, std::size_t count);
     /** Returns a leg to any place, most often to a neighbour of the place of the leg before. */
     [[nodiscard]] CoverageLeg anyLeg(const CoveragePlan& plan, std::size_t place);
+    /** Returns all other allowed icebergs, nearest first. */
+    [[nodiscard]] const std::vector<int>& neighbours(int iceberg);
     [[nodiscard]] double anyOffset_m();
     [[nodiscard]] double nearOffset_m(double offset_m);
 
-    std::vector<std::vector<int>>
-        m_neighbours; ///< All other allowed icebergs for each iceberg, nearest first.
+    std::vector<bool> m_allowed;
+    std::vector<Point> m_places_m; ///< Places of the icebergs at the start of the prediction.
+    std::vector<std::vector<int>> m_neighbours; ///< For each iceberg; empty until they are needed.
     double m_edge_m;
     bool m_paysForSamples;
     Random m_random;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 // This file proposes the changes that `PatrolSearch` tries.
 
@@ -209,6 +210,35 @@ bool PatrolSearch::proposeTwo(Change& change, int a, int b, std::uint64_t dice)
     list.assign(at(change.begin), at(change.end));
     std::swap(list.front(), list.back());
     return true;
+}
+
+/**
+ * Returns about how much longer a change makes the path, from line to line between the icebergs
+ * where they are when the changed visits begin.
+ */
+double PatrolSearch::detour_m(const Change& change) const
+{
+    const Route& route = m_routes[change.uav];
+    const bool isFirst = change.begin == 0;
+    const PatrolStop from =
+        isFirst ? patrolStart(m_problem.uavs[change.uav]) : route.stops[toPlace(change.begin - 1)];
+    const auto place_m = [&](int i) { return iceberg(i).place.at(from.time_s); };
+    const Point from_m = isFirst ? from.place_m : place_m(route.visits[toPlace(change.begin - 1)]);
+    const auto length_m = [&](std::span<const int> visits) {
+        double sum_m = 0;
+        Point last_m = from_m;
+        for (const int i : visits) {
+            const Point next_m = place_m(i);
+            sum_m += (next_m - last_m).norm();
+            last_m = next_m;
+        }
+        if (toPlace(change.end) < route.visits.size())
+            sum_m += (place_m(route.visits[toPlace(change.end)]) - last_m).norm();
+        return sum_m;
+    };
+    return length_m(change.visits) -
+           length_m(std::span(route.visits)
+                        .subspan(toPlace(change.begin), toPlace(change.end - change.begin)));
 }
 
 bool PatrolSearch::isAllowed(const Change& change) const

@@ -34,14 +34,16 @@ constexpr double kPass_s = 20;
 constexpr std::size_t kStarts = 4;
 constexpr PatrolEffort kFirstEffort{.startMoves = 35'000, .moves = 120'000, .headWork = 1'200'000};
 constexpr PatrolEffort kNextEffort{.moves = 5'000, .headWork = 200'000};
-/** Duration of a move with several UAVs, relative to one with a single UAV. */
+/** Durations of a move with several UAVs and with sorties, relative to one of a single UAV. */
 constexpr double kCostOfFleetMove = 1.5;
+constexpr double kCostOfSortieMove = 1.4;
 /**
- * Later plans of more icebergs than this take more work in proportion, up to a limit; moves of
- * large fields take longer, too.
+ * Later plans of more icebergs than this have more moves in proportion, up to a limit. Moves of
+ * large fields take longer, so their first plans have fewer.
  */
 constexpr double kIcebergsOfEffort = 50;
 constexpr double kMostEffort = 2;
+constexpr double kPowerOfFirst = 0.75;
 /** Temperatures at the beginning, as shares of the mean cost of a visit. */
 constexpr double kHeatOfStart = 0.2;
 constexpr double kHeatOfNext = 0.1;
@@ -189,11 +191,13 @@ PatrolEffort patrolEffort(const PatrolProblem& problem, bool isFirst,
                           std::optional<std::int64_t> workLimit)
 {
     PatrolEffort effort = isFirst ? kFirstEffort : kNextEffort;
-    const double cost = problem.uavs.size() > 1 ? kCostOfFleetMove : 1;
+    const double cost = (problem.uavs.size() > 1 ? kCostOfFleetMove : 1) *
+                        (problem.uavs.front().sorties ? kCostOfSortieMove : 1);
     effort.startMoves = std::llround(static_cast<double>(effort.startMoves) / cost);
     effort.moves = std::llround(static_cast<double>(effort.moves) / cost);
-    const auto icebergs = static_cast<double>(problem.icebergs.size());
-    double scale = isFirst ? 1 : std::clamp(icebergs / kIcebergsOfEffort, 1.0, kMostEffort);
+    const double large =
+        std::max(1.0, static_cast<double>(problem.icebergs.size()) / kIcebergsOfEffort);
+    double scale = isFirst ? std::pow(large, -kPowerOfFirst) : std::min(large, kMostEffort);
     if (workLimit) {
         const std::int64_t moves =
             effort.startMoves * static_cast<std::int64_t>(kStarts) + effort.moves;

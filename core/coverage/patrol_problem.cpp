@@ -1,5 +1,7 @@
 #include "core/coverage/patrol_problem.h"
 
+#include "core/base/angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +19,6 @@ constexpr double kNoLeg_m = 1;
 Point aimOf(const PatrolUav& uav, const Point& from_m, const Point& centre_m, const Point* onward_m)
 {
     const Point toCentre_m = centre_m - from_m;
-    const double away_m = toCentre_m.norm();
     if (onward_m != nullptr) {
         const Point path_m = *onward_m - from_m;
         const double length2_m2 = std::max(1.0, path_m.squaredNorm());
@@ -28,13 +29,12 @@ Point aimOf(const PatrolUav& uav, const Point& from_m, const Point& centre_m, co
             const double reach2_m2 = uav.reach_m * uav.reach_m;
             if (off2_m2 > reach2_m2)
                 return centre_m + off_m * (uav.reach_m / std::sqrt(off2_m2));
-            const double length_m = std::sqrt(length2_m2);
-            const double entry_m = share * length_m - std::sqrt(reach2_m2 - off2_m2);
+            const double entry = share - std::sqrt((reach2_m2 - off2_m2) / length2_m2);
             if (share <= 1)
-                return from_m + path_m * (std::max(0.0, entry_m) / length_m);
+                return from_m + path_m * std::max(0.0, entry);
         }
     }
-    return centre_m - toCentre_m * (uav.reach_m / away_m);
+    return centre_m - toCentre_m * (uav.reach_m / toCentre_m.norm());
 }
 
 /** Returns by how many metres a turn of theta at the limit and the line after it are longer than
@@ -42,13 +42,12 @@ Point aimOf(const PatrolUav& uav, const Point& from_m, const Point& centre_m, co
  * and Stegun (1964), 4.4.45, within 7e-5. */
 double turn_m(const PatrolUav& uav, const Point& before, const Point& after)
 {
-    const double cosine = std::clamp(after.dot(before), -1.0, 1.0);
-    const double halfCosine = std::sqrt((1 + cosine) / 2);
-    const double half_rad =
-        std::sqrt(1 - halfCosine) *
-        (1.5707288 + halfCosine * (-0.2121144 + halfCosine * (0.0742610 - 0.0187293 * halfCosine)));
-    const double sine = std::abs(cross(before, after));
-    return std::max(0.0, 2 * half_rad - sine) * uav.radius_m;
+    const double cosine = after.dot(before);
+    const double x = std::min(1.0, std::abs(cosine));
+    const double acute_rad =
+        std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
+    const double turn_rad = cosine < 0 ? kPi - acute_rad : acute_rad;
+    return std::max(0.0, turn_rad - std::abs(cross(before, after))) * uav.radius_m;
 }
 
 /**
@@ -58,10 +57,9 @@ double turn_m(const PatrolUav& uav, const Point& before, const Point& after)
 double spare_s(const PatrolUav& uav, const PatrolStop& stop)
 {
     constexpr double kPlenty_s = 600;
-    constexpr double kLongestTurn_rad = 3.1416;
     const double left_s = stop.sortieEnd_s - stop.time_s;
     const Point way_m = uav.sorties->home.at(stop.time_s) - stop.place_m;
-    const double longest_m = way_m.lpNorm<1>() + kLongestTurn_rad * uav.radius_m;
+    const double longest_m = way_m.lpNorm<1>() + kPi * uav.radius_m;
     const double quick_s = left_s - longest_m / uav.speed_mps;
     return quick_s > kPlenty_s ? quick_s : left_s - patrolTimeHome_s(uav, stop);
 }

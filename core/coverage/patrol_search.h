@@ -164,6 +164,7 @@ private:
     };
     Shift flyChanged(const Change& change, int begin, Landings landings);
     [[nodiscard]] Shift changeOfCost_m2s(const Change& change, Landings landings);
+    [[nodiscard]] double detour_m(const Change& change) const;
     [[nodiscard]] bool costsLess(const Change& change, double limit_m2s);
     [[nodiscard]] static std::optional<int> formerPlace(const Route& route,
                                                         std::pair<int, int> visits, int near);
