@@ -486,6 +486,34 @@
         <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
         <translation>Une prévision est la réponse JSON de locationforecast ou d&apos;oceanforecast de MET Norway.</translation>
     </message>
+    <message>
+        <source>%1 can be reached from the network; MAVLink is neither encrypted nor signed</source>
+        <translation>%1 est accessible depuis le réseau ; MAVLink n&apos;est ni chiffré ni signé</translation>
+    </message>
+    <message>
+        <source>%1 ends here: it has 1 GiB</source>
+        <translation>%1 s&apos;arrête ici : il fait 1 Gio</translation>
+    </message>
+    <message>
+        <source>the link is broken: %1</source>
+        <translation>la liaison est rompue : %1</translation>
+    </message>
+    <message>
+        <source>the link is open again</source>
+        <translation>la liaison est rétablie</translation>
+    </message>
+    <message>
+        <source>packets from %1, which is not part of the link, are ignored</source>
+        <translation>les paquets de %1, qui ne fait pas partie de la liaison, sont ignorés</translation>
+    </message>
+    <message>
+        <source>%1 is no telemetry log</source>
+        <translation>%1 n&apos;est pas un journal de télémétrie</translation>
+    </message>
+    <message>
+        <source>--uav: choose one; a link has at most %1 vehicles</source>
+        <translation>--uav : choisissez-en un ; une liaison compte au plus %1 véhicules</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>

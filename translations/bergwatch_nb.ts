@@ -486,6 +486,34 @@
         <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
         <translation>Et varsel er JSON-svaret fra locationforecast eller oceanforecast hos MET Norway.</translation>
     </message>
+    <message>
+        <source>%1 can be reached from the network; MAVLink is neither encrypted nor signed</source>
+        <translation>%1 kan nås fra nettverket; MAVLink er verken kryptert eller signert</translation>
+    </message>
+    <message>
+        <source>%1 ends here: it has 1 GiB</source>
+        <translation>%1 slutter her: den er på 1 GiB</translation>
+    </message>
+    <message>
+        <source>the link is broken: %1</source>
+        <translation>forbindelsen er brutt: %1</translation>
+    </message>
+    <message>
+        <source>the link is open again</source>
+        <translation>forbindelsen er åpen igjen</translation>
+    </message>
+    <message>
+        <source>packets from %1, which is not part of the link, are ignored</source>
+        <translation>pakker fra %1, som ikke er en del av forbindelsen, blir ignorert</translation>
+    </message>
+    <message>
+        <source>%1 is no telemetry log</source>
+        <translation>%1 er ingen telemetrilogg</translation>
+    </message>
+    <message>
+        <source>--uav: choose one; a link has at most %1 vehicles</source>
+        <translation>--uav: velg én; en forbindelse har høyst %1 fartøyer</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>

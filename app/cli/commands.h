@@ -26,6 +26,8 @@ void addFileCommands(CLI::App& app, Action& action);  ///< validate
 void addImportCommand(CLI::App& app, Action& action); ///< import
 void addForecastCommand(CLI::App& app, Action& action);
 void addDriftCommand(CLI::App& app, Action& action);
+void addVehicleCommand(CLI::App& app, Action& action);
+void addListenCommand(CLI::App& app, Action& action);
 /** Adds `export`. Painted formats run the program bergwatch with the arguments `argv`. */
 void addExportCommand(CLI::App& app, Action& action, char** argv);
 /** Adds `export` to a program that can paint; `painter` writes the painted formats. */

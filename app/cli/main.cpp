@@ -20,6 +20,8 @@ int main(int argc, char** argv)
         addImportCommand(app, action);
         addForecastCommand(app, action);
         addDriftCommand(app, action);
+        addVehicleCommand(app, action);
+        addListenCommand(app, action);
     };
     return runProgram(
         {.name = "bergwatch-cli",

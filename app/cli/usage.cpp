@@ -283,6 +283,10 @@ void addExamples(CLI::App& app)
                   "drift --size medium --forecast locationforecast.json --forecast "
                   "oceanforecast.json\n"
                   "drift --size medium --current-speed 0.2 --current-to 180 --track beacon.csv"},
+        {"vehicle", "vehicle field.berg --link udpout:127.0.0.1:14550 --fly\n"
+                    "vehicle field.berg --link udp:14550 --autopilot px4 --loss 5 --delay 1.5"},
+        {"listen", "listen --link udp:14550 --tlog flight.tlog --duration 600\n"
+                   "listen --link serial:/dev/ttyUSB0:57600"},
         {"completion", "completion bash > bergwatch-cli.bash"}};
     app.footer(
         "Files:\n  -" + std::string(kHelpColumn - 3, ' ') +

@@ -41,7 +41,7 @@ for chapter in $chapters; do
 done
 # What the text names is there: options, policies, formats.
 {
-    for command in solve plan curve simulate sweep study export import forecast drift benchmark validate; do
+    for command in solve plan curve simulate sweep study export import forecast drift vehicle listen benchmark validate; do
         bergwatch-cli help "$command"
     done
     bergwatch-cli --help

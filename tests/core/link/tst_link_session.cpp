@@ -3,6 +3,7 @@
 #include "tests/support/flight/link_scene.h"
 
 #include <array>
+#include <malloc.h>
 #include <numbers>
 #include <set>
 
@@ -362,6 +363,32 @@ private slots:
         QVERIFY(replayed.position->place == live.position->place);
         COMPARE_NEAR(replayed.position->received_s, live.position->received_s, 1e-6);
         COMPARE_NEAR(replayed.wind->meanEast_mps, live.wind->meanEast_mps, 1e-6);
+    }
+
+    /**
+     * Many hours cost no more memory than one: 20 kB are far below a byte for each frame. ctest
+     * listens for a day as well.
+     */
+    void memoryStaysFlat()
+    {
+        const int hours = qEnvironmentVariableIntValue("BERGWATCH_LINK_HOURS");
+        const double end_s = 3600 * (hours > 0 ? hours : 3);
+        HubLink hub;
+        const std::unique_ptr<MemoryLink> station = hub.addPeer();
+        LinkSession session(*station, {});
+        VehicleSide vehicle(hub, {.autopilot = AutopilotKind::Px4});
+        const VehicleReadings readings = flyingReadings();
+        std::uint64_t frames = 0;
+        std::size_t afterAnHour = 0;
+        for (double time_s = 0.2; time_s < end_s; time_s += 0.2) {
+            (void)vehicle.advance(linkTime(time_s), readings);
+            frames += session.advance(linkTime(time_s)).frames.size();
+            if (afterAnHour == 0 && time_s > 3600)
+                afterAnHour = ::mallinfo2().uordblks;
+        }
+        const std::size_t atTheEnd = ::mallinfo2().uordblks; // Zero under sanitizers.
+        QVERIFY2(static_cast<double>(frames) > 10 * end_s, std::to_string(frames).c_str());
+        QVERIFY2(atTheEnd <= afterAnHour + 20'000, std::to_string(atTheEnd).c_str());
     }
 
     /** ArduPilot reports where the wind comes from; the scatter is that of the values. */

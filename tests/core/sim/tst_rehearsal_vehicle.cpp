@@ -183,6 +183,26 @@ private slots:
     }
 
     /** The station sees the pilot's mode, and no item is flown in it. */
+    /** At ten times the speed, 22 m/s for 5 s of the link are 1100 m. */
+    void planOnBoardIsFlownFromTheStart()
+    {
+        auto [station, aircraft] = MemoryLink::pair();
+        const LatLon start{.latitude_deg = 47.1, .longitude_deg = -48};
+        RehearsalVehicle vehicle(aircraft,
+                                 {.home = kHome, .start = start, .heading_deg = 0, .speed = 10});
+        COMPARE_NEAR(greatCircle_m(vehicle.readings().place, start), 0, 0.01);
+        COMPARE_NEAR(vehicle.readings().heading_rad, 0, 1e-9);
+        LinkMissionItem item{.x = 473'000'000, .y = -480'000'000, .z = 120};
+        vehicle.load(MissionType::Mission, std::span(&item, 1));
+        vehicle.flyMission();
+        QCOMPARE(vehicle.readings().mode, 10U);
+        for (int i = 1; i <= 51; ++i)
+            vehicle.advance({.monotonic_s = 0.1 * i, .unix_us = 100'000 * i});
+        COMPARE_NEAR(greatCircle_m(vehicle.readings().place, start), 1100, 1);
+        COMPARE_NEAR(vehicle.readings().place.longitude_deg, -48, 1e-4);
+        QCOMPARE(vehicle.side().missions().items(MissionType::Mission).size(), std::size_t{1});
+    }
+
     void pilotTakesOver()
     {
         Rehearsal rehearsal(AutopilotKind::ArduPilot);

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/earth/geodesy.h"
+#include "core/link/telemetry_log.h"
+
+#include <map>
+#include <vector>
+
+namespace berg {
+
+/** A position of an aircraft in a telemetry log. */
+struct RecordedPosition
+{
+    std::int64_t unix_us = 0;
+    LatLon place;
+    double altitude_m = 0;  ///< Above mean sea level.
+    double aboveHome_m = 0; ///< Above the place of take-off.
+};
+
+/**
+ * Follows the positions of every vehicle of a telemetry log, with the checks of `updateState`. At
+ * most 32 vehicles are followed.
+ */
+class FlightRecorder
+{
+public:
+    /** Adds a frame; frames without a position are ignored. */
+    void add(const LoggedFrame& logged);
+
+    /** Returns the positions of each vehicle in the order of the log. */
+    [[nodiscard]] const std::map<LinkAddress, std::vector<RecordedPosition>>& flights() const
+    {
+        return m_flights;
+    }
+
+private:
+    std::map<LinkAddress, std::vector<RecordedPosition>> m_flights;
+};
+
+} // namespace berg
