@@ -22,6 +22,23 @@ check "vehicle: mission on board" grep -q 'mission items on board$' vehicle.txt
 check "vehicle: no complaint" test ! -s vehicle_errors.txt
 check "interrupt of listen: exit 0" interrupt "$cli" listen --link udp:$((port + 1))
 
+# --- GPS receivers and ships -------------------------------------------------------------------
+# A ship at 47.1 N, 48.2 W and 10 knots to the north, and a text that would change a terminal.
+python3 - $((port + 3)) <<'P' &
+import functools, operator, socket, sys, time
+def sentence(content):
+    return f"${content}*{functools.reduce(operator.xor, content.encode()):02X}\r\n".encode()
+sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+for _ in range(20):
+    sender.sendto(sentence("GPRMC,120000,A,4706.000,N,04812.000,W,10.0,0.0,010526,,,A") + b"\x1b[2J$AIVDM\r\n",
+                  ("127.0.0.1", int(sys.argv[1])))
+    time.sleep(0.2)
+P
+check "ship" exits 0 "$cli" listen --link udp:$((port + 3)) --duration 4
+check "ship: place and speed" grep -Eq '^127\.0\.0\.1:[0-9]+  nmea GPRMC  47\.100000 -48\.200000  5\.1 m/s  0 deg$' stdout.txt
+check "ship: no control character" test -z "$(tr -d '[:print:]\n' <stdout.txt)"
+wait
+
 # --- the log is a recorded flight --------------------------------------------------------------
 check "replay" exits 0 "$cli" listen --replay heard.tlog --output track.csv
 check "replay: all of it" grep -Eq '^frames +[0-9]+, 0 bytes skipped$' stdout.txt
