@@ -15,13 +15,6 @@
         <source>An area needs at least three corners. Esc cancels the drawing.</source>
         <translation>Et område skal have mindst tre hjørner. Esc annullerer tegningen.</translation>
     </message>
-    <message numerus="yes">
-        <source>An area has at most %n corners.</source>
-        <translation>
-            <numerusform>Et område har højst %n hjørne.</numerusform>
-            <numerusform>Et område har højst %n hjørner.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Click the first corner or press Enter to close the area. Backspace removes a corner, Esc cancels.</source>
         <translation>Klik på det første hjørne, eller tryk på Enter for at lukke området. Backspace fjerner et hjørne, Esc annullerer.</translation>
@@ -41,13 +34,6 @@
     <message>
         <source>Add no-fly area</source>
         <translation>Tilføj flyveforbudsområde</translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario has at most %n no-fly areas.</source>
-        <translation>
-            <numerusform>Et scenarie har højst %n flyveforbudsområde.</numerusform>
-            <numerusform>Et scenarie har højst %n flyveforbudsområder.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Click to set the first corner of a no-fly area, or drag a corner or the middle of an edge of an existing one. Esc leaves the tool.</source>
@@ -1746,32 +1732,16 @@
         <translation>Eftersøger %1</translation>
     </message>
     <message>
-        <source>Returning home</source>
-        <translation>På vej hjem</translation>
-    </message>
-    <message>
         <source>On the ground, takes off in %1</source>
         <translation>På jorden, starter om %1</translation>
-    </message>
-    <message>
-        <source>The planner failed: continuing with the previous plan</source>
-        <translation>Planlæggeren fejlede: fortsætter med den forrige plan</translation>
     </message>
     <message>
         <source>It runs again when the next plan is needed.</source>
         <translation>Den kører igen, når den næste plan er nødvendig.</translation>
     </message>
     <message>
-        <source>Home can no longer be reached in time</source>
-        <translation>Hjemmepunktet kan ikke længere nås i tide</translation>
-    </message>
-    <message>
         <source>The wind changed in flight.</source>
         <translation>Vinden ændrede sig under flyvningen.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 are %3 apart</source>
-        <translation>%1 og %2 er %3 fra hinanden</translation>
     </message>
     <message>
         <source>They fly at about the same altitude. The required separation is %1.</source>
@@ -1961,10 +1931,6 @@
         <translation>Retning, °</translation>
     </message>
     <message>
-        <source>Drift direction, degrees clockwise from north</source>
-        <translation>Driftens retning, i grader med uret fra nord</translation>
-    </message>
-    <message>
         <source>Last seen, s ago</source>
         <translation>Sidst set, s siden</translation>
     </message>
@@ -2017,16 +1983,8 @@
         <translation>Drift øst, %1</translation>
     </message>
     <message>
-        <source>Known drift to the east, without the current</source>
-        <translation>Kendt drift mod øst, uden strømmen</translation>
-    </message>
-    <message>
         <source>Drift north, %1</source>
         <translation>Drift nord, %1</translation>
-    </message>
-    <message>
-        <source>Known drift to the north, without the current</source>
-        <translation>Kendt drift mod nord, uden strømmen</translation>
     </message>
     <message>
         <source>Latitude</source>
@@ -2056,10 +2014,6 @@
         <translation>Række %1 har en celle »%2« til højre for den sidste kolonne.</translation>
     </message>
     <message>
-        <source>Row %1: a scenario holds at most %2 icebergs.</source>
-        <translation>Række %1: et scenarie rummer højst %2 isbjerge.</translation>
-    </message>
-    <message>
         <source>Row %1, column &quot;%2&quot;: &quot;%3&quot; is not a number.</source>
         <translation>Række %1, kolonne »%2«: »%3« er ikke et tal.</translation>
     </message>
@@ -2077,6 +2031,11 @@
     </message>
     <message>
         <source>Row %1: %2</source>
+        <translation>Række %1: %2</translation>
+    </message>
+    <message>
+        <source>Row %1: %2</source>
+        <comment>row, fault</comment>
         <translation>Række %1: %2</translation>
     </message>
 </context>
@@ -3056,6 +3015,10 @@ Tilstødende område %4</translation>
         <source>Change trade-off</source>
         <translation>Ændr afvejning</translation>
     </message>
+    <message>
+        <source>The scenario is locked in flight. Stop the flight to change it.</source>
+        <translation>Scenariet er låst under flyvning. Stop flyvningen for at ændre det.</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -3377,8 +3340,8 @@ Tilstødende område %4</translation>
         <translation>har %2 kolonner og ikke %1</translation>
     </message>
     <message>
-        <source>by then %1 is off the plane</source>
-        <translation>da er %1 uden for kortplanet</translation>
+        <source>%1 would then be more than 1000 km east, west, north or south of the origin</source>
+        <translation>%1 ville da være mere end 1000 km øst, vest, nord eller syd for origo</translation>
     </message>
     <message>
         <source>cannot move while the scenario holds icebergs, an asset or an area</source>
@@ -4741,23 +4704,9 @@ Tilstødende område %4</translation>
             <numerusform>Duplikér %n droner</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n UAVs.</source>
-        <translation>
-            <numerusform>Et scenarie rummer højst %n drone.</numerusform>
-            <numerusform>Et scenarie rummer højst %n droner.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add UAV</source>
         <translation>Tilføj drone</translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>Et scenarie rummer højst %n isbjerg.</numerusform>
-            <numerusform>Et scenarie rummer højst %n isbjerge.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Add iceberg</source>
@@ -5885,13 +5834,6 @@ Tilstødende område %4</translation>
         <source>Change drift</source>
         <translation>Ændr drift</translation>
     </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>Et scenarie rummer højst %n isbjerg.</numerusform>
-            <numerusform>Et scenarie rummer højst %n isbjerge.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
         <translation>Klik for at tilføje et isbjerg, træk for at sætte dets drift. Esc forlader værktøjet.</translation>
@@ -6024,10 +5966,6 @@ Tilstødende område %4</translation>
         <translation>Intet at besøge nu</translation>
     </message>
     <message>
-        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
-        <translation>Denne løser kan ikke planlægge så mange isbjerge. Vælg Automatisk.</translation>
-    </message>
-    <message>
         <source>Solver limit reached; flying to the nearest iceberg</source>
         <translation>Løserens grænse nået; flyver til det nærmeste isbjerg</translation>
     </message>
@@ -6144,6 +6082,10 @@ Tilstødende område %4</translation>
     <message>
         <source>It follows from visit sequences: how soon icebergs can be visited one after the other.</source>
         <translation>Den følger af besøgsrækkefølger: hvor hurtigt isbjerge kan besøges efter hinanden.</translation>
+    </message>
+    <message>
+        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
+        <translation>Ingen plan, mens dronen er på vej hjem, på jorden eller venter. En ny laves, når den fortsætter.</translation>
     </message>
 </context>
 <context>
@@ -6983,10 +6925,6 @@ Tilstødende område %4</translation>
     <message>
         <source>Release to place it here. Esc cancels.</source>
         <translation>Slip for at placere det her. Esc annullerer.</translation>
-    </message>
-    <message>
-        <source>The scenario is locked during a flight. Stop the flight to change it.</source>
-        <translation>Scenariet er låst under en flyvning. Stop flyvningen for at ændre det.</translation>
     </message>
     <message>
         <source>Everything inside the frame is selected.</source>
@@ -7939,10 +7877,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Name the file.</source>
         <translation>Navngiv filen.</translation>
-    </message>
-    <message>
-        <source>There is no folder %1.</source>
-        <translation>Der er ingen mappe %1.</translation>
     </message>
     <message>
         <source>Export to</source>
@@ -9284,10 +9218,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Området er for smalt til at placere isbjerge i.</translation>
     </message>
     <message>
-        <source>A scenario holds at most %1 icebergs.</source>
-        <translation>Et scenarie rummer højst %1 isbjerge.</translation>
-    </message>
-    <message>
         <source>The highest speed is below the lowest.</source>
         <translation>Den højeste fart er under den laveste.</translation>
     </message>
@@ -9441,6 +9371,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
         <translation>Som tilpasset en bøje: 0,15 m/s langs hver akse, i enhver retning. Isbjergene måles derefter under flyvning.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %1 icebergs.</source>
+        <translation>Et scenarie rummer højst %1 isbjerge.</translation>
     </message>
 </context>
 <context>
@@ -9888,10 +9822,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
 <context>
     <name>berg::InspectorPanel</name>
     <message>
-        <source>Locked in flight. Stop the flight to edit.</source>
-        <translation>Låst under flyvning. Stop flyvningen for at redigere.</translation>
-    </message>
-    <message>
         <source>Id</source>
         <translation>Id</translation>
     </message>
@@ -9932,10 +9862,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>An iceberg needs an id.</source>
         <translation>Et isbjerg skal have et id.</translation>
-    </message>
-    <message>
-        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
-        <translation>Id&apos;et »%1« er optaget. Hvert isbjerg og hver drone skal have et unikt id.</translation>
     </message>
     <message>
         <source>Change id</source>
@@ -10822,10 +10748,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Tildelt %1</translation>
     </message>
     <message>
-        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Ingen plan, mens dronen er på vej hjem, på jorden eller venter. En ny laves, når den fortsætter.</translation>
-    </message>
-    <message>
         <source>In view</source>
         <translation>I synsfeltet</translation>
     </message>
@@ -10956,10 +10878,6 @@ for enhver strategi og enhver drejeradius.</translation>
     <message>
         <source>Recovery slots: %1</source>
         <translation>Landingsvinduer: %1</translation>
-    </message>
-    <message>
-        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Ingen plan, mens dronen er på vej hjem, på jorden eller venter. En ny laves, når den fortsætter.</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1</source>
@@ -12569,10 +12487,6 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Den valgte strategi bruger ikke dette.</translation>
     </message>
     <message>
-        <source>Locked in flight. Stop the flight to change this.</source>
-        <translation>Låst under flyvning. Stop flyvningen for at ændre dette.</translation>
-    </message>
-    <message>
         <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
         <translation>Lille: de mest usikre isbjerge kommer først. Stor: ruten bliver kort. Piletaster ændrer τ med 0,01, Page-taster med 0,25.</translation>
     </message>
@@ -12697,10 +12611,6 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Assign iceberg</source>
         <translation>Tildel isbjerg</translation>
-    </message>
-    <message>
-        <source>The scenario is locked in flight. Stop the flight to change it.</source>
-        <translation>Scenariet er låst under flyvning. Stop flyvningen for at ændre det.</translation>
     </message>
     <message>
         <source>The scenario was changed before take-off: nothing was flown.</source>

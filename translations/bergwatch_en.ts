@@ -2,23 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>AreaTool</name>
-    <message numerus="yes">
-        <source>A scenario has at most %n no-fly areas.</source>
-        <translation>
-            <numerusform>A scenario has at most %n no-fly area.</numerusform>
-            <numerusform>A scenario has at most %n no-fly areas.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>An area has at most %n corners.</source>
-        <translation>
-            <numerusform>An area has at most %n corner.</numerusform>
-            <numerusform>An area has at most %n corners.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>Dialogs</name>
     <message numerus="yes">
         <source>Remove %n icebergs from this run?</source>
@@ -300,20 +283,6 @@
             <numerusform>Duplicate %n UAVs</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n UAVs.</source>
-        <translation>
-            <numerusform>A scenario holds at most %n UAV.</numerusform>
-            <numerusform>A scenario holds at most %n UAVs.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>A scenario holds at most %n iceberg.</numerusform>
-            <numerusform>A scenario holds at most %n icebergs.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>MapTools</name>
@@ -339,16 +308,6 @@
         <translation>
             <numerusform>At %1 the most uncertain iceberg is %2: %3; %n in view.</numerusform>
             <numerusform>At %1 the most uncertain iceberg is %2: %3; %n in view.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>PlacingTools</name>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>A scenario holds at most %n iceberg.</numerusform>
-            <numerusform>A scenario holds at most %n icebergs.</numerusform>
         </translation>
     </message>
 </context>

@@ -15,13 +15,6 @@
         <source>An area needs at least three corners. Esc cancels the drawing.</source>
         <translation>Une zone a besoin d&apos;au moins trois sommets. Esc annule le tracé.</translation>
     </message>
-    <message numerus="yes">
-        <source>An area has at most %n corners.</source>
-        <translation>
-            <numerusform>Une zone a au plus %n sommet.</numerusform>
-            <numerusform>Une zone a au plus %n sommets.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Click the first corner or press Enter to close the area. Backspace removes a corner, Esc cancels.</source>
         <translation>Cliquez sur le premier sommet ou appuyez sur Entrée pour fermer la zone. Retour arrière retire un sommet, Esc annule.</translation>
@@ -41,13 +34,6 @@
     <message>
         <source>Add no-fly area</source>
         <translation>Ajouter une zone interdite</translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario has at most %n no-fly areas.</source>
-        <translation>
-            <numerusform>Un scénario a au plus %n zone interdite.</numerusform>
-            <numerusform>Un scénario a au plus %n zones interdites.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Click to set the first corner of a no-fly area, or drag a corner or the middle of an edge of an existing one. Esc leaves the tool.</source>
@@ -1746,32 +1732,16 @@
         <translation>Recherche de %1</translation>
     </message>
     <message>
-        <source>Returning home</source>
-        <translation>Retour à la base</translation>
-    </message>
-    <message>
         <source>On the ground, takes off in %1</source>
         <translation>Au sol, décolle dans %1</translation>
-    </message>
-    <message>
-        <source>The planner failed: continuing with the previous plan</source>
-        <translation>Le planificateur a échoué : poursuite du plan précédent</translation>
     </message>
     <message>
         <source>It runs again when the next plan is needed.</source>
         <translation>Il s&apos;exécutera de nouveau lorsque le prochain plan sera nécessaire.</translation>
     </message>
     <message>
-        <source>Home can no longer be reached in time</source>
-        <translation>La base ne peut plus être atteinte à temps</translation>
-    </message>
-    <message>
         <source>The wind changed in flight.</source>
         <translation>Le vent a changé en vol.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 are %3 apart</source>
-        <translation>%1 et %2 sont distants de %3</translation>
     </message>
     <message>
         <source>They fly at about the same altitude. The required separation is %1.</source>
@@ -1961,10 +1931,6 @@
         <translation>Direction, °</translation>
     </message>
     <message>
-        <source>Drift direction, degrees clockwise from north</source>
-        <translation>Direction de la dérive, en degrés dans le sens horaire à partir du nord</translation>
-    </message>
-    <message>
         <source>Last seen, s ago</source>
         <translation>Dernière obs., il y a (s)</translation>
     </message>
@@ -2017,16 +1983,8 @@
         <translation>Dérive est, %1</translation>
     </message>
     <message>
-        <source>Known drift to the east, without the current</source>
-        <translation>Dérive connue vers l&apos;est, sans le courant</translation>
-    </message>
-    <message>
         <source>Drift north, %1</source>
         <translation>Dérive nord, %1</translation>
-    </message>
-    <message>
-        <source>Known drift to the north, without the current</source>
-        <translation>Dérive connue vers le nord, sans le courant</translation>
     </message>
     <message>
         <source>Latitude</source>
@@ -2056,10 +2014,6 @@
         <translation>Ligne %1 : la cellule « %2 » est à droite de la dernière colonne.</translation>
     </message>
     <message>
-        <source>Row %1: a scenario holds at most %2 icebergs.</source>
-        <translation>Ligne %1 : un scénario contient au plus %2 icebergs.</translation>
-    </message>
-    <message>
         <source>Row %1, column &quot;%2&quot;: &quot;%3&quot; is not a number.</source>
         <translation>Ligne %1, colonne « %2 » : « %3 » n&apos;est pas un nombre.</translation>
     </message>
@@ -2077,6 +2031,11 @@
     </message>
     <message>
         <source>Row %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>Row %1: %2</source>
+        <comment>row, fault</comment>
         <translation>Ligne %1 : %2</translation>
     </message>
 </context>
@@ -3056,6 +3015,10 @@ Zone adjacente %4</translation>
         <source>Change trade-off</source>
         <translation>Modifier le compromis</translation>
     </message>
+    <message>
+        <source>The scenario is locked in flight. Stop the flight to change it.</source>
+        <translation>Le scénario est verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -3377,8 +3340,8 @@ Zone adjacente %4</translation>
         <translation>a %2 colonnes et non %1</translation>
     </message>
     <message>
-        <source>by then %1 is off the plane</source>
-        <translation>à ce moment, %1 est hors du plan de la carte</translation>
+        <source>%1 would then be more than 1000 km east, west, north or south of the origin</source>
+        <translation>%1 serait alors à plus de 1000 km à l&apos;est, à l&apos;ouest, au nord ou au sud de l&apos;origine</translation>
     </message>
     <message>
         <source>cannot move while the scenario holds icebergs, an asset or an area</source>
@@ -4741,23 +4704,9 @@ Zone adjacente %4</translation>
             <numerusform>Dupliquer %n drones</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n UAVs.</source>
-        <translation>
-            <numerusform>Un scénario contient au plus %n drone.</numerusform>
-            <numerusform>Un scénario contient au plus %n drones.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add UAV</source>
         <translation>Ajouter un drone</translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>Un scénario contient au plus %n iceberg.</numerusform>
-            <numerusform>Un scénario contient au plus %n icebergs.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Add iceberg</source>
@@ -5885,13 +5834,6 @@ Zone adjacente %4</translation>
         <source>Change drift</source>
         <translation>Modifier la dérive</translation>
     </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>Un scénario contient au plus %n iceberg.</numerusform>
-            <numerusform>Un scénario contient au plus %n icebergs.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
         <translation>Cliquez pour ajouter un iceberg ; faites glisser pour régler sa dérive. Esc quitte l&apos;outil.</translation>
@@ -6024,10 +5966,6 @@ Zone adjacente %4</translation>
         <translation>Rien à visiter maintenant</translation>
     </message>
     <message>
-        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
-        <translation>Ce solveur ne peut pas planifier autant d&apos;icebergs. Choisissez « Automatique ».</translation>
-    </message>
-    <message>
         <source>Solver limit reached; flying to the nearest iceberg</source>
         <translation>Limite du solveur atteinte ; vol vers l&apos;iceberg le plus proche</translation>
     </message>
@@ -6144,6 +6082,10 @@ Zone adjacente %4</translation>
     <message>
         <source>It follows from visit sequences: how soon icebergs can be visited one after the other.</source>
         <translation>Elle découle des suites de visites : en combien de temps les icebergs peuvent être visités l&apos;un après l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
+        <translation>Pas de plan pendant que le drone rentre, est au sol ou attend. Un nouveau plan est établi à la reprise.</translation>
     </message>
 </context>
 <context>
@@ -6983,10 +6925,6 @@ Zone adjacente %4</translation>
     <message>
         <source>Release to place it here. Esc cancels.</source>
         <translation>Relâchez pour le placer ici. Esc annule.</translation>
-    </message>
-    <message>
-        <source>The scenario is locked during a flight. Stop the flight to change it.</source>
-        <translation>Le scénario est verrouillé pendant un vol. Arrêtez le vol pour le modifier.</translation>
     </message>
     <message>
         <source>Everything inside the frame is selected.</source>
@@ -7939,10 +7877,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Name the file.</source>
         <translation>Nommez le fichier.</translation>
-    </message>
-    <message>
-        <source>There is no folder %1.</source>
-        <translation>Le dossier %1 n&apos;existe pas.</translation>
     </message>
     <message>
         <source>Export to</source>
@@ -9284,10 +9218,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>La zone est trop étroite pour y placer des icebergs.</translation>
     </message>
     <message>
-        <source>A scenario holds at most %1 icebergs.</source>
-        <translation>Un scénario contient au plus %1 icebergs.</translation>
-    </message>
-    <message>
         <source>The highest speed is below the lowest.</source>
         <translation>La vitesse la plus élevée est inférieure à la plus faible.</translation>
     </message>
@@ -9441,6 +9371,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
         <translation>Ajustée sur une balise : 0,15 m/s selon chaque axe, dans toutes les directions. Les icebergs sont alors mesurés en vol.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %1 icebergs.</source>
+        <translation>Un scénario contient au plus %1 icebergs.</translation>
     </message>
 </context>
 <context>
@@ -9888,10 +9822,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
 <context>
     <name>berg::InspectorPanel</name>
     <message>
-        <source>Locked in flight. Stop the flight to edit.</source>
-        <translation>Verrouillé en vol. Arrêtez le vol pour modifier.</translation>
-    </message>
-    <message>
         <source>Id</source>
         <translation>Identifiant</translation>
     </message>
@@ -9932,10 +9862,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>An iceberg needs an id.</source>
         <translation>Un iceberg a besoin d&apos;un identifiant.</translation>
-    </message>
-    <message>
-        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
-        <translation>L&apos;identifiant « %1 » est pris. Chaque iceberg et chaque drone a besoin d&apos;un identifiant unique.</translation>
     </message>
     <message>
         <source>Change id</source>
@@ -10822,10 +10748,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Attribué à %1</translation>
     </message>
     <message>
-        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Pas de plan pendant que le drone rentre, est au sol ou attend. Un nouveau plan est établi à la reprise.</translation>
-    </message>
-    <message>
         <source>In view</source>
         <translation>En vue</translation>
     </message>
@@ -10956,10 +10878,6 @@ quels que soient la stratégie et le rayon de virage.</translation>
     <message>
         <source>Recovery slots: %1</source>
         <translation>Créneaux d&apos;atterrissage : %1</translation>
-    </message>
-    <message>
-        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Pas de plan pendant que le drone rentre, est au sol ou attend. Un nouveau plan est établi à la reprise.</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1</source>
@@ -12569,10 +12487,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>La stratégie choisie ne l&apos;utilise pas.</translation>
     </message>
     <message>
-        <source>Locked in flight. Stop the flight to change this.</source>
-        <translation>Verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
-    </message>
-    <message>
         <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
         <translation>Petit : les icebergs les plus incertains viennent d&apos;abord. Grand : la route devient courte. Les flèches changent τ de 0,01, les touches Page de 0,25.</translation>
     </message>
@@ -12697,10 +12611,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Assign iceberg</source>
         <translation>Attribuer l&apos;iceberg</translation>
-    </message>
-    <message>
-        <source>The scenario is locked in flight. Stop the flight to change it.</source>
-        <translation>Le scénario est verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
     </message>
     <message>
         <source>The scenario was changed before take-off: nothing was flown.</source>

@@ -15,13 +15,6 @@
         <source>An area needs at least three corners. Esc cancels the drawing.</source>
         <translation>Et område trenger minst tre hjørner. Esc avbryter tegningen.</translation>
     </message>
-    <message numerus="yes">
-        <source>An area has at most %n corners.</source>
-        <translation>
-            <numerusform>Et område har høyst %n hjørne.</numerusform>
-            <numerusform>Et område har høyst %n hjørner.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Click the first corner or press Enter to close the area. Backspace removes a corner, Esc cancels.</source>
         <translation>Klikk på det første hjørnet eller trykk Enter for å lukke området. Slett bakover fjerner et hjørne, Esc avbryter.</translation>
@@ -41,13 +34,6 @@
     <message>
         <source>Add no-fly area</source>
         <translation>Legg til flyforbudsområde</translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario has at most %n no-fly areas.</source>
-        <translation>
-            <numerusform>Et scenario har høyst %n flyforbudsområde.</numerusform>
-            <numerusform>Et scenario har høyst %n flyforbudsområder.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Click to set the first corner of a no-fly area, or drag a corner or the middle of an edge of an existing one. Esc leaves the tool.</source>
@@ -1746,32 +1732,16 @@
         <translation>Leter etter %1</translation>
     </message>
     <message>
-        <source>Returning home</source>
-        <translation>På vei hjem</translation>
-    </message>
-    <message>
         <source>On the ground, takes off in %1</source>
         <translation>På bakken, tar av om %1</translation>
-    </message>
-    <message>
-        <source>The planner failed: continuing with the previous plan</source>
-        <translation>Planleggeren sviktet: fortsetter med forrige plan</translation>
     </message>
     <message>
         <source>It runs again when the next plan is needed.</source>
         <translation>Den kjøres igjen når neste plan trengs.</translation>
     </message>
     <message>
-        <source>Home can no longer be reached in time</source>
-        <translation>Hjem kan ikke lenger nås i tide</translation>
-    </message>
-    <message>
         <source>The wind changed in flight.</source>
         <translation>Vinden endret seg under flygingen.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 are %3 apart</source>
-        <translation>%1 og %2 er %3 fra hverandre</translation>
     </message>
     <message>
         <source>They fly at about the same altitude. The required separation is %1.</source>
@@ -1961,10 +1931,6 @@
         <translation>Retning, °</translation>
     </message>
     <message>
-        <source>Drift direction, degrees clockwise from north</source>
-        <translation>Retningen på driften, i grader med klokken fra nord</translation>
-    </message>
-    <message>
         <source>Last seen, s ago</source>
         <translation>Sist sett, s siden</translation>
     </message>
@@ -2017,16 +1983,8 @@
         <translation>Drift øst, %1</translation>
     </message>
     <message>
-        <source>Known drift to the east, without the current</source>
-        <translation>Kjent drift mot øst, uten strømmen</translation>
-    </message>
-    <message>
         <source>Drift north, %1</source>
         <translation>Drift nord, %1</translation>
-    </message>
-    <message>
-        <source>Known drift to the north, without the current</source>
-        <translation>Kjent drift mot nord, uten strømmen</translation>
     </message>
     <message>
         <source>Latitude</source>
@@ -2056,10 +2014,6 @@
         <translation>Rad %1 har en celle «%2» til høyre for den siste kolonnen.</translation>
     </message>
     <message>
-        <source>Row %1: a scenario holds at most %2 icebergs.</source>
-        <translation>Rad %1: et scenario har plass til høyst %2 isfjell.</translation>
-    </message>
-    <message>
         <source>Row %1, column &quot;%2&quot;: &quot;%3&quot; is not a number.</source>
         <translation>Rad %1, kolonne «%2»: «%3» er ikke et tall.</translation>
     </message>
@@ -2077,6 +2031,11 @@
     </message>
     <message>
         <source>Row %1: %2</source>
+        <translation>Rad %1: %2</translation>
+    </message>
+    <message>
+        <source>Row %1: %2</source>
+        <comment>row, fault</comment>
         <translation>Rad %1: %2</translation>
     </message>
 </context>
@@ -3056,6 +3015,10 @@ Tilstøtende område %4</translation>
         <source>Change trade-off</source>
         <translation>Endre avveining</translation>
     </message>
+    <message>
+        <source>The scenario is locked in flight. Stop the flight to change it.</source>
+        <translation>Scenarioet er låst under flyging. Stopp flygingen for å endre det.</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -3377,8 +3340,8 @@ Tilstøtende område %4</translation>
         <translation>har %2 kolonner og ikke %1</translation>
     </message>
     <message>
-        <source>by then %1 is off the plane</source>
-        <translation>da er %1 utenfor kartplanet</translation>
+        <source>%1 would then be more than 1000 km east, west, north or south of the origin</source>
+        <translation>%1 ville da være mer enn 1000 km øst, vest, nord eller sør for origo</translation>
     </message>
     <message>
         <source>cannot move while the scenario holds icebergs, an asset or an area</source>
@@ -4722,13 +4685,6 @@ Tilstøtende område %4</translation>
             <numerusform>Dupliser %n isfjell</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
-            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add iceberg</source>
         <translation>Legg til isfjell</translation>
@@ -4746,13 +4702,6 @@ Tilstøtende område %4</translation>
         <translation>
             <numerusform>Dupliser UAV</numerusform>
             <numerusform>Dupliser %n UAV-er</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n UAVs.</source>
-        <translation>
-            <numerusform>Et scenario har høyst %n UAV.</numerusform>
-            <numerusform>Et scenario har høyst %n UAV-er.</numerusform>
         </translation>
     </message>
     <message>
@@ -5885,13 +5834,6 @@ Tilstøtende område %4</translation>
         <source>Change drift</source>
         <translation>Endre drift</translation>
     </message>
-    <message numerus="yes">
-        <source>A scenario holds at most %n icebergs.</source>
-        <translation>
-            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
-            <numerusform>Et scenario har plass til høyst %n isfjell.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
         <translation>Klikk for å legge til et isfjell, dra for å sette driften. Esc forlater verktøyet.</translation>
@@ -6024,10 +5966,6 @@ Tilstøtende område %4</translation>
         <translation>Ingenting å besøke nå</translation>
     </message>
     <message>
-        <source>This solver cannot plan so many icebergs. Choose Automatic.</source>
-        <translation>Denne løseren kan ikke planlegge så mange isfjell. Velg Automatisk.</translation>
-    </message>
-    <message>
         <source>Solver limit reached; flying to the nearest iceberg</source>
         <translation>Grensen for løseren er nådd; flyr til nærmeste isfjell</translation>
     </message>
@@ -6144,6 +6082,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>It follows from visit sequences: how soon icebergs can be visited one after the other.</source>
         <translation>Den følger av besøksrekkefølger: hvor raskt isfjell kan besøkes etter hverandre.</translation>
+    </message>
+    <message>
+        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
+        <translation>Ingen plan mens UAV-en er på vei hjem, på bakken eller holder. En ny plan lages når den fortsetter.</translation>
     </message>
 </context>
 <context>
@@ -6983,10 +6925,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>Release to place it here. Esc cancels.</source>
         <translation>Slipp for å plassere det her. Esc avbryter.</translation>
-    </message>
-    <message>
-        <source>The scenario is locked during a flight. Stop the flight to change it.</source>
-        <translation>Scenarioet er låst under en flyging. Stopp flygingen for å endre det.</translation>
     </message>
     <message>
         <source>Everything inside the frame is selected.</source>
@@ -7939,10 +7877,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Name the file.</source>
         <translation>Gi filen et navn.</translation>
-    </message>
-    <message>
-        <source>There is no folder %1.</source>
-        <translation>Mappen %1 finnes ikke.</translation>
     </message>
     <message>
         <source>Export to</source>
@@ -9284,10 +9218,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Området er for smalt til å plassere isfjell i.</translation>
     </message>
     <message>
-        <source>A scenario holds at most %1 icebergs.</source>
-        <translation>Et scenario har høyst %1 isfjell.</translation>
-    </message>
-    <message>
         <source>The highest speed is below the lowest.</source>
         <translation>Høyeste fart er lavere enn laveste.</translation>
     </message>
@@ -9441,6 +9371,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
         <translation>Som tilpasset en bøye: 0,15 m/s langs hver akse, i alle retninger. Isfjell måles da under flyging.</translation>
+    </message>
+    <message>
+        <source>A scenario holds at most %1 icebergs.</source>
+        <translation>Et scenario har høyst %1 isfjell.</translation>
     </message>
 </context>
 <context>
@@ -9888,10 +9822,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 <context>
     <name>berg::InspectorPanel</name>
     <message>
-        <source>Locked in flight. Stop the flight to edit.</source>
-        <translation>Låst under flyging. Stopp flygingen for å redigere.</translation>
-    </message>
-    <message>
         <source>Id</source>
         <translation>Id</translation>
     </message>
@@ -9932,10 +9862,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>An iceberg needs an id.</source>
         <translation>Et isfjell må ha en id.</translation>
-    </message>
-    <message>
-        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
-        <translation>Id-en «%1» er opptatt. Hvert isfjell og hver UAV trenger en unik id.</translation>
     </message>
     <message>
         <source>Change id</source>
@@ -10822,10 +10748,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Tildelt %1</translation>
     </message>
     <message>
-        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Ingen plan mens UAV-en er på vei hjem, på bakken eller holder. En ny plan lages når den fortsetter.</translation>
-    </message>
-    <message>
         <source>In view</source>
         <translation>I syne</translation>
     </message>
@@ -10956,10 +10878,6 @@ for enhver strategi og enhver svingradius.</translation>
     <message>
         <source>Recovery slots: %1</source>
         <translation>Landingsvinduer: %1</translation>
-    </message>
-    <message>
-        <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
-        <translation>Ingen plan mens UAV-en er på vei hjem, på bakken eller holder. En ny plan lages når den fortsetter.</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1</source>
@@ -12569,10 +12487,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Den valgte strategien bruker ikke dette.</translation>
     </message>
     <message>
-        <source>Locked in flight. Stop the flight to change this.</source>
-        <translation>Låst under flyging. Stopp flygingen for å endre dette.</translation>
-    </message>
-    <message>
         <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
         <translation>Liten: de mest usikre isfjellene kommer først. Stor: veien blir kort. Piltaster endrer τ med 0,01, Page-taster med 0,25.</translation>
     </message>
@@ -12697,10 +12611,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Assign iceberg</source>
         <translation>Tildel isfjell</translation>
-    </message>
-    <message>
-        <source>The scenario is locked in flight. Stop the flight to change it.</source>
-        <translation>Scenarioet er låst under flyging. Stopp flygingen for å endre det.</translation>
     </message>
     <message>
         <source>The scenario was changed before take-off: nothing was flown.</source>

@@ -5,6 +5,7 @@
 #include "widgets/flight/mission_runner.h"
 #include "widgets/theme/accessible_roles.h"
 #include "widgets/words/export_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -278,7 +279,7 @@ QString ExportDialog::fileFault() const
     if (m_path->text().isEmpty() || file.isDir())
         return tr("Name the file.");
     if (!file.dir().exists())
-        return tr("There is no folder %1.").arg(file.dir().path());
+        return issueSentence(IssueId::NoFolder, {file.dir().path().toStdString()});
     return {};
 }
 

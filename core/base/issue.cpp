@@ -12,8 +12,16 @@ namespace berg {
 namespace {
 
 constexpr std::array<std::string_view, 10> kKinds{
-    "null",  "an object", "an array",      "a string",    "true",
-    "false", "a number",  "true or false", "two numbers", "pairs of numbers"};
+    "null",
+    QT_TRANSLATE_NOOP("IssueText", "an object"),
+    QT_TRANSLATE_NOOP("IssueText", "an array"),
+    QT_TRANSLATE_NOOP("IssueText", "a string"),
+    "true",
+    "false",
+    QT_TRANSLATE_NOOP("IssueText", "a number"),
+    QT_TRANSLATE_NOOP("IssueText", "true or false"),
+    QT_TRANSLATE_NOOP("IssueText", "two numbers"),
+    QT_TRANSLATE_NOOP("IssueText", "pairs of numbers")};
 
 /** Behind a number, with a space in front where there is one. */
 std::string_view unitText(Quantity quantity)

@@ -154,35 +154,6 @@ PlaceOrFault placeOf(CoordinateAngle first, CoordinateAngle second)
 
 } // namespace
 
-std::string_view faultText(CoordinateFault fault)
-{
-    switch (fault) {
-    case CoordinateFault::Empty:
-        return "The coordinate is missing.";
-    case CoordinateFault::Unreadable:
-        return "This is not a coordinate.";
-    case CoordinateFault::Half:
-        return "This is half a coordinate. Enter latitude and longitude.";
-    case CoordinateFault::Ambiguous:
-        return "This coordinate is ambiguous.";
-    case CoordinateFault::HemisphereMissing:
-        return "One angle has a hemisphere (N, S, E or W), the other does not.";
-    case CoordinateFault::SignAndLetter:
-        return "Give a sign or a hemisphere letter for an angle, not both.";
-    case CoordinateFault::SameAxis:
-        return "Both angles are latitudes, or both are longitudes.";
-    case CoordinateFault::Sixty:
-        return "Minutes and seconds must be below 60.";
-    case CoordinateFault::Latitude:
-        return "Latitude must be between 90 S and 90 N.";
-    case CoordinateFault::Longitude:
-        return "Longitude must be between 180 W and 180 E.";
-    case CoordinateFault::Grid:
-        return "This place does not exist on the UTM or MGRS grid.";
-    }
-    return {};
-}
-
 PlaceOrFault parsePlace(std::string_view text)
 {
     if (text.size() > kLongestText)

@@ -34,9 +34,6 @@ enum class CoordinateFault
     Grid               ///< resembles UTM, UPS or MGRS but is not on that grid
 };
 
-/** Returns the reason as an English sentence. */
-[[nodiscard]] std::string_view faultText(CoordinateFault fault);
-
 /**
  * Reads a position from a UTF-8 text. Accepted are decimal degrees, degrees and minutes, or
  * degrees, minutes and seconds, with signs or letters (N, S, E or Ø, W or V; before or behind; any

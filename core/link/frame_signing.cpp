@@ -1,6 +1,6 @@
 #include "core/link/frame_signing.h"
 
-#include "core/link/sha256.h"
+#include "core/base/sha256.h"
 
 #include <algorithm>
 

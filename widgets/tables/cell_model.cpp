@@ -6,10 +6,10 @@
 namespace berg {
 namespace {
 
-/** Returns the row in which each of `count` rows of a sheet is shown, or −1. */
-std::vector<int> shownRows(const std::vector<int>& order, int count)
+/** Returns the row in which each of `count` rows of a sheet is shown, if it is shown. */
+std::vector<std::optional<int>> shownRows(const std::vector<int>& order, int count)
 {
-    std::vector<int> shown(static_cast<std::size_t>(count), -1);
+    std::vector<std::optional<int>> shown(static_cast<std::size_t>(count));
     for (std::size_t row = 0; row < order.size(); ++row)
         shown[static_cast<std::size_t>(order[row])] = static_cast<int>(row);
     return shown;
@@ -99,9 +99,9 @@ std::vector<int> CellModel::orderOf(const CellSheet& sheet) const
     std::iota(order.begin(), order.end(), 0);
     if (sheet.isShown)
         std::erase_if(order, [&](int row) { return !sheet.isShown(row); });
-    if (m_column < 0 || static_cast<std::size_t>(m_column) >= sheet.columns.size())
+    if (!m_column || static_cast<std::size_t>(*m_column) >= sheet.columns.size())
         return order;
-    const CellColumn& column = sheet.columns[static_cast<std::size_t>(m_column)];
+    const CellColumn& column = sheet.columns[static_cast<std::size_t>(*m_column)];
     std::vector<CellKey> keys;
     keys.reserve(static_cast<std::size_t>(sheet.rows));
     for (int row = 0; row < sheet.rows; ++row)
@@ -130,7 +130,7 @@ std::optional<int> CellModel::shownRow(int sourceRow) const
 
 void CellModel::sort(int column, Qt::SortOrder order)
 {
-    m_column = column;
+    m_column = column < 0 ? std::nullopt : std::optional(column);
     m_direction = order;
     rearrange(orderOf(m_sheet));
 }
@@ -141,12 +141,15 @@ void CellModel::rearrange(std::vector<int> order)
     if (order == m_order)
         return;
     emit layoutAboutToBeChanged({}, VerticalSortHint);
-    const std::vector<int> shown = shownRows(order, m_sheet.rows);
+    const std::vector<std::optional<int>> shown = shownRows(order, m_sheet.rows);
     const QModelIndexList before = persistentIndexList();
     QModelIndexList after;
     after.reserve(before.size());
     for (const QModelIndex& at : before)
-        after << index(shown[static_cast<std::size_t>(sourceRow(at.row()))], at.column());
+        if (const auto row = shown[static_cast<std::size_t>(sourceRow(at.row()))])
+            after << index(*row, at.column());
+        else
+            after << QModelIndex();
     m_order = std::move(order);
     changePersistentIndexList(before, after);
     emit layoutChanged({}, VerticalSortHint);

@@ -95,8 +95,8 @@ private:
     [[nodiscard]] const CellColumn& columnAt(int column) const;
 
     CellSheet m_sheet;
-    std::vector<int> m_order; ///< rows of the sheet in the order shown
-    int m_column = -1;
+    std::vector<int> m_order;    ///< rows of the sheet in the order shown
+    std::optional<int> m_column; ///< nullopt keeps the order of the sheet
     Qt::SortOrder m_direction = Qt::AscendingOrder;
 };
 

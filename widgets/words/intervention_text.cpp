@@ -34,4 +34,9 @@ QString changeName(const Intervention& change)
     return InterventionText::tr("Change trade-off");
 }
 
+QString lockedInFlightText()
+{
+    return InterventionText::tr("The scenario is locked in flight. Stop the flight to change it.");
+}
+
 } // namespace berg

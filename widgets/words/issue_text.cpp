@@ -27,33 +27,6 @@ struct IssueText
 #include "core/base/issues.inc"
 #undef ISSUE
 
-QString kindText(ValueKind kind)
-{
-    switch (kind) {
-    case ValueKind::Null:
-        return u"null"_s;
-    case ValueKind::Object:
-        return IssueText::tr("an object");
-    case ValueKind::Array:
-        return IssueText::tr("an array");
-    case ValueKind::String:
-        return IssueText::tr("a string");
-    case ValueKind::True:
-        return u"true"_s;
-    case ValueKind::False:
-        return u"false"_s;
-    case ValueKind::Number:
-        return IssueText::tr("a number");
-    case ValueKind::Boolean:
-        return IssueText::tr("true or false");
-    case ValueKind::TwoNumbers:
-        return IssueText::tr("two numbers");
-    case ValueKind::Pairs:
-        return IssueText::tr("pairs of numbers");
-    }
-    return {};
-}
-
 constexpr std::pair<int, const char*> kRefusals[] = {
 #define REFUSAL(number, words) {number, words},
 #include "core/base/refusals.inc"
@@ -100,7 +73,7 @@ QString pathText(const std::string& path)
 QString argumentText(const IssueArgument& argument, const std::string& field, const QLocale& locale)
 {
     if (const auto* const kind = std::get_if<ValueKind>(&argument))
-        return kindText(*kind);
+        return coreWords(std::string(englishWords(*kind)));
     if (const auto* const path = std::get_if<FieldPath>(&argument))
         return pathText(path->path);
     return fieldValue(field, argument, locale);
@@ -162,6 +135,11 @@ QString coreText(std::string_view english, const std::vector<IssueArgument>& arg
                  const QLocale& locale)
 {
     return capitalised(textOf(english, arguments, {}, locale));
+}
+
+QString issueSentence(IssueId id, const std::vector<IssueArgument>& arguments)
+{
+    return coreText(englishWords(id), arguments, QLocale());
 }
 
 QString issueText(const Issue& issue, const QLocale& locale)

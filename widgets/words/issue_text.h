@@ -23,6 +23,8 @@ namespace berg {
 /** A note of the core in the user's language and units, with a capital. */
 [[nodiscard]] QString coreText(std::string_view english,
                                const std::vector<IssueArgument>& arguments, const QLocale& locale);
+/** Returns the words of a finding as a sentence that needs no field. */
+[[nodiscard]] QString issueSentence(IssueId id, const std::vector<IssueArgument>& arguments = {});
 /** The words of a finding, without arguments. */
 [[nodiscard]] QString issueWords(IssueId id);
 

@@ -1,6 +1,7 @@
 #include "widgets/words/plan_text.h"
 
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -142,9 +143,7 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
     if (readout.icebergs() == 0)
         return {PlanVerdict::None, PlanText::tr("Nothing to visit now"), {}};
     if (plan.stop == StopReason::Unable)
-        return {PlanVerdict::Warning,
-                PlanText::tr("This solver cannot plan so many icebergs. Choose Automatic."),
-                {}};
+        return {PlanVerdict::Warning, issueSentence(IssueId::SolverUnable), {}};
     if (plan.fellBack)
         return {PlanVerdict::Warning,
                 plan.reason == PlanReason::Start
@@ -223,6 +222,12 @@ QStringList marginLines(double margin_s, double low_s)
                     : PlanText::tr("1 flight in 20: %1 or less above the reserve");
     const auto clock = [](double time_s) { return clockText(std::abs(time_s)); };
     return {home.arg(clock(margin_s)), std::isfinite(low_s) ? low.arg(clock(low_s)) : low};
+}
+
+QString heldPlanText()
+{
+    return PlanText::tr("No plan while the UAV returns, is on the ground or holds. A new one is "
+                        "made when it resumes.");
 }
 
 QStringList boundSourceLines(std::optional<bool> isFromRates)

@@ -76,6 +76,9 @@ struct PlanFigures
  */
 [[nodiscard]] QStringList boundSourceLines(std::optional<bool> isFromRates);
 
+/** Returns why there is no plan for a UAV that returns, holds or is on the ground. */
+[[nodiscard]] QString heldPlanText();
+
 /** Returns "87 %" for 0.87. */
 [[nodiscard]] QString chanceText(double chance, const QLocale& locale);
 

@@ -1,8 +1,8 @@
 #include "core/io/export/flight_log.h"
 
+#include "core/base/sha256.h"
 #include "core/io/export/content/export_flight.h"
 #include "core/io/export/missions/plan_wpl.h"
-#include "core/io/text/sha256.h"
 
 #include <algorithm>
 
@@ -73,7 +73,7 @@ void addPlanned(LogUav& uav, const Mission& mission, const PlanAnswer& plan)
     uav.plannedTime_s = line.back().time_s - line.front().time_s;
     uav.plannedVisits = static_cast<std::size_t>(std::ranges::count_if(
         planned.visits, [](const Visit& visit) { return visit.iceberg.has_value(); }));
-    uav.planHash = sha256(wplText(order));
+    uav.planHash = sha256Text(wplText(order));
 }
 
 /** Reads the samples of the record for UAVs and icebergs, one after the other. */

@@ -3,8 +3,8 @@
 #include "core/base/version.h"
 #include "core/checks/scenario_warnings.h"
 #include "core/checks/validate.h"
+#include "core/io/files/members.h"
 #include "core/io/files/run_keyframe.h"
-#include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/file_set.h"
 #include "core/scenario/text_checks.h"
@@ -20,52 +20,58 @@ namespace {
 constexpr std::string_view kFormat = "bergwatch-run";
 constexpr Limits kInterval_s{.low = 0, .high = 1e9, .above = true};
 
-std::string optionsText(const MissionOptions& options)
+/** Names the members of the options. */
+template <class Io, class O>
+void optionMembers(Io io, O& options)
 {
-    JsonObject object;
-    if (options.workLimit)
-        object.add("work_limit", *options.workLimit);
-    if (options.timeLimit_s)
-        object.add("time_limit_s", *options.timeLimit_s);
-    object.add("gap", options.gap);
-    object.add("warm_start", options.warmStart);
-    object.add("record", options.record);
-    object.add("sample_interval_s", options.sampleInterval_s);
-    object.add("keyframe_interval_s", options.keyframeInterval_s);
-    return object.inLine();
+    io.whole("work_limit", options.workLimit, {.low = 1, .high = std::int64_t{1} << 53});
+    io("time_limit_s", options.timeLimit_s, {.limits = kInterval_s});
+    io("gap", options.gap, {.limits = Limits{.low = 0, .high = 1}});
+    io("warm_start", options.warmStart);
+    io("record", options.record);
+    io("sample_interval_s", options.sampleInterval_s, {.limits = kInterval_s});
+    io("keyframe_interval_s", options.keyframeInterval_s, {.limits = kInterval_s});
+}
+
+/** Names the members of an intervention after its time. */
+template <class Io, class I>
+void interventionMembers(Io io, I& change)
+{
+    io("tau", change.tau, {.limits = limits::kTau});
+    io("policy", change.policy);
+    io("wind_mps", change.wind_mps);
+    io.one("asset", change.asset);
+    io.one("appears", change.appears);
+    io("seen", change.seen);
+    io("seen_age_s", change.seenAge_s,
+       {.limits = limits::kTime_s, .isWritten = change.seenAge_s != 0});
+    io("removed", change.removed);
+    io.part("assigned", change.assigned, [](auto members, auto& assigned) {
+        members("iceberg", assigned.iceberg, {.isNeeded = true});
+        members("uav", assigned.uav);
+    });
+    io.part("commanded", change.commanded, [](auto members, auto& commanded) {
+        members("uav", commanded.uav, {.isNeeded = true});
+        members("order", commanded.order);
+    });
+}
+
+/** Names the members of the metrics. */
+template <class Io, class M>
+void metricMembers(Io io, M& metrics)
+{
+    constexpr WholeLimits kCount{.low = 0, .high = kLargestCount};
+    io("zeta_m2s", metrics.zeta_m2s, {.limits = kAmount});
+    io.whole("visits", metrics.visits, kCount);
+    io.whole("replans", metrics.replans, kCount);
+    io("flown_m", metrics.flown_m, {.limits = kAmount});
 }
 
 std::string interventionText(const Intervention& intervention)
 {
     JsonObject object;
     object.add("time_s", intervention.time_s);
-    if (intervention.tau)
-        object.add("tau", *intervention.tau);
-    if (intervention.policy)
-        object.add("policy", nameOf(kPolicyNames, *intervention.policy));
-    if (intervention.wind_mps)
-        object.add("wind_mps", *intervention.wind_mps);
-    if (intervention.asset)
-        object.addText("asset", objectText(*intervention.asset));
-    if (intervention.appears)
-        object.addText("appears", objectText(*intervention.appears));
-    if (intervention.seen)
-        object.add("seen", *intervention.seen);
-    object.addUnless("seen_age_s", intervention.seenAge_s, 0.0);
-    if (intervention.removed)
-        object.add("removed", *intervention.removed);
-    if (intervention.assigned) {
-        JsonObject assigned;
-        assigned.add("iceberg", intervention.assigned->iceberg);
-        assigned.add("uav", intervention.assigned->uav);
-        object.addText("assigned", assigned.inLine());
-    }
-    if (intervention.commanded) {
-        JsonObject commanded;
-        commanded.add("uav", intervention.commanded->uav);
-        commanded.add("order", nameOf(kFlightOrderNames, intervention.commanded->order));
-        object.addText("commanded", commanded.inLine());
-    }
+    interventionMembers(MemberWriter{object}, intervention);
     object.addExtra(intervention.extraJson);
     return object.inLine();
 }
@@ -84,34 +90,6 @@ std::string planText(const RecordedPlan& plan)
     return object.inLine();
 }
 
-std::string metricsText(const Metrics& metrics)
-{
-    JsonObject object;
-    object.add("zeta_m2s", metrics.zeta_m2s);
-    object.add("visits", metrics.visits);
-    object.add("replans", metrics.replans);
-    object.add("flown_m", metrics.flown_m);
-    return object.inLine();
-}
-
-MissionOptions readOptions(const Json& value, const std::string& path, Faults& faults)
-{
-    ObjectReader object(value, path, faults);
-    MissionOptions options;
-    if (object.find("work_limit") != nullptr)
-        options.workLimit =
-            object.whole("work_limit", 1, {.low = 1, .high = std::int64_t{1} << 53});
-    options.timeLimit_s = object.optionalNumber("time_limit_s", kInterval_s);
-    options.gap = object.number("gap", options.gap, Limits{.low = 0, .high = 1});
-    options.warmStart = object.boolean("warm_start", options.warmStart);
-    options.record = object.boolean("record", options.record);
-    options.sampleInterval_s =
-        object.number("sample_interval_s", options.sampleInterval_s, kInterval_s);
-    options.keyframeInterval_s =
-        object.number("keyframe_interval_s", options.keyframeInterval_s, kInterval_s);
-    return options;
-}
-
 /** Reads a time within the run that is not before the time of the previous entry. */
 double readTime(ObjectReader& object, double flownUntil_s, double before_s)
 {
@@ -122,26 +100,6 @@ double readTime(ObjectReader& object, double flownUntil_s, double before_s)
     return std::max(time_s, before_s);
 }
 
-Assignment readAssignment(const Json& value, const std::string& path, Faults& faults)
-{
-    ObjectReader object(value, path, faults);
-    Assignment assignment;
-    if (object.need("iceberg") != nullptr)
-        assignment.iceberg = object.text("iceberg");
-    assignment.uav = object.text("uav");
-    return assignment;
-}
-
-UavCommand readCommand(const Json& value, const std::string& path, Faults& faults)
-{
-    ObjectReader object(value, path, faults);
-    UavCommand command;
-    if (object.need("uav") != nullptr)
-        command.uav = object.text("uav");
-    command.order = object.choice("order", FlightOrder::None, kFlightOrderNames);
-    return command;
-}
-
 std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil_s)
 {
     double before_s = 0;
@@ -149,27 +107,7 @@ std::vector<Intervention> readInterventions(ObjectReader& run, double flownUntil
         ObjectReader object(value, path, run.faults());
         Intervention intervention;
         intervention.time_s = before_s = readTime(object, flownUntil_s, before_s);
-        intervention.tau = object.optionalNumber("tau", limits::kTau);
-        if (object.find("policy") != nullptr)
-            intervention.policy = object.choice("policy", PolicyKind::Visitation, kPolicyNames);
-        if (object.find("wind_mps") != nullptr)
-            intervention.wind_mps = object.point("wind_mps", Point::Zero());
-        if (const Json* asset = object.find("asset"))
-            intervention.asset = readObject<Asset>(*asset, object.path("asset"), run.faults());
-        if (const Json* appears = object.find("appears"))
-            intervention.appears =
-                readObject<Iceberg>(*appears, object.path("appears"), run.faults());
-        if (object.find("seen") != nullptr)
-            intervention.seen = object.text("seen");
-        intervention.seenAge_s = object.number("seen_age_s", 0, limits::kTime_s);
-        if (object.find("removed") != nullptr)
-            intervention.removed = object.text("removed");
-        if (const Json* assigned = object.find("assigned"))
-            intervention.assigned =
-                readAssignment(*assigned, object.path("assigned"), run.faults());
-        if (const Json* commanded = object.find("commanded"))
-            intervention.commanded =
-                readCommand(*commanded, object.path("commanded"), run.faults());
+        interventionMembers(MemberReader{object}, intervention);
         intervention.extraJson = object.unknown();
         return intervention;
     });
@@ -340,18 +278,6 @@ std::vector<WorldState> readKeyframes(ObjectReader& run, const RunContext& conte
     });
 }
 
-Metrics readMetrics(const Json& value, const std::string& path, Faults& faults)
-{
-    constexpr WholeLimits kCount{.low = 0, .high = kLargestCount};
-    ObjectReader object(value, path, faults);
-    Metrics metrics;
-    metrics.zeta_m2s = object.number("zeta_m2s", 0, kAmount);
-    metrics.visits = asInt(object.whole("visits", 0, kCount));
-    metrics.replans = asInt(object.whole("replans", 0, kCount));
-    metrics.flown_m = object.number("flown_m", 0, kAmount);
-    return metrics;
-}
-
 /** Limits for a run whose scenario, end and interventions have no faults. */
 RunContext contextOf(const RunFile& file)
 {
@@ -372,15 +298,19 @@ RunFile readRun(ObjectReader& run)
         ObjectReader scenario(*value, run.path("scenario"), run.faults());
         file.scenario = readScenario(scenario);
     }
-    if (const Json* value = run.find("options"))
-        file.options = readOptions(*value, run.path("options"), run.faults());
+    if (const Json* value = run.find("options")) {
+        ObjectReader options(*value, run.path("options"), run.faults());
+        optionMembers(MemberReader{options}, file.options);
+    }
     // The last step may end half a step after the duration.
     const double latest_s = file.scenario.duration_s + std::abs(file.scenario.dt_s);
     if (run.need("flown_until_s") != nullptr)
         file.flownUntil_s =
             run.number("flown_until_s", latest_s, Limits{.low = 0, .high = latest_s});
-    if (const Json* value = run.need("metrics"))
-        file.metrics = readMetrics(*value, run.path("metrics"), run.faults());
+    if (const Json* value = run.need("metrics")) {
+        ObjectReader metrics(*value, run.path("metrics"), run.faults());
+        metricMembers(MemberReader{metrics}, file.metrics);
+    }
     // The members below are checked against those above, which is pointless if those are faulty.
     if (!run.faults().empty())
         return file;
@@ -401,12 +331,16 @@ RunFile readRun(ObjectReader& run)
 
 void writeRun(const RunFile& run, const TextSink& put)
 {
+    JsonObject options;
+    optionMembers(MemberWriter{options}, run.options);
+    JsonObject metrics;
+    metricMembers(MemberWriter{metrics}, run.metrics);
     JsonObject head;
     head.add("format", kFormat);
     head.add("version", 1);
     head.add("program", programName());
     head.addText("scenario", scenarioText(run.scenario, 1));
-    head.addText("options", optionsText(run.options));
+    head.addText("options", options.inLine());
     head.add("flown_until_s", run.flownUntil_s);
     const std::string members = head.inLines(0);
     put(std::string_view(members).substr(0, members.size() - 2)); // without the end of the object
@@ -414,7 +348,7 @@ void writeRun(const RunFile& run, const TextSink& put)
     putJsonLines(put, run.interventions, 1, interventionText);
     put(",\n \"plans\": ");
     putJsonLines(put, run.plans, 1, planText);
-    put(",\n \"metrics\": " + metricsText(run.metrics) + ",\n \"keyframes\": ");
+    put(",\n \"metrics\": " + metrics.inLine() + ",\n \"keyframes\": ");
     putJsonLines(put, run.keyframes, 1, keyframeText);
     put("\n}\n");
 }

@@ -1,28 +1,14 @@
 #include "core/io/files/run_keyframe.h"
 
-#include "core/io/text/json_writer.h"
-
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 
 namespace berg {
 
 namespace {
 
-constexpr std::array<Named<FlightMode>, 8> kModeNames{{
-    {FlightMode::Idle, "idle"},
-    {FlightMode::Leg, "leg"},
-    {FlightMode::RunOut, "run-out"},
-    {FlightMode::Circle, "circle"},
-    {FlightMode::Search, "search"},
-    {FlightMode::Home, "home"},
-    {FlightMode::Ground, "ground"},
-    {FlightMode::Hold, "hold"},
-}};
-
-/** Filter numbers of a track in the simple observer model, which are then left out. */
-const std::vector<double> kPlainFilter{0, 0, 1, 0, 0};
 constexpr std::size_t kPlainTrack = 8;
 constexpr std::size_t kFilteredTrack = 13;
 /**
@@ -31,29 +17,63 @@ constexpr std::size_t kFilteredTrack = 13;
  */
 constexpr std::size_t kOlderFadingTrack = 17;
 constexpr std::size_t kFadingTrack = 18;
+constexpr std::size_t kLegNumbers = 7;
 
-std::string trackText(const Track& track)
+/** Sets the values that a function names to the numbers of an array, one after the other. */
+struct NumberReader
 {
-    std::vector<double> numbers = trackNumbers(track);
-    if (track.velocityTime_s > 0)
-        numbers.insert(numbers.end(),
-                       {track.mean_mps.x(), track.mean_mps.y(), track.velocitySpread_mps,
-                        track.velocityTime_s, track.seen_s});
-    else if (std::equal(kPlainFilter.begin(), kPlainFilter.end(), numbers.begin() + kPlainTrack))
-        numbers.resize(kPlainTrack);
-    return jsonArrayOf(numbers);
-}
+    std::vector<double> numbers;
+    const std::string& path;
+    Faults& faults;
+    const RunContext& context;
+    std::size_t at = 0;
 
-/** Reads an array of exactly `Count` numbers; anything else is a fault and gives zeros. */
-template <std::size_t Count>
-std::array<double, Count> readNumbers(const Json& value, const std::string& path, Faults& faults)
+    void operator()(double& value) { value = numbers[at++]; }
+    void operator()(bool& value) { value = numbers[at++] != 0; }
+    void operator()(Point& value)
+    {
+        (*this)(value.x());
+        (*this)(value.y());
+    }
+    void operator()(TrackStatus& value)
+    {
+        for (const auto status : {TrackStatus::Tracked, TrackStatus::Lost, TrackStatus::GivenUp})
+            if (numbers[at] == static_cast<double>(status)) {
+                value = status;
+                ++at;
+                return;
+            }
+        faults.add(entryPath(path, at++), {IssueId::NotOneOf, {"0, 1, 2"}});
+    }
+    /** Reads an iceberg index of the run; anything else is a fault. */
+    void operator()(int& iceberg)
+    {
+        const double number = numbers[at];
+        const std::string entry = entryPath(path, at++);
+        if (number >= 0 && number < static_cast<double>(context.icebergs) &&
+            number == std::floor(number))
+            iceberg = static_cast<int>(number);
+        else if (context.icebergs == 0)
+            faults.add(entry, {IssueId::NoIcebergInRun});
+        else
+            faults.add(entry, {IssueId::NotWhole, {0, countOf(context.icebergs - 1), number}});
+    }
+};
+
+/**
+ * Reads an array of numbers that has one of the lengths. Another length adds a fault that names the
+ * first and gives zeros; an entry that is no number adds one and gives 0.
+ */
+std::vector<double> readNumbers(const Json& value, const std::string& path, Faults& faults,
+                                std::initializer_list<std::size_t> lengths)
 {
-    std::array<double, Count> numbers{};
-    if (!value.is_array() || value.size() != Count) {
-        faults.add(path, {IssueId::EntryCount, {countOf(Count), entriesOf(value)}});
+    std::vector<double> numbers(*lengths.begin());
+    if (!value.is_array() || std::ranges::find(lengths, value.size()) == lengths.end()) {
+        faults.add(path, {IssueId::EntryCount, {countOf(numbers.size()), entriesOf(value)}});
         return numbers;
     }
-    for (std::size_t i = 0; i < Count; ++i)
+    numbers.resize(value.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
         if (!value[i].is_number())
             faults.add(entryPath(path, i),
                        {IssueId::WrongType, {ValueKind::Number, kindOf(value[i])}});
@@ -62,42 +82,55 @@ std::array<double, Count> readNumbers(const Json& value, const std::string& path
     return numbers;
 }
 
-Track readTrack(const Json& value, const std::string& path, Faults& faults)
+template <class Io, class T>
+void velocityNumbers(Io& io, T& track)
 {
-    std::array<double, kFadingTrack> n{};
-    const auto take = [&](const auto& numbers) { std::ranges::copy(numbers, n.begin()); };
-    const bool isFading = value.is_array() && value.size() == kFadingTrack;
-    const bool isOlderFading = value.is_array() && value.size() == kOlderFadingTrack;
+    io(track.mean_mps);
+    io(track.velocitySpread_mps);
+    io(track.velocityTime_s);
+}
+
+std::string trackText(const Track& track)
+{
+    NumberWriter filter;
+    filterNumbers(filter, track);
+    const Track plain;
+    NumberWriter usual;
+    filterNumbers(usual, plain);
+    const bool isFading = track.velocityTime_s > 0;
+    NumberWriter io;
+    trackNumbers(io, track);
+    if (isFading || filter.numbers != usual.numbers)
+        filterNumbers(io, track);
     if (isFading) {
-        take(readNumbers<kFadingTrack>(value, path, faults));
-    } else if (isOlderFading) {
-        take(readNumbers<kOlderFadingTrack>(value, path, faults));
-    } else if (value.is_array() && value.size() == kFilteredTrack) {
-        take(readNumbers<kFilteredTrack>(value, path, faults));
-    } else {
-        take(readNumbers<kPlainTrack>(value, path, faults));
-        std::ranges::copy(kPlainFilter, n.begin() + kPlainTrack);
+        velocityNumbers(io, track);
+        io(track.seen_s);
     }
-    TrackStatus status = TrackStatus::Tracked;
-    if (n[11] == 1 || n[11] == 2)
-        status = n[11] == 1 ? TrackStatus::Lost : TrackStatus::GivenUp;
-    else if (n[11] != 0)
-        faults.add(entryPath(path, 11), {IssueId::NotOneOf, {"0, 1, 2"}});
-    return {.anchor_m = {n[0], n[1]},
-            .anchor_s = n[2],
-            .seen_s = isOlderFading ? -1 : n[isFading ? kFadingTrack - 1 : 2], // -1: not recorded
-            .velocity_mps = {n[3], n[4]},
-            .sigma_m2 = n[5],
-            .q_m2ps = n[6],
-            .inView = n[7] != 0,
-            .mixed_m2ps = n[8],
-            .velocity_m2ps2 = n[9],
-            .presence = n[10],
-            .status = status,
-            .left = n[12] != 0,
-            .mean_mps = {n[13], n[14]},
-            .velocitySpread_mps = n[15],
-            .velocityTime_s = n[16]};
+    return jsonArrayOf(io.numbers);
+}
+
+Track readTrack(const Json& value, const std::string& path, Faults& faults,
+                const RunContext& context)
+{
+    NumberReader io{.numbers =
+                        readNumbers(value, path, faults,
+                                    {kPlainTrack, kFilteredTrack, kOlderFadingTrack, kFadingTrack}),
+                    .path = path,
+                    .faults = faults,
+                    .context = context};
+    const std::size_t length = io.numbers.size();
+    Track track;
+    trackNumbers(io, track);
+    if (length >= kFilteredTrack)
+        filterNumbers(io, track);
+    if (length >= kOlderFadingTrack)
+        velocityNumbers(io, track);
+    track.seen_s = length == kOlderFadingTrack ? -1 : track.anchor_s; // -1: not recorded
+    if (length == kFadingTrack)
+        io(track.seen_s);
+    if (!(track.velocityTime_s > 0)) // the file has no mean velocity then
+        track.mean_mps = context.current_mps;
+    return track;
 }
 
 std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
@@ -112,38 +145,10 @@ std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
             {IssueId::EntryRange,
              {countOf(context.icebergsAtStart), countOf(context.icebergs), countOf(list->size())}});
     makeRoom(tracks, list, object.faults());
-    for (std::size_t i = 0; i < list->size(); ++i) {
-        Track track = readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults());
-        if (!(track.velocityTime_s > 0)) // the file has no mean velocity then
-            track.mean_mps = context.current_mps;
-        tracks.push_back(track);
-    }
+    for (std::size_t i = 0; i < list->size(); ++i)
+        tracks.push_back(
+            readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults(), context));
     return tracks;
-}
-
-/** Reads an iceberg index of the run; anything else is a fault and gives 0. */
-int icebergOf(double number, const std::string& path, Faults& faults, const RunContext& context)
-{
-    if (number >= 0 && number < static_cast<double>(context.icebergs) &&
-        number == std::floor(number))
-        return static_cast<int>(number);
-    if (context.icebergs == 0)
-        faults.add(path, {IssueId::NoIcebergInRun});
-    else
-        faults.add(path, {IssueId::NotWhole, {0, countOf(context.icebergs - 1), number}});
-    return 0;
-}
-
-LosGuidance readGuidance(ObjectReader& object)
-{
-    LosGuidance guidance;
-    if (const Json* value = object.need("guidance")) {
-        const auto n = readNumbers<6>(*value, object.path("guidance"), object.faults());
-        guidance.gains = {.lookahead_m = n[0], .integral_mps = n[1], .turn_1ps = n[2]};
-        guidance.start_m = {n[3], n[4]};
-        guidance.integral_s = n[5];
-    }
-    return guidance;
 }
 
 /** Reads the icebergs of a member that may be missing. */
@@ -227,70 +232,90 @@ ReturnPath readReturnPath(const Json& value, const std::string& path, Faults& fa
     return read;
 }
 
-void addUav(JsonObject& object, const UavState& uav)
+/** Writes the members that `uavMembers` names. */
+struct UavWriter : MemberWriter
 {
-    object.add("position_m", uav.pose.position_m);
-    object.add("psi_rad", uav.pose.psi_rad);
-    object.add("u_radps", uav.u_radps);
-    object.add("cross_track_m", uav.crossTrack_m);
-    object.add("flown_m", uav.flown_m);
-    object.add("mode", nameOf(kModeNames, uav.mode));
-    object.add("target", uav.target.value_or(kNoIcebergInFile));
-    object.add("last_reached", uav.lastReached.value_or(kNoIcebergInFile));
-    object.addUnless("alone", uav.isAlone, false);
-    object.addText("guidance", jsonArrayOf(guidanceNumbers(uav.guidance)));
-    object.add("run_out_m", uav.runOut_m);
-    object.add("misses", uav.misses);
-    if (uav.aim)
-        object.addText("aim", legText(*uav.aim));
-    if (uav.search)
-        object.addText("search", searchText(*uav.search));
-    if (!uav.members.empty()) {
-        object.addText("members", jsonArrayOf(uav.members));
-        object.add("members_by_s", uav.membersBy_s);
+    using MemberWriter::operator();
+    void operator()(const char* name, const LosGuidance& guidance)
+    {
+        NumberWriter io;
+        guidanceNumbers(io, guidance);
+        object.addText(name, jsonArrayOf(io.numbers));
     }
-    object.addUnless("aloft_s", uav.aloft_s, 0.0);
-    object.addUnless("ground_s", uav.ground_s, 0.0);
-    object.addUnless("withheld_s", uav.withheld_s, 0.0);
-    if (uav.via_m)
-        object.add("via_m", *uav.via_m);
-    if (uav.returnPath)
-        object.addText("return_path", returnPathText(*uav.returnPath));
-    if (uav.order != FlightOrder::None)
-        object.add("order", nameOf(kFlightOrderNames, uav.order));
-    object.addUnless("hold_m", uav.hold_m, Point(Point::Zero()));
-}
+    void operator()(const char* name, const std::optional<AimedLeg>& leg)
+    {
+        if (leg)
+            object.addText(name, legText(*leg));
+    }
+    void operator()(const char* name, const std::optional<Search>& search)
+    {
+        if (search)
+            object.addText(name, searchText(*search));
+    }
+    void operator()(const char* name, const std::optional<ReturnPath>& path)
+    {
+        if (path)
+            object.addText(name, returnPathText(*path));
+    }
+    void operator()(const char* name, const std::vector<int>& icebergs)
+    {
+        if (!icebergs.empty())
+            object.addText(name, jsonArrayOf(icebergs));
+    }
+    void iceberg(const char* name, const std::optional<int>& index)
+    {
+        object.add(name, index.value_or(kNoIcebergInFile));
+    }
+};
+
+/** Reads the members that `uavMembers` names. */
+struct UavReader : MemberReader
+{
+    const RunContext& context;
+
+    using MemberReader::operator();
+    void operator()(const char* name, LosGuidance& guidance)
+    {
+        const Json* const value = object.need(name);
+        if (value == nullptr)
+            return;
+        const std::string path = object.path(name);
+        NumberReader io{.numbers = readNumbers(*value, path, object.faults(), {6}),
+                        .path = path,
+                        .faults = object.faults(),
+                        .context = context};
+        guidanceNumbers(io, guidance);
+    }
+    void operator()(const char* name, std::optional<AimedLeg>& leg)
+    {
+        if (const Json* value = object.find(name))
+            leg = readLeg(*value, object.path(name), object.faults(), context);
+    }
+    void operator()(const char* name, std::optional<Search>& search)
+    {
+        if (const Json* value = object.find(name))
+            search = readSearch(*value, object.path(name), object.faults(), context);
+    }
+    void operator()(const char* name, std::optional<ReturnPath>& path)
+    {
+        if (const Json* value = object.find(name))
+            path = readReturnPath(*value, object.path(name), object.faults());
+    }
+    void operator()(const char* name, std::vector<int>& icebergs)
+    {
+        icebergs = readGroup(object, name, context);
+    }
+    void iceberg(const char* name, std::optional<int>& index)
+    {
+        index = icebergOrNone(object, name, context);
+    }
+};
 
 UavState readUav(ObjectReader& object, const RunContext& context)
 {
     UavState uav;
-    uav.pose.position_m = object.point("position_m", Point::Zero());
-    uav.pose.psi_rad = object.number("psi_rad", 0);
-    uav.u_radps = object.number("u_radps", 0);
-    uav.crossTrack_m = object.number("cross_track_m", 0);
-    uav.flown_m = object.number("flown_m", 0, kAmount);
-    uav.mode = object.choice("mode", FlightMode::Idle, kModeNames);
-    uav.target = icebergOrNone(object, "target", context);
-    uav.lastReached = icebergOrNone(object, "last_reached", context);
-    uav.isAlone = object.boolean("alone", false);
-    uav.guidance = readGuidance(object);
-    uav.runOut_m = object.number("run_out_m", 0);
-    uav.misses = asInt(object.whole("misses", 0, {.low = 0, .high = kLargestCount}));
-    if (const Json* aim = object.find("aim"))
-        uav.aim = readLeg(*aim, object.path("aim"), object.faults(), context);
-    if (const Json* search = object.find("search"))
-        uav.search = readSearch(*search, object.path("search"), object.faults(), context);
-    uav.members = readGroup(object, "members", context);
-    uav.membersBy_s = object.number("members_by_s", 0);
-    uav.aloft_s = object.number("aloft_s", 0, kAmount);
-    uav.ground_s = object.number("ground_s", 0, kAmount);
-    uav.withheld_s = object.number("withheld_s", 0, kAmount);
-    if (object.find("via_m") != nullptr)
-        uav.via_m = object.point("via_m", Point::Zero());
-    if (const Json* path = object.find("return_path"))
-        uav.returnPath = readReturnPath(*path, object.path("return_path"), object.faults());
-    uav.order = object.choice("order", FlightOrder::None, kFlightOrderNames);
-    uav.hold_m = object.point("hold_m", Point::Zero());
+    UavReader io{{object}, context};
+    uavMembers(io, uav);
     return uav;
 }
 
@@ -328,56 +353,27 @@ std::optional<int> icebergOrNone(ObjectReader& object, const char* member,
     return index == kNoIcebergInFile ? std::nullopt : std::optional(index);
 }
 
-std::vector<double> trackNumbers(const Track& track)
-{
-    return {track.anchor_m.x(),     track.anchor_m.y(),       track.anchor_s,
-            track.velocity_mps.x(), track.velocity_mps.y(),   track.sigma_m2,
-            track.q_m2ps,           track.inView ? 1.0 : 0.0, track.mixed_m2ps,
-            track.velocity_m2ps2,   track.presence,           static_cast<double>(track.status),
-            track.left ? 1.0 : 0.0};
-}
-
-std::vector<double> guidanceNumbers(const LosGuidance& guidance)
-{
-    return {guidance.gains.lookahead_m, guidance.gains.integral_mps, guidance.gains.turn_1ps,
-            guidance.start_m.x(),       guidance.start_m.y(),        guidance.integral_s};
-}
-
-std::vector<double> legNumbers(const AimedLeg& leg)
-{
-    return {static_cast<double>(leg.iceberg),
-            leg.turn_rad,
-            leg.from_m.x(),
-            leg.from_m.y(),
-            leg.abeam_m.x(),
-            leg.abeam_m.y(),
-            leg.sighting_s};
-}
-
 std::string legText(const AimedLeg& leg)
 {
-    std::vector<double> numbers = legNumbers(leg);
+    NumberWriter io;
+    legNumbers(io, leg);
     if (leg.end_s)
-        numbers.push_back(*leg.end_s);
-    return jsonArrayOf(numbers);
+        io(*leg.end_s);
+    return jsonArrayOf(io.numbers);
 }
 
 AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
                  const RunContext& context)
 {
-    constexpr std::size_t kHoldNumbers = 8;
-    const bool isHold = value.is_array() && value.size() == kHoldNumbers;
-    std::array<double, kHoldNumbers> n{};
-    if (isHold)
-        n = readNumbers<kHoldNumbers>(value, path, faults);
-    else
-        std::ranges::copy(readNumbers<kHoldNumbers - 1>(value, path, faults), n.begin());
-    return {.iceberg = icebergOf(n[0], entryPath(path, 0), faults, context),
-            .turn_rad = n[1],
-            .from_m = {n[2], n[3]},
-            .abeam_m = {n[4], n[5]},
-            .sighting_s = n[6],
-            .end_s = isHold ? std::optional(n[7]) : std::nullopt};
+    NumberReader io{.numbers = readNumbers(value, path, faults, {kLegNumbers, kLegNumbers + 1}),
+                    .path = path,
+                    .faults = faults,
+                    .context = context};
+    AimedLeg leg;
+    legNumbers(io, leg);
+    if (io.numbers.size() > kLegNumbers)
+        io(leg.end_s.emplace());
+    return leg;
 }
 
 std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults& faults,
@@ -412,7 +408,8 @@ std::string keyframeText(const WorldState& state)
 {
     JsonObject object;
     object.add("step", state.step);
-    addUav(object, state.uavs.front());
+    UavWriter first{{object}};
+    uavMembers(first, state.uavs.front());
     object.add("sigma_sum_m2", state.sigmaSum_m2);
     object.add("zeta_m2s", state.zeta_m2s);
     if (!state.unclustered.empty())
@@ -424,7 +421,8 @@ std::string keyframeText(const WorldState& state)
     std::vector<std::string> others;
     for (std::size_t i = 1; i < state.uavs.size(); ++i) {
         JsonObject other;
-        addUav(other, state.uavs[i]);
+        UavWriter io{{other}};
+        uavMembers(io, state.uavs[i]);
         others.push_back(other.inLine());
     }
     if (!others.empty())

@@ -3,7 +3,7 @@
 // Private to core/io: reads and writes the keyframes of a run file, with helpers for its other
 // parts.
 
-#include "core/io/text/json_reader.h"
+#include "core/io/files/members.h"
 #include "core/sim/simulation.h"
 
 namespace berg {
@@ -21,6 +21,25 @@ inline constexpr Limits kAmount{.low = 0, .high = 1e300};
 
 /** Iceberg index in a run file that stands for no iceberg. */
 inline constexpr int kNoIcebergInFile = -1;
+
+inline constexpr std::array<Named<FlightMode>, 8> kModeNames{{
+    {FlightMode::Idle, "idle"},
+    {FlightMode::Leg, "leg"},
+    {FlightMode::RunOut, "run-out"},
+    {FlightMode::Circle, "circle"},
+    {FlightMode::Search, "search"},
+    {FlightMode::Home, "home"},
+    {FlightMode::Ground, "ground"},
+    {FlightMode::Hold, "hold"},
+}};
+constexpr const auto& namesOf(FlightMode /*value*/)
+{
+    return kModeNames;
+}
+constexpr const auto& namesOf(FlightOrder /*value*/)
+{
+    return kFlightOrderNames;
+}
 
 /** Limits that the parts of a run file are checked against. */
 struct RunContext
@@ -46,12 +65,96 @@ struct RunContext
 [[nodiscard]] std::optional<int> icebergOrNone(ObjectReader& object, const char* member,
                                                const RunContext& context);
 
-/** Returns the numbers of a track for the arrays of `keyframeText`, in any observer model. */
-[[nodiscard]] std::vector<double> trackNumbers(const Track& track);
-/** Returns the numbers of the line-of-sight guidance for the arrays of `keyframeText`. */
-[[nodiscard]] std::vector<double> guidanceNumbers(const LosGuidance& guidance);
-/** Returns the numbers of a leg for `legText`, without the end of a hold, which comes last. */
-[[nodiscard]] std::vector<double> legNumbers(const AimedLeg& leg);
+/** Appends the values that a function names. */
+struct NumberWriter
+{
+    std::vector<double> numbers{};
+
+    void operator()(const Point& value)
+    {
+        numbers.push_back(value.x());
+        numbers.push_back(value.y());
+    }
+    template <class Value>
+    void operator()(const Value& value)
+    {
+        numbers.push_back(static_cast<double>(value));
+    }
+};
+
+/** Names the numbers of a leg except the end of a hold, which comes last. */
+template <class Io, class L>
+void legNumbers(Io& io, L& leg)
+{
+    io(leg.iceberg);
+    io(leg.turn_rad);
+    io(leg.from_m);
+    io(leg.abeam_m);
+    io(leg.sighting_s);
+}
+
+/** Names the numbers of the line-of-sight guidance. */
+template <class Io, class G>
+void guidanceNumbers(Io& io, G& guidance)
+{
+    io(guidance.gains.lookahead_m);
+    io(guidance.gains.integral_mps);
+    io(guidance.gains.turn_1ps);
+    io(guidance.start_m);
+    io(guidance.integral_s);
+}
+
+/** Names the numbers that every track has. */
+template <class Io, class T>
+void trackNumbers(Io& io, T& track)
+{
+    io(track.anchor_m);
+    io(track.anchor_s);
+    io(track.velocity_mps);
+    io(track.sigma_m2);
+    io(track.q_m2ps);
+    io(track.inView);
+}
+
+/** Names the numbers of a track's filter, which a file lacks if they have their default values. */
+template <class Io, class T>
+void filterNumbers(Io& io, T& track)
+{
+    io(track.mixed_m2ps);
+    io(track.velocity_m2ps2);
+    io(track.presence);
+    io(track.status);
+    io(track.left);
+}
+
+/** Names the members of a UAV in the order of the file. */
+template <class Io, class U>
+void uavMembers(Io& io, U& uav)
+{
+    io("position_m", uav.pose.position_m);
+    io("psi_rad", uav.pose.psi_rad);
+    io("u_radps", uav.u_radps);
+    io("cross_track_m", uav.crossTrack_m);
+    io("flown_m", uav.flown_m, {.limits = kAmount});
+    io("mode", uav.mode);
+    io.iceberg("target", uav.target);
+    io.iceberg("last_reached", uav.lastReached);
+    io("alone", uav.isAlone, {.isWritten = uav.isAlone});
+    io("guidance", uav.guidance);
+    io("run_out_m", uav.runOut_m);
+    io.whole("misses", uav.misses, {.low = 0, .high = kLargestCount});
+    io("aim", uav.aim);
+    io("search", uav.search);
+    io("members", uav.members);
+    io("members_by_s", uav.membersBy_s, {.isWritten = !uav.members.empty()});
+    io("aloft_s", uav.aloft_s, {.limits = kAmount, .isWritten = uav.aloft_s != 0});
+    io("ground_s", uav.ground_s, {.limits = kAmount, .isWritten = uav.ground_s != 0});
+    io("withheld_s", uav.withheld_s, {.limits = kAmount, .isWritten = uav.withheld_s != 0});
+    io("via_m", uav.via_m);
+    io("return_path", uav.returnPath);
+    io("order", uav.order, {.isWritten = uav.order != FlightOrder::None});
+    io("hold_m", uav.hold_m, {.isWritten = uav.hold_m != Point(Point::Zero())});
+}
 
 /**
  * Returns the JSON array of a leg in rad, m and s: [iceberg, turn, line start east, north, abeam

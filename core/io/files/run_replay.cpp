@@ -19,60 +19,86 @@ std::string entry(const std::string& list, std::size_t i)
 /** Name and value of a number of a keyframe. */
 using ReplayField = std::pair<std::string, double>;
 
-/** Adds the numbers of a list, named by their index. */
-template <class Numbers>
-void addList(std::vector<ReplayField>& fields, const std::string& name, const Numbers& numbers)
+/** Collects name and value of every number of the members that `uavMembers` names. */
+struct ReplayNumbers
 {
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        fields.emplace_back(entry(name, i), numbers[i]);
-}
+    std::string at; ///< path of the object
+    std::vector<ReplayField>& fields;
 
-/** Adds every number of one UAV, the most instructive differences first. */
-void addFields(std::vector<ReplayField>& fields, const std::string& at, const UavState& uav)
-{
-    const auto add = [&](const char* name, double value) { fields.emplace_back(at + name, value); };
-    add("position_m[0]", uav.pose.position_m.x());
-    add("position_m[1]", uav.pose.position_m.y());
-    add("psi_rad", uav.pose.psi_rad);
-    add("u_radps", uav.u_radps);
-    add("cross_track_m", uav.crossTrack_m);
-    add("mode", static_cast<double>(uav.mode));
-    add("target", uav.target.value_or(kNoIcebergInFile));
-    add("last_reached", uav.lastReached.value_or(kNoIcebergInFile));
-    add("flown_m", uav.flown_m);
-    addList(fields, at + "guidance", guidanceNumbers(uav.guidance));
-    add("run_out_m", uav.runOut_m);
-    add("misses", uav.misses);
-    add("aim", uav.aim ? 1.0 : 0.0);
-    add("search", uav.search ? 1.0 : 0.0);
-    add("aloft_s", uav.aloft_s);
-    add("ground_s", uav.ground_s);
-    add("withheld_s", uav.withheld_s);
-    add("via_m", uav.via_m ? 1.0 : 0.0);
-    add("members", static_cast<double>(uav.members.size()));
-    add("members_by_s", uav.membersBy_s);
-    if (uav.aim) {
-        addList(fields, at + "aim", legNumbers(*uav.aim));
-        add("aim[7]", uav.aim->end_s.value_or(-1));
+    void add(const std::string& name, double value) { fields.emplace_back(at + name, value); }
+    template <class Number>
+    void addList(const std::string& name, const std::vector<Number>& numbers)
+    {
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            add(entry(name, i), numbers[i]);
     }
-    addList(fields, at + "members", uav.members);
-}
+
+    template <class Value>
+    void operator()(const char* name, const Value& value, const MemberRule& /*rule*/ = {})
+    {
+        add(name, static_cast<double>(value));
+    }
+    /** Adds whether there is a value, because the numbers of the other state may be missing. */
+    template <class Value>
+    void operator()(const char* name, const std::optional<Value>& value)
+    {
+        add(name, value ? 1 : 0);
+        if constexpr (std::is_same_v<Value, Point>)
+            if (value)
+                (*this)(name, *value);
+    }
+    void operator()(const char* name, const std::optional<AimedLeg>& leg)
+    {
+        add(name, leg ? 1 : 0);
+        if (!leg)
+            return;
+        NumberWriter io;
+        legNumbers(io, *leg);
+        io(leg->end_s.value_or(-1));
+        addList(name, io.numbers);
+    }
+    void operator()(const char* name, const Point& value, const MemberRule& /*rule*/ = {})
+    {
+        addList(name, std::vector{value.x(), value.y()});
+    }
+    void operator()(const char* name, const LosGuidance& guidance)
+    {
+        NumberWriter io;
+        guidanceNumbers(io, guidance);
+        addList(name, io.numbers);
+    }
+    void operator()(const char* name, const std::vector<int>& icebergs)
+    {
+        add(name, static_cast<double>(icebergs.size()));
+        addList(name, icebergs);
+    }
+    void iceberg(const char* name, const std::optional<int>& index)
+    {
+        add(name, index.value_or(kNoIcebergInFile));
+    }
+    void whole(const char* name, int value, const WholeLimits& /*limits*/) { add(name, value); }
+};
 
 /** Returns every number of a keyframe. */
 std::vector<ReplayField> fieldsOf(const WorldState& state)
 {
     std::vector<ReplayField> fields;
-    for (std::size_t i = 0; i < state.uavs.size(); ++i)
-        addFields(fields, i == 0 ? "" : entry("other_uavs", i - 1) + '.', state.uavs[i]);
-    fields.insert(fields.end(), {{"sigma_sum_m2", state.sigmaSum_m2},
-                                 {"zeta_m2s", state.zeta_m2s},
-                                 {"closest_m", state.closest_m.value_or(-1)},
-                                 {"apart", static_cast<double>(state.unclustered.size())},
-                                 {"tracks", static_cast<double>(state.tracks.size())}});
-    addList(fields, "apart", state.unclustered);
+    for (std::size_t i = 0; i < state.uavs.size(); ++i) {
+        ReplayNumbers io{i == 0 ? "" : entry("other_uavs", i - 1) + '.', fields};
+        uavMembers(io, state.uavs[i]);
+    }
+    ReplayNumbers io{"", fields};
+    io("sigma_sum_m2", state.sigmaSum_m2);
+    io("zeta_m2s", state.zeta_m2s);
+    io.add("closest_m", state.closest_m.value_or(-1));
+    io.add("tracks", static_cast<double>(state.tracks.size()));
+    io("apart", state.unclustered);
     for (std::size_t i = 0; i < state.tracks.size(); ++i) {
-        addList(fields, entry("tracks", i), trackNumbers(state.tracks[i]));
-        fields.push_back({entry(entry("tracks", i), 17), state.tracks[i].seen_s});
+        NumberWriter track;
+        trackNumbers(track, state.tracks[i]);
+        filterNumbers(track, state.tracks[i]);
+        io.addList(entry("tracks", i), track.numbers);
+        io.add(entry(entry("tracks", i), 17), state.tracks[i].seen_s);
     }
     return fields;
 }

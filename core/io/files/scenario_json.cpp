@@ -2,7 +2,6 @@
 
 #include "core/checks/validate.h"
 #include "core/io/files/members.h"
-#include "core/io/files/scenario_parts.h"
 #include "core/io/text/atomic_file.h"
 
 #include <set>
@@ -14,10 +13,8 @@ namespace {
 constexpr std::string_view kFormat = "bergwatch-scenario";
 
 /** Reads the members of a scenario in the layout of `Writer`. */
-struct Reader
+struct Reader : MemberReader
 {
-    ObjectReader& object;
-
     template <class T>
     void fields(std::span<const Field<T>> fields, T& of)
     {
@@ -35,18 +32,6 @@ struct Reader
         extraJson = members.unknown();
     }
     template <class T>
-    void one(const char* name, T& held)
-    {
-        if (const Json* value = object.find(name))
-            held = readObject<T>(*value, object.path(name), object.faults());
-    }
-    template <class T>
-    void one(const char* name, std::optional<T>& held)
-    {
-        if (object.find(name) != nullptr)
-            one(name, held.emplace());
-    }
-    template <class T>
     void list(const char* name, std::vector<T>& entries, std::size_t most, bool isNeeded)
     {
         const Json* list = isNeeded ? object.neededArray(name) : object.array(name);
@@ -61,9 +46,8 @@ struct Reader
 };
 
 /** Writes the members of a scenario; values equal to their default are left out. */
-struct Writer
+struct Writer : MemberWriter
 {
-    JsonObject& object;
     int indent = 0;
 
     template <class T>
@@ -80,18 +64,6 @@ struct Writer
         members.addExtra(extraJson);
         if (!isUsual || !extraJson.empty())
             object.addText(name, members.inLine());
-    }
-    template <class T>
-    void one(const char* name, const T& held)
-    {
-        if (held != T())
-            object.addText(name, objectText(held));
-    }
-    template <class T>
-    void one(const char* name, const std::optional<T>& held)
-    {
-        if (held)
-            object.addText(name, objectText(*held));
     }
     template <class T>
     void list(const char* name, const std::vector<T>& entries, std::size_t /*most*/, bool isNeeded)
@@ -171,7 +143,7 @@ Scenario readScenario(ObjectReader& object, ScenarioUse use)
 {
     Scenario scenario;
     checkFormat(object, kFormat);
-    members(Reader{object}, scenario);
+    members(Reader{{object}}, scenario);
     scenario.extraJson = object.unknown();
     nameUnnamed(scenario, object);
     addFindings(scenario, object, use);
@@ -183,7 +155,7 @@ std::string scenarioText(const Scenario& scenario, int indent)
     JsonObject object;
     object.add("format", kFormat);
     object.add("version", 1);
-    members(Writer{object, indent}, scenario);
+    members(Writer{{object}, indent}, scenario);
     object.addExtra(scenario.extraJson);
     return object.inLines(indent);
 }

@@ -1,7 +1,6 @@
 // Reads and writes UAVs, icebergs, the asset and the surroundings of a scenario file.
 
 #include "core/io/files/members.h"
-#include "core/io/files/scenario_parts.h"
 
 namespace berg {
 

@@ -29,6 +29,10 @@ inline constexpr const char* kReadLimitsVariable = "BERGWATCH_READ_LIMITS";
  * million values and a million rows, each multiplied by `readLimit`. Every reader charges here what
  * it stores and checks for a stop request. An exceeded limit throws `Error{FileTooLarge}` that
  * names it and how to raise it.
+ *
+ * Hostile files of at most 64 MiB took up to 630 MB when this was measured. Counting values and
+ * rows alone would not do: a run file of 60 MB with 2.5 million empty interventions then took
+ * 2.3 GB, one of 18 MB with nine million keyframes 1.1 GB.
  */
 class ReadBudget
 {

@@ -87,7 +87,7 @@ private slots:
         const auto place = parsePlace(text.toStdString());
         const auto* at = std::get_if<LatLon>(&place);
         if (at == nullptr)
-            QFAIL(faultText(std::get<CoordinateFault>(place)).data());
+            QFAIL(qPrintable(text));
         COMPARE_NEAR(at->latitude_deg, latitude_deg, kTyped_deg);
         COMPARE_NEAR(at->longitude_deg, longitude_deg, kTyped_deg);
     }
@@ -165,7 +165,6 @@ private slots:
         const auto place = parsePlace(text.toStdString());
         QVERIFY(std::holds_alternative<CoordinateFault>(place));
         QTEST(std::get<CoordinateFault>(place), "fault");
-        QVERIFY(!faultText(std::get<CoordinateFault>(place)).empty());
     }
 
     /** Any text gives a place on the Earth or a reason. */

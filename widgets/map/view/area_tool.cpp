@@ -7,6 +7,7 @@
 #include "widgets/map/view/map_view.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QCoreApplication>
 
@@ -295,10 +296,10 @@ QString AreaTool::faultText() const
         return AreaToolText::tr("An area needs at least three corners. Esc cancels the drawing.");
     case Fault::TooMany:
         if (m_isNoFly && !isDrawing())
-            return AreaToolText::tr("A scenario has at most %n no-fly areas.", nullptr,
-                                    static_cast<int>(kMostNoFlyAreas));
-        return AreaToolText::tr("An area has at most %n corners.", nullptr,
-                                static_cast<int>(kMostAreaCorners));
+            return issueSentence(IssueId::NoFlyCount,
+                                 {countOf(kMostNoFlyAreas), countOf(kMostNoFlyAreas + 1)});
+        return issueSentence(IssueId::AreaCorners,
+                             {countOf(kMostAreaCorners), countOf(kMostAreaCorners + 1)});
     }
     return {};
 }

@@ -7,6 +7,7 @@
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/words/error_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -181,10 +182,11 @@ void MapEdits::duplicateUavs(const std::vector<Uav>& uavs)
 /** Returns whether `count` more UAVs are allowed; reports it if not. */
 bool MapEdits::hasRoomForUavs(std::size_t count)
 {
-    if (m_context.document.scenario().uavs.size() + count <= kMostUavs)
+    const std::size_t uavs = m_context.document.scenario().uavs.size() + count;
+    if (uavs <= kMostUavs)
         return true;
     emit m_context.view.refused(
-        tr("A scenario holds at most %n UAVs.", nullptr, static_cast<int>(kMostUavs)));
+        issueSentence(IssueId::UavCount, {countOf(kMostUavs), countOf(uavs)}));
     return false;
 }
 
@@ -209,10 +211,11 @@ void MapEdits::addUav()
 /** Adds copies around `place_m`, or beside the originals where they hide no other iceberg. */
 bool MapEdits::hasRoomForIcebergs(std::size_t count)
 {
-    if (m_context.document.scenario().icebergs.size() + count <= kMostIcebergs)
+    const std::size_t icebergs = m_context.document.scenario().icebergs.size() + count;
+    if (icebergs <= kMostIcebergs)
         return true;
     emit m_context.view.refused(
-        tr("A scenario holds at most %n icebergs.", nullptr, static_cast<int>(kMostIcebergs)));
+        issueSentence(IssueId::IcebergCount, {countOf(kMostIcebergs), countOf(icebergs)}));
     return false;
 }
 

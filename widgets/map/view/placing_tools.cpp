@@ -8,6 +8,7 @@
 #include "widgets/map/view/asset_size.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/issue_text.h"
 #include "widgets/words/source_text.h"
 
 #include <QCoreApplication>
@@ -185,8 +186,8 @@ QString IcebergTool::status() const
                                 "drift. In flight this cannot be undone.") +
                source;
     if (context().document.scenario().icebergs.size() >= kMostIcebergs)
-        return PlacingTools::tr("A scenario holds at most %n icebergs.", nullptr,
-                                static_cast<int>(kMostIcebergs));
+        return issueSentence(IssueId::IcebergCount,
+                             {countOf(kMostIcebergs), countOf(kMostIcebergs + 1)});
     return PlacingTools::tr(
                "Click to add an iceberg; drag to set its drift. Esc leaves the tool.") +
            source;

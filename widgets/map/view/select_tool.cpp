@@ -5,6 +5,7 @@
 #include "widgets/map/view/drift_arrow.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/intervention_text.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -307,8 +308,7 @@ QString SelectTool::status() const
     if (m_phase == Phase::Moving)
         return SelectToolText::tr("Release to place it here. Esc cancels.");
     if (m_phase == Phase::Refused)
-        return SelectToolText::tr(
-            "The scenario is locked during a flight. Stop the flight to change it.");
+        return lockedInFlightText();
     if (m_drag)
         return m_drag->status();
     if (m_handle)

@@ -4,6 +4,7 @@
 #include "widgets/document/selection.h"
 #include "widgets/flight/asset_approach.h"
 #include "widgets/theme/quantity_text.h"
+#include "widgets/words/event_text.h"
 #include "widgets/words/object_names.h"
 
 #include <QCoreApplication>
@@ -51,6 +52,12 @@ QString ofUav(const FlightRecord& record, int uav, const QString& text)
     return name.isEmpty() ? text : u"%1: %2"_s.arg(name, text);
 }
 
+/** Returns the sentence of an event that lasts. */
+QString sentence(const FlightRecord& record, const MissionEvent& event, const QLocale& locale)
+{
+    return eventSentence(event, record.now.icebergs, record.scenario.uavs, locale);
+}
+
 const std::string& idOf(const FlightRecord& record, int uav)
 {
     return record.scenario.uavs[static_cast<std::size_t>(uav)].id;
@@ -67,15 +74,14 @@ bool isLateForHome(const FlightRecord& record, int uav)
     return last != events.rend() && last->kind == EventKind::LateHome;
 }
 
-void addLate(std::vector<FlightNotice>& notices, const FlightRecord& record)
+void addLate(std::vector<FlightNotice>& notices, const FlightRecord& record, const QLocale& locale)
 {
     for (int uav = 0; uav < static_cast<int>(record.scenario.uavs.size()); ++uav)
         if (isLateForHome(record, uav))
             notices.push_back(
                 {.kind = NoticeKind::LateHome,
                  .about = {idOf(record, uav)},
-                 .text =
-                     ofUav(record, uav, FlightNotices::tr("Home can no longer be reached in time")),
+                 .text = sentence(record, {.kind = EventKind::LateHome, .uav = uav}, locale),
                  .toolTip = FlightNotices::tr("The wind changed in flight.")});
 }
 
@@ -97,9 +103,12 @@ void addClose(std::vector<FlightNotice>& notices, const FlightRecord& record, co
             notices.push_back(
                 {.kind = NoticeKind::UavsClose,
                  .about = {uavs[a].id, uavs[b].id},
-                 .text = FlightNotices::tr("%1 and %2 are %3 apart")
-                             .arg(shownName(uavs[a]), shownName(uavs[b]),
-                                  distanceText(distance_m, locale)),
+                 .text = sentence(record,
+                                  {.kind = EventKind::Close,
+                                   .uav = static_cast<int>(a),
+                                   .otherUav = static_cast<int>(b),
+                                   .distance_m = distance_m},
+                                  locale),
                  .toolTip =
                      FlightNotices::tr(
                          "They fly at about the same altitude. The required separation is %1.")
@@ -225,7 +234,7 @@ QString modeText(const FlightRecord& record, const UavState& uav, const QLocale&
         return FlightNotices::tr("Searching for %1")
             .arg(shownName(shown.icebergs[static_cast<std::size_t>(uav.search->iceberg)]));
     case FlightMode::Home:
-        return FlightNotices::tr("Returning home");
+        return sentence(record, {.kind = EventKind::HomeBound}, locale);
     case FlightMode::Hold:
         return FlightNotices::tr("Holding as ordered");
     case FlightMode::Ground:
@@ -268,13 +277,13 @@ std::vector<FlightNotice> flightNotices(const FlightRecord& record, const QLocal
     if (isPlannerFailing(record))
         notices.push_back(
             {.kind = NoticeKind::PlannerFailed,
-             .text = FlightNotices::tr("The planner failed: continuing with the previous plan"),
+             .text = sentence(record, {.kind = EventKind::PlannerFailed}, locale),
              .toolTip = FlightNotices::tr("It runs again when the next plan is needed.")});
     if (!record.inFlight())
         return notices;
     addClose(notices, record, locale);
     addWind(notices, record, locale);
-    addLate(notices, record);
+    addLate(notices, record, locale);
     if (std::optional<FlightNotice> alarm = alarmNotice(record, locale))
         notices.push_back(*std::move(alarm));
     addLost(notices, record.shown());

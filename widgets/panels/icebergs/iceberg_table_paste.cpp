@@ -5,6 +5,7 @@
 #include "widgets/document/scenario_edits.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/iceberg_table_text.h"
+#include "widgets/words/issue_text.h"
 
 #include <QCoreApplication>
 
@@ -106,9 +107,10 @@ private:
     {
         Scenario& scenario = m_outcome.scenario;
         if (scenario.icebergs.size() >= kMostIcebergs) {
-            fail(IcebergPasteText::tr("Row %1: a scenario holds at most %2 icebergs.")
-                     .arg(m_line)
-                     .arg(kMostIcebergs));
+            fail(IcebergPasteText::tr("Row %1: %2", "row, fault")
+                     .arg(QString::number(m_line),
+                          issueSentence(IssueId::IcebergCount,
+                                        {countOf(kMostIcebergs), countOf(kMostIcebergs + 1)})));
             return false;
         }
         Iceberg iceberg = m_target.added;

@@ -1,11 +1,13 @@
 #include "widgets/panels/inspector/inspector_panel.h"
 
+#include "core/scenario/text_checks.h"
 #include "widgets/document/scenario_edits.h"
 #include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/inspector/inspector_form.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/palette.h"
+#include "widgets/words/intervention_text.h"
 #include "widgets/words/issue_text.h"
 
 #include <QApplication>
@@ -138,7 +140,7 @@ void InspectorPanel::addNotices(QVBoxLayout& rows)
     column->setContentsMargins(kMargin_px, 0, kMargin_px, kGap_px);
     column->setSpacing(0);
     m_lock = addNotice(*column, u"inspectorLock"_s);
-    m_lock.text->setText(tr("Locked in flight. Stop the flight to edit."));
+    m_lock.text->setText(lockedInFlightText());
     m_lock.row->hide();
     m_issues = addNotice(*column, u"inspectorIssues"_s);
     m_room = new QWidget;
@@ -478,10 +480,16 @@ bool InspectorPanel::isConcerned(const Issue& issue) const
 QString InspectorPanel::whyTaken(const QString& id) const
 {
     const Scenario& scenario = m_document.scenario();
-    const std::vector<std::string> ids{id.toStdString()};
-    if (idsAmong(scenario.icebergs, ids).empty() && idsAmong(scenario.uavs, ids).empty())
-        return {};
-    return tr("The id \"%1\" is taken. Each iceberg and UAV needs a unique id.").arg(id);
+    const std::string taken = id.toStdString();
+    const auto sentence = [&](const char* list, int index) {
+        return issueSentence(IssueId::IdTaken,
+                             {taken, FieldPath{entryPath(list, static_cast<std::size_t>(index))}});
+    };
+    if (const auto iceberg = indexOfId(scenario.icebergs, taken))
+        return sentence("icebergs", *iceberg);
+    if (const auto uav = indexOfId(scenario.uavs, taken))
+        return sentence("uavs", *uav);
+    return {};
 }
 
 void InspectorPanel::rename(const std::string& before, const std::string& after)

@@ -272,10 +272,7 @@ QString PlanModel::Lines::uavToolTip(const PlanLine& line) const
     const QString name =
         PlanModel::tr("%1 (id %2)").arg(line.row.name, QString::fromStdString(line.row.id));
     if (!line.row.isSeen)
-        return name + u'\n' +
-               PlanModel::tr(
-                   "No plan while the UAV returns, is on the ground or holds. A new one is made "
-                   "when it resumes.");
+        return name + u'\n' + heldPlanText();
     if (line.isIdle)
         return name + u'\n' + PlanModel::tr("It has no iceberg to visit.");
     return name + u'\n' +

@@ -358,8 +358,7 @@ void PlanPanel::updateEmpty()
     m_empty->setText(m_isFaulty ? tr("There is no plan: see Checks.")
                      : isOver   ? tr("The run is complete.")
                      : !isPlanned
-                         ? tr("No plan while the UAV returns, is on the ground or holds. A new one "
-                              "is made when it resumes.")
+                         ? heldPlanText()
                          : tr("Nothing to visit: there are no icebergs yet, all of them are in "
                               "view, or none can be visited without using the reserve."));
     m_empty->setVisible(m_model->rowCount() == 0);

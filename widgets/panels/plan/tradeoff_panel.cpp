@@ -6,6 +6,7 @@
 #include "widgets/panels/plan/plan_readout_view.h"
 #include "widgets/panels/plan/policy_combo.h"
 #include "widgets/panels/plan/tau_strip.h"
+#include "widgets/words/intervention_text.h"
 #include "widgets/words/policy_words.h"
 
 #include <QComboBox>
@@ -377,7 +378,7 @@ void TradeoffPanel::updateEnabled()
     const bool usesTau = traitsOf(m_settings.policy).usesTau;
     const bool usesSolver = traitsOf(m_settings.policy).solves();
     const QString noUse = tr("The chosen policy does not use this.");
-    const QString locked = tr("Locked in flight. Stop the flight to change this.");
+    const QString locked = lockedInFlightText();
 
     const auto set = [](QWidget& input, const QString& reason, const QString& toolTip) {
         input.setEnabled(reason.isEmpty());

@@ -213,7 +213,7 @@ private slots:
     {
         FlightRecord record = inMode(FlightMode::Home);
         record.history.events = {{.time_s = 0, .kind = EventKind::LateHome, .uav = 0}};
-        QCOMPARE(textsOf(record).front(), u"Home can no longer be reached in time"_s);
+        QCOMPARE(textsOf(record).front(), u"Home cannot be reached in time"_s);
         record.history.events.push_back({.time_s = 0, .kind = EventKind::Landed, .uav = 0});
         QCOMPARE(textsOf(record), QStringList{u"Returning home"_s});
     }
@@ -224,7 +224,7 @@ private slots:
         record.now.world.uavs[1].mode = FlightMode::Home;
         record.history.events = {{.time_s = 0, .kind = EventKind::LateHome, .uav = 1},
                                  {.time_s = 0, .kind = EventKind::Landed, .uav = 0}};
-        QCOMPARE(textsOf(record), (QStringList{u"East: Home can no longer be reached in time"_s,
+        QCOMPARE(textsOf(record), (QStringList{u"East: Home cannot be reached in time"_s,
                                                u"East: Returning home"_s}));
     }
 

@@ -248,8 +248,8 @@ private slots:
         f.panel.setInFlight(true);
         QVERIFY(f.slider.isEnabled() && f.field.isEnabled() && f.policy.isEnabled());
         QVERIFY(!f.solver.isEnabled() && !f.route.isEnabled());
-        QVERIFY(f.solver.toolTip().contains(u"Locked in flight"_s));
-        QVERIFY(f.route.toolTip().contains(u"Locked in flight"_s));
+        QVERIFY(f.solver.toolTip().contains(u"locked in flight"_s));
+        QVERIFY(f.route.toolTip().contains(u"locked in flight"_s));
         f.panel.setInFlight(false);
         QVERIFY(f.solver.isEnabled() && f.route.isEnabled());
         QCOMPARE(f.solver.toolTip(), before);
@@ -319,7 +319,8 @@ private slots:
                               plan.stop = StopReason::Unable;
                               plan.fellBack = true;
                           })},
-            PlanVerdict::Warning, u"This solver cannot plan so many icebergs. Choose Automatic."_s);
+            PlanVerdict::Warning,
+            u"This solver cannot plan so many icebergs: choose Automatic (auto)"_s);
         row("fault", {.plan = provenPlan(), .fault = u"Too windy."_s}, PlanVerdict::Fault,
             u"Too windy."_s);
         row("all in view", {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); })},

@@ -1,4 +1,4 @@
-#include "core/link/sha256.h"
+#include "core/base/sha256.h"
 
 #include <QtTest>
 
@@ -44,6 +44,7 @@ private slots:
         for (std::uint8_t byte : found)
             hex += QByteArray(1, static_cast<char>(byte)).toHex();
         QCOMPARE(hex, digest);
+        QCOMPARE(QByteArray::fromStdString(sha256Text(text.toStdString())), digest);
     }
 
     /** Compares every length near the ends of blocks with Qt. */

@@ -1,4 +1,4 @@
-#include "core/link/sha256.h"
+#include "core/base/sha256.h"
 
 #include <algorithm>
 #include <bit>
@@ -76,6 +76,17 @@ std::array<std::uint8_t, 32> sha256(std::span<const std::uint8_t> bytes)
     for (std::size_t i = 0; i < digest.size(); ++i)
         digest[i] = static_cast<std::uint8_t>(state[i / 4] >> (24 - 8 * (i % 4)) & 0xFFU);
     return digest;
+}
+
+std::string sha256Text(std::string_view text)
+{
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string digits;
+    for (const std::uint8_t byte : sha256(std::vector<std::uint8_t>(text.begin(), text.end()))) {
+        digits += kDigits[byte >> 4U];
+        digits += kDigits[byte & 0xFU];
+    }
+    return digits;
 }
 
 } // namespace berg
