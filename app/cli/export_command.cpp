@@ -115,8 +115,7 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
 {
     const std::string text = reading([&] { return readFile(arguments.file); });
     const auto planned = [&](const Scenario& scenario) {
-        PlanAnswer plan =
-            naming(arguments.file, [&] { return planFromStart(scenario, {.stop = stop}); });
+        Plan plan = naming(arguments.file, [&] { return planFromStart(scenario, {.stop = stop}); });
         if (stop.stop_requested())
             throw Interrupted{};
         return plan;
@@ -125,7 +124,7 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
         const Scenario scenario = reading([&] { return scenarioFromJson(text, arguments.file); });
         checkOutputs(arguments, format, scenario);
         printWarnings(arguments.file, validate(scenario));
-        const PlanAnswer plan = planned(scenario);
+        const Plan plan = planned(scenario);
         addExported(set, {.scenario = scenario, .plan = plan, .words = reportLanguage()}, arguments,
                     format);
         return;
@@ -143,7 +142,7 @@ void addFiles(FileSet& set, const ExportArguments& arguments, const ExportFormat
         naming(arguments.file, [&] { return replay(run, stop, {}, std::move(sink)); });
     if (stop.stop_requested())
         throw Interrupted{};
-    const PlanAnswer plan = planned(run.scenario);
+    const Plan plan = planned(run.scenario);
     std::optional<ZetaPrediction> predicted;
     if (format.holds.predicted)
         predicted =

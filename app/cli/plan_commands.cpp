@@ -427,8 +427,7 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     printWarnings(arguments.file, validate(scenario));
 
     const SolveOptions options = optionsOf(arguments, stop);
-    const PlanAnswer answer =
-        naming(arguments.file, [&] { return planFromStart(scenario, options); });
+    const Plan answer = naming(arguments.file, [&] { return planFromStart(scenario, options); });
     checkOutcome(answer.outcome, arguments.file);
     PlanReport report = planReport(scenario, answer);
     return conclude(report, arguments, options);

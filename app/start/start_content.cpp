@@ -69,7 +69,7 @@ QImage imageOf(const Scenario& scenario, const Theme& theme, double pixelRatio,
                const std::stop_token& stop)
 {
     MapPicture picture = withScenario({}, scenario);
-    const PlanAnswer answer = planFromStart(scenario, {.stop = stop});
+    const Plan answer = planFromStart(scenario, {.stop = stop});
     for (std::size_t uav = 0; uav < answer.uavs.size(); ++uav)
         picture.routes[uav].plan = answer.uavs[uav].order;
     return painted(picture, theme, kExampleImage_px, pixelRatio);

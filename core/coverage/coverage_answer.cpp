@@ -26,7 +26,7 @@ double zeta_m2s(std::vector<PredictionInput> inputs, const FoundPlans& plans, do
     return fleetTotal_m2s(modelsOf(inputs, horizon), plans.found.plans, tails ? &*tails : nullptr);
 }
 
-double flown_m(const PlanRequest& request, std::span<const UavAnswer> answers)
+double flown_m(const PlanRequest& request, std::span<const UavPlan> answers)
 {
     double sum_m = 0;
     for (std::size_t u = 0; u < answers.size(); ++u) {
@@ -43,10 +43,10 @@ double flown_m(const PlanRequest& request, std::span<const UavAnswer> answers)
 
 } // namespace
 
-PlanAnswer answerOf(const PlanRequest& request, const std::vector<PredictionInput>& inputs,
-                    const FoundPlans& plans)
+Plan answerOf(const PlanRequest& request, const std::vector<PredictionInput>& inputs,
+              const FoundPlans& plans)
 {
-    PlanAnswer answer{.uavs = describeFleet(plans.models, request, plans.found.plans)};
+    Plan answer{.uavs = describeFleet(plans.models, request, plans.found.plans)};
     answer.predictedZeta_m2s = isWeighted(inputs.front())
                                    ? zeta_m2s(inputs, plans, plans.horizon.rest_s)
                                    : plans.found.total_m2s;
@@ -60,7 +60,7 @@ PlanAnswer answerOf(const PlanRequest& request, const std::vector<PredictionInpu
     answer.distance_m = flown_m(request, answer.uavs);
     if (plans.isStraight) {
         answer.predictedZeta_m2s.reset();
-        for (UavAnswer& uav : answer.uavs) {
+        for (UavPlan& uav : answer.uavs) {
             uav.legs.clear();
             uav.outlook.reset();
         }
@@ -68,9 +68,9 @@ PlanAnswer answerOf(const PlanRequest& request, const std::vector<PredictionInpu
     return answer;
 }
 
-void judgeAlone(PlanAnswer& answer, const PlanRequest& request)
+void judgeAlone(Plan& answer, const PlanRequest& request)
 {
-    const UavAnswer& only = answer.uavs.front();
+    const UavPlan& only = answer.uavs.front();
     VisitOrder nodes;
     for (const int id : only.order)
         nodes.push_back(static_cast<int>(std::ranges::find(request.ids, id) - request.ids.begin()) +

@@ -27,14 +27,13 @@ struct FoundPlans
  * found. `inputs` must have one entry for each UAV. Plans that are flown without aims have
  * neither legs nor a prediction.
  */
-[[nodiscard]] PlanAnswer answerOf(const PlanRequest& request,
-                                  const std::vector<PredictionInput>& inputs,
-                                  const FoundPlans& plans);
+[[nodiscard]] Plan answerOf(const PlanRequest& request, const std::vector<PredictionInput>& inputs,
+                            const FoundPlans& plans);
 
 /**
  * Adds the value of the order by Eq. (1), and the length of its legs, to the answer if the request
  * has a single UAV.
  */
-void judgeAlone(PlanAnswer& answer, const PlanRequest& request);
+void judgeAlone(Plan& answer, const PlanRequest& request);
 
 } // namespace berg

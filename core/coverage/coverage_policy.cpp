@@ -37,7 +37,7 @@ public:
             return;
         m_next_s = elapsed_s + kBetween_s;
         SolveProgress progress{.objective = better.total_m2s, .elapsed_s = elapsed_s};
-        for (UavAnswer& uav : describeFleet(m_models, m_request, better.plans)) {
+        for (UavPlan& uav : describeFleet(m_models, m_request, better.plans)) {
             progress.plan.push_back(std::move(uav.order));
             progress.legs.push_back(std::move(uav.legs));
         }
@@ -79,7 +79,7 @@ bool isMeasured(std::span<const PredictionInput> inputs)
 class CoveragePolicy final : public Policy
 {
 public:
-    PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override;
+    Plan plan(const PlanRequest& request, const SolveOptions& options) override;
 
 private:
     [[nodiscard]] CoverageLimits limitsOf(const PlanRequest& request, std::size_t uav,
@@ -113,8 +113,8 @@ private:
     }
 
     [[nodiscard]] std::map<int, int> inVain(const PlanRequest& request) const;
-    [[nodiscard]] PlanAnswer explore(const PlanRequest& request, const SolveOptions& options);
-    void keep(const PlanRequest& request, const FoundPlans& plans, const PlanAnswer& answer);
+    [[nodiscard]] Plan explore(const PlanRequest& request, const SolveOptions& options);
+    void keep(const PlanRequest& request, const FoundPlans& plans, const Plan& answer);
 
     /** Last plan of a UAV. */
     struct Flown
@@ -227,8 +227,7 @@ std::map<int, int> CoveragePolicy::inVain(const PlanRequest& request) const
     return inVain;
 }
 
-void CoveragePolicy::keep(const PlanRequest& request, const FoundPlans& plans,
-                          const PlanAnswer& answer)
+void CoveragePolicy::keep(const PlanRequest& request, const FoundPlans& plans, const Plan& answer)
 {
     m_lastKind = plans.tails ? LastPlan::Patrol : LastPlan::Legs;
     if (!plans.tails) // A UAV on the ground continues its patrol.
@@ -427,7 +426,7 @@ FoundPlans CoveragePolicy::planPatrol(const PlanRequest& request,
 }
 
 /** Plans by least latency, which loses the fewest icebergs while velocities are unknown. */
-PlanAnswer CoveragePolicy::explore(const PlanRequest& request, const SolveOptions& options)
+Plan CoveragePolicy::explore(const PlanRequest& request, const SolveOptions& options)
 {
     if (!m_latency) {
         m_solver = makeSolver(Backend::Auto);
@@ -436,7 +435,7 @@ PlanAnswer CoveragePolicy::explore(const PlanRequest& request, const SolveOption
     SolveOptions limited = options;
     const std::int64_t most = m_lastKind == LastPlan::None ? kFirstOrderWork : kNextOrderWork;
     limited.workLimit = std::min(most, options.workLimit.value_or(most));
-    PlanAnswer answer = m_latency->plan(request, limited);
+    Plan answer = m_latency->plan(request, limited);
     if (answer.outcome.reason == StopReason::Cancelled)
         return answer;
     m_last.clear();
@@ -444,7 +443,7 @@ PlanAnswer CoveragePolicy::explore(const PlanRequest& request, const SolveOption
     return answer;
 }
 
-PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& options)
+Plan CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& options)
 {
     m_isAlone = m_isAlone && request.uavs.size() == 1;
     const Stopwatch clock;
@@ -453,7 +452,7 @@ PlanAnswer CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& 
     std::map<int, int> inVain = this->inVain(request);
     for (PredictionInput& input : inputs)
         input.chances = chancesOf(request.ids, inVain);
-    PlanAnswer answer{.uavs = std::vector<UavAnswer>(request.uavs.size())};
+    Plan answer{.uavs = std::vector<UavPlan>(request.uavs.size())};
     if (const std::vector<bool> any = availableToAny(request);
         std::find(any.begin(), any.end(), true) != any.end()) {
         const bool needsPatrol = berg::needsPatrol(inputs, m_lastKind);

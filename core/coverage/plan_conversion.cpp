@@ -234,12 +234,12 @@ void shareSearches(std::vector<DescribedPlan>& described)
 }
 
 template <typename IsOwn>
-UavAnswer answerOf(DescribedPlan described, std::span<const double> sightings_s,
-                   const PlanRequest& request, const IsOwn& isOwn)
+UavPlan answerOf(DescribedPlan described, std::span<const double> sightings_s,
+                 const PlanRequest& request, const IsOwn& isOwn)
 {
-    UavAnswer answer{.legs = std::move(described.legs),
-                     .outlook = AimedOutlook{.until_s = described.outlook.until_s,
-                                             .searches = std::move(described.outlook.searches)}};
+    UavPlan answer{.legs = std::move(described.legs),
+                   .outlook = AimedOutlook{.until_s = described.outlook.until_s,
+                                           .searches = std::move(described.outlook.searches)}};
     for (const int node : described.nodes) {
         const auto k = static_cast<std::size_t>(node - 1);
         if (!isOwn(k))
@@ -279,9 +279,8 @@ std::vector<bool> availableToAny(const PlanRequest& request)
     return any;
 }
 
-std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,
-                                     const PlanRequest& request,
-                                     std::span<const CoveragePlan> plans)
+std::vector<UavPlan> describeFleet(std::span<const CoverageModel> models,
+                                   const PlanRequest& request, std::span<const CoveragePlan> plans)
 {
     UavRequest own;
     own.available = availableToAny(request);
@@ -294,7 +293,7 @@ std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,
     }
     shareSearches(described);
     const std::vector<std::optional<int>> owner = owners(models, request, plans, sightings_s);
-    std::vector<UavAnswer> answers;
+    std::vector<UavPlan> answers;
     for (std::size_t u = 0; u < models.size(); ++u) {
         const auto isOwn = [&](std::size_t k) { return owner[k] == static_cast<int>(u); };
         answers.push_back(answerOf(std::move(described[u]), sightings_s[u], request, isOwn));

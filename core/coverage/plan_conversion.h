@@ -35,9 +35,9 @@ struct DescribedPlan
  * A place of a lost iceberg is in the outlook of the first UAV that has it in view. The outlooks
  * are without zeta. `models` must be made from the request's inputs, without views of other UAVs.
  */
-[[nodiscard]] std::vector<UavAnswer> describeFleet(std::span<const CoverageModel> models,
-                                                   const PlanRequest& request,
-                                                   std::span<const CoveragePlan> plans);
+[[nodiscard]] std::vector<UavPlan> describeFleet(std::span<const CoverageModel> models,
+                                                 const PlanRequest& request,
+                                                 std::span<const CoveragePlan> plans);
 
 /**
  * Returns the visits of a UAV's patrol after its plan, in mission time. The model must have a tail,

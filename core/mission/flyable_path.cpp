@@ -18,9 +18,9 @@ constexpr double kPatience = 4;
 constexpr double kLeastPatience_s = 3600;
 
 /** Returns the time allowed for the order, s. */
-double longestFlight_s(const Scenario& scene, const UavOrder& order)
+double longestFlight_s(const Scenario& scene, const UavPlan& plan)
 {
-    const std::vector<Visit> visits = plannedVisits(scene, order.icebergs, order.clusters);
+    const std::vector<Visit> visits = plannedVisits(scene, plan.order, plan.clusters);
     const double straight_s = visits.empty() ? 0 : visits.back().time_s;
     return std::min(604800.0, kLeastPatience_s + kPatience * straight_s);
 }
@@ -41,12 +41,12 @@ Scenario withTime(Scenario scene, double duration_s)
 class OrderFlight
 {
 public:
-    OrderFlight(const Scenario& scene, const UavOrder& order)
-        : m_order(order)
-        , m_rest(order.icebergs)
-        , m_simulation(withTime(scene, longestFlight_s(scene, order)))
+    OrderFlight(const Scenario& scene, const UavPlan& plan)
+        : m_plan(plan)
+        , m_rest(plan.order)
+        , m_simulation(withTime(scene, longestFlight_s(scene, plan)))
         , m_sampleSteps(std::max<std::int64_t>(1, std::llround(kSample_s / scene.dt_s)))
-        , m_paths(aimedPaths(order.legs, m_simulation.uav(0).pose, 0, m_simulation.motion(0)))
+        , m_paths(aimedPaths(plan.legs, m_simulation.uav(0).pose, 0, m_simulation.motion(0)))
     {
     }
 
@@ -105,7 +105,7 @@ private:
             return;
         }
         const bool continues = !isNewLeg && uav().aim;
-        AimedLeg leg = continues ? *uav().aim : m_order.legs[m_leg];
+        AimedLeg leg = continues ? *uav().aim : m_plan.legs[m_leg];
         leg.sighting_s = pathEnd_s(); // sightings before the end do not end the leg
         leg.end_s.reset();
         m_simulation.setTarget(0, m_rest.front(), leg);
@@ -114,7 +114,7 @@ private:
     void finishTarget()
     {
         const int target = m_rest.front();
-        const std::span<const int> members = clusterWith(m_order.clusters, target);
+        const std::span<const int> members = clusterWith(m_plan.clusters, target);
         std::vector<int> together =
             members.empty() ? std::vector{target} : std::vector(members.begin(), members.end());
         std::erase_if(together, [this](int member) { // skips members seen on the path to the others
@@ -150,7 +150,7 @@ private:
     {
         const int target = m_rest.front();
         std::vector<int> members;
-        for (const int member : clusterWith(m_order.clusters, target))
+        for (const int member : clusterWith(m_plan.clusters, target))
             if (m_simulation.available(0, member))
                 members.push_back(member);
         if (members.size() < 2)
@@ -177,7 +177,7 @@ private:
                                 .crossTrack_m = uav().crossTrack_m});
     }
 
-    const UavOrder& m_order;
+    const UavPlan& m_plan;
     std::vector<int> m_rest; ///< icebergs still to be visited
     Simulation m_simulation;
     std::int64_t m_sampleSteps;
@@ -202,9 +202,9 @@ void flyHome(FlyablePath& path, const Scenario& scene)
 
 } // namespace
 
-FlyablePath flyOrder(const Scenario& scene, const UavOrder& order, bool home)
+FlyablePath flyOrder(const Scenario& scene, const UavPlan& plan, bool home)
 {
-    FlyablePath path = OrderFlight(scene, order).fly();
+    FlyablePath path = OrderFlight(scene, plan).fly();
     const bool isHome = !path.visits.empty() && !path.visits.back().iceberg;
     if (home && !isHome)
         flyHome(path, scene);

@@ -6,16 +6,6 @@
 
 namespace berg {
 
-/** Visiting order for one UAV, as planners return it. */
-struct UavOrder
-{
-    std::vector<int> icebergs; ///< indices in visiting order
-    /** Groups visited as one point; members follow each other in `icebergs`. */
-    std::vector<std::vector<int>> clusters;
-    std::vector<AimedLeg> legs; ///< aimed legs at the start of the order; empty means straight legs
-    std::vector<PlannedSearch> searches = {}; ///< places of lost icebergs on the legs
-};
-
 /** Flown path through an order, turns included. */
 struct FlyablePath
 {
@@ -25,7 +15,7 @@ struct FlyablePath
 };
 
 /**
- * Flies the order with the first UAV of the scene from its start, with the simulation that flies
+ * Flies a UAV's plan with the first UAV of the scene from its start, with the simulation that flies
  * missions but without replanning. Icebergs already in view count as visited; with limited
  * endurance the UAV flies home when the rest is too far. Aimed legs are flown to their ends
  * (`aimedPaths`), then the icebergs left are flown to straight. With `home` the path ends with a
@@ -33,6 +23,6 @@ struct FlyablePath
  * of `presentScene`, without errors; times of legs count from its start. Returns the path with
  * times in seconds since that start.
  */
-[[nodiscard]] FlyablePath flyOrder(const Scenario& scene, const UavOrder& order, bool home);
+[[nodiscard]] FlyablePath flyOrder(const Scenario& scene, const UavPlan& plan, bool home);
 
 } // namespace berg

@@ -70,7 +70,7 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
     return AdvanceStatus::Finished;
 }
 
-void Mission::setIncumbentListener(std::function<void(const PlanEvent&)> listener)
+void Mission::setIncumbentListener(std::function<void(PlanPointer)> listener)
 {
     m_incumbentListener = std::move(listener);
 }
@@ -237,11 +237,11 @@ Metrics Mission::metrics() const
 {
     return {.zeta_m2s = m_simulation.zeta_m2s(),
             .visits = std::accumulate(m_visits.begin(), m_visits.end(), 0),
-            .replans = static_cast<int>(std::ranges::count_if(m_plans, isReplan)),
+            .replans = static_cast<int>(std::ranges::count(m_plans, false, &Plan::interim)),
             .flown_m = m_simulation.state().flown_m()};
 }
 
-PlanAnswer planFromStart(const Scenario& scenario, const SolveOptions& options)
+Plan planFromStart(const Scenario& scenario, const SolveOptions& options)
 {
     const PlanRequest request = requestFor(Simulation(checked(scenario)), scenario.planner.policy);
     return Planner(scenario.planner, nullptr, makeFlownPolicy).plan(request, options);

@@ -77,11 +77,10 @@ public:
     void streamSamplesTo(SampleSink sink) { m_recorder.streamTo(std::move(sink)); }
 
     /**
-     * Sets a function that is called on the flying thread with each better order while a solve
-     * runs; `status` is Feasible. It is called for each UAV of the solve, with `sameSolve` from the
-     * second on.
+     * Sets a function that is called on the flying thread with each better plan while a solve runs;
+     * its status is Feasible.
      */
-    void setIncumbentListener(std::function<void(const PlanEvent&)> listener);
+    void setIncumbentListener(std::function<void(PlanPointer)> listener);
 
     /**
      * Applies a change now and sets its `time_s` to the present time. A plan that is due is made
@@ -99,7 +98,7 @@ public:
     [[nodiscard]] const PlannerSettings& plannerSettings() const { return m_planner.settings(); }
     [[nodiscard]] Metrics metrics() const;
     [[nodiscard]] const Recorder& recorder() const { return m_recorder; }
-    [[nodiscard]] const std::vector<PlanEvent>& plans() const { return m_plans; }
+    [[nodiscard]] const std::vector<PlanPointer>& plans() const { return m_plans; }
     /** Returns the request of the last plan; null before the first. */
     [[nodiscard]] const std::shared_ptr<const PlanRequest>& lastRequest() const
     {
@@ -121,25 +120,23 @@ public:
     [[nodiscard]] int visits(int uav) const { return m_visits.at(static_cast<std::size_t>(uav)); }
 
 private:
-    /** Plans of one replanning, one for each UAV planned. */
-    using Round = std::vector<PlanEvent>;
     /** A finished plan that comes into force later. */
     struct PendingPlan
     {
-        Round plans;
+        Plan plan;
         std::int64_t step = 0; ///< step at which it comes into force
     };
     [[nodiscard]] bool planWhenDue(const std::stop_token& stop);
     [[nodiscard]] bool planNow(const std::stop_token& stop);
     /** Returns false if a target has come into view since and was replaced. */
     [[nodiscard]] bool putPendingInForce();
-    void putInForce(Round plans);
-    void activate(PlanEvent plan);
+    void putInForce(Plan plan);
+    void activate(Plan plan);
     void flyOn();
     void flyOn(int uav);
     [[nodiscard]] bool isTargetOfOther(int uav, int iceberg) const;
     [[nodiscard]] std::vector<int> restOfPlan(int uav, PlanReason reason) const;
-    void compareWithLast(Round& plans) const;
+    void compareWithLast(Plan& plan) const;
     [[nodiscard]] ForecastStart forecastStart() const;
     void reportIncumbent(const SolveProgress& progress, const PlanRequest& request);
     void note(MissionEvent event);
@@ -156,7 +153,7 @@ private:
     Simulation m_simulation;
     Planner m_planner;
     Recorder m_recorder;
-    std::vector<PlanEvent> m_plans;
+    std::vector<PlanPointer> m_plans;
     std::optional<PendingPlan> m_pending;
     /** Reason for a plan that was due while another was pending. */
     PlanReason m_missed = PlanReason::None;
@@ -166,7 +163,7 @@ private:
     std::vector<MissionEvent> m_events;
     std::vector<Intervention> m_interventions;
     std::vector<std::size_t> m_plansBefore; ///< by intervention
-    std::function<void(const PlanEvent&)> m_incumbentListener;
+    std::function<void(PlanPointer)> m_incumbentListener;
     std::vector<bool> m_alarmed; ///< by iceberg: predicted to enter the asset's inner ring
     std::vector<int> m_visits;   ///< by UAV
 };
@@ -176,6 +173,6 @@ private:
  * `Error{InvalidInput}` if the scenario has errors, `Error{Unsupported}` for policies and back ends
  * missing in this build, and `std::logic_error` inside a `NoBlockingScope`.
  */
-[[nodiscard]] PlanAnswer planFromStart(const Scenario& scenario, const SolveOptions& options = {});
+[[nodiscard]] Plan planFromStart(const Scenario& scenario, const SolveOptions& options = {});
 
 } // namespace berg

@@ -1,9 +1,8 @@
 #include "core/mission/mission_instant.h"
 
-#include "core/sim/clusters.h"
-
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace berg {
 
@@ -15,8 +14,8 @@ class Rewind
 public:
     Rewind(const Mission& mission, const Simulation& start) : m_mission(mission), m_world(start)
     {
-        m_plan = countBefore(mission.plans());
-        m_intervention = countBefore(mission.interventions());
+        m_plan = countBefore(mission.plans(), &Plan::time_s);
+        m_intervention = countBefore(mission.interventions(), &Intervention::time_s);
         apply();
     }
 
@@ -55,7 +54,8 @@ private:
     {
         const auto first = m_mission.plans().begin();
         return static_cast<int>(
-            std::count_if(first, first + static_cast<std::ptrdiff_t>(m_plan), isReplan));
+            std::count_if(first, first + static_cast<std::ptrdiff_t>(m_plan),
+                          [](const PlanPointer& plan) { return !plan->interim; }));
     }
     [[nodiscard]] std::int64_t stepOf(double time_s) const
     {
@@ -64,18 +64,20 @@ private:
     [[nodiscard]] bool isNow(double time_s) const { return stepOf(time_s) == m_world.step(); }
 
     /** Counts the entries of a chronological record before this step. */
-    template <class Entry>
-    [[nodiscard]] std::size_t countBefore(const std::vector<Entry>& record) const
+    template <class Entry, class Time>
+    [[nodiscard]] std::size_t countBefore(const std::vector<Entry>& record, Time time_s) const
     {
-        const auto now = std::ranges::lower_bound(
-            record, m_world.step(), {}, [this](const Entry& e) { return stepOf(e.time_s); });
+        const auto now =
+            std::ranges::lower_bound(record, m_world.step(), {}, [&](const Entry& entry) {
+                return stepOf(std::invoke(time_s, entry));
+            });
         return static_cast<std::size_t>(now - record.begin());
     }
 
     /** Applies the plans and interventions of this step in their original order. */
     void apply()
     {
-        const std::vector<PlanEvent>& plans = m_mission.plans();
+        const std::vector<PlanPointer>& plans = m_mission.plans();
         const std::vector<Intervention>& changes = m_mission.interventions();
         for (;;) {
             if (m_intervention < changes.size() && isNow(changes[m_intervention].time_s) &&
@@ -83,15 +85,16 @@ private:
                 berg::apply(changes[m_intervention], m_world, m_mission.icebergs(),
                             m_mission.scenario().uavs);
                 ++m_intervention;
-            } else if (m_plan < plans.size() && isNow(plans[m_plan].time_s)) {
-                const PlanEvent& plan = plans[m_plan];
+            } else if (m_plan < plans.size() && isNow(plans[m_plan]->time_s)) {
+                const Plan& plan = *plans[m_plan];
                 // This interim plan was requested because a plan came into force with a target no
                 // longer available.
-                if (plan.interim && plan.reason == PlanReason::Intervention &&
-                    m_world.planReason(plan.uav) != PlanReason::Intervention)
+                const UavPlan& first = plan.uavs.front();
+                if (plan.interim && first.reason == PlanReason::Intervention &&
+                    m_world.planReason(first.uav) != PlanReason::Intervention)
                     m_world.requestPlan();
-                m_world.setTarget(plan.uav, plan.target, firstAim(plan), clusterOfTarget(plan),
-                                  keepsSearch(plan));
+                for (const UavPlan& own : plan.uavs)
+                    startFlying(plan, own, m_world);
                 ++m_plan;
             } else {
                 return;

@@ -21,53 +21,10 @@ bool nobodyIsPlanned(const Fleet& fleet)
     return true;
 }
 
-/** Returns the first iceberg of the order, or nullopt if the order is empty. */
-std::optional<int> firstOfOrder(std::span<const int> order)
+/** Returns the problem without its matrices, which would fill the memory in long missions. */
+FleetProblem withoutNumbers(const FleetProblem& problem)
 {
-    return order.empty() ? std::nullopt : std::optional(order.front());
-}
-
-/** Copies what the log stores of an answer; the caller adds time, order and reason. */
-PlanEvent planEvent(const PlanAnswer& answer)
-{
-    const SolveOutcome& outcome = answer.outcome;
-    return {.predictedZeta_m2s = answer.predictedZeta_m2s,
-            .status = outcome.status,
-            .stop = outcome.reason,
-            .source = outcome.source,
-            .criterion = answer.problem.criterion,
-            .mu = answer.problem.mu,
-            .objective = outcome.objective,
-            .bound = outcome.bound,
-            .gap = answer.gap,
-            .distance_m = answer.distance_m,
-            .elapsed_s = outcome.elapsed_s,
-            .warmStarted = outcome.hintUsed,
-            .fellBack = answer.fellBack};
-}
-
-/** Returns one event for each UAV of the request; the caller adds times and reasons. */
-std::vector<PlanEvent> planEvents(const PlanAnswer& answer, const PlanRequest& request)
-{
-    std::vector<PlanEvent> events;
-    for (std::size_t k = 0; k < answer.uavs.size(); ++k) {
-        const UavAnswer& own = answer.uavs[k];
-        PlanEvent event = planEvent(answer);
-        event.uav = request.uavs[k].uav;
-        event.sameSolve = k > 0;
-        event.target = firstOfOrder(own.order);
-        event.order = own.order;
-        std::ranges::copy_if(answer.clusters, std::back_inserter(event.clusters),
-                             [&](const std::vector<int>& members) {
-                                 return std::ranges::find(own.order, members.front()) !=
-                                        own.order.end();
-                             });
-        event.legs = own.legs;
-        event.outlook = own.outlook;
-        event.laterVisits = own.laterVisits;
-        events.push_back(std::move(event));
-    }
-    return events;
+    return {.distance_m = {}, .sigma_m2 = {}, .mu = problem.mu, .criterion = problem.criterion};
 }
 
 /** Returns the clusters, reduced to the members that the UAV can still visit as one point. */
@@ -106,24 +63,23 @@ bool Mission::planWhenDue(const std::stop_token& stop)
 
 bool Mission::putPendingInForce()
 {
-    Round plans = std::exchange(m_pending, std::nullopt)->plans;
-    std::erase_if(plans, [this](const PlanEvent& plan) {
-        return !m_simulation.fleet().autopilot(plan.uav).isPlanned();
+    Plan plan = std::exchange(m_pending, std::nullopt)->plan;
+    std::erase_if(plan.uavs, [this](const UavPlan& own) {
+        return !m_simulation.fleet().autopilot(own.uav).isPlanned();
     });
+    plan.time_s = m_simulation.time_s();
     bool isTimely = true;
-    for (PlanEvent& plan : plans) {
+    for (UavPlan& own : plan.uavs) {
         // Targets that have come into view since are dropped.
-        const auto isGone = [&](int i) { return !m_simulation.available(plan.uav, i); };
-        std::erase_if(plan.order, isGone);
-        plan.clusters = stillClusters(std::move(plan.clusters), plan.uav, m_simulation);
-        plan.time_s = m_simulation.time_s();
-        if (!plan.target || !isGone(*plan.target))
+        const std::optional<int> target = own.target();
+        std::erase_if(own.order, [&](int i) { return !m_simulation.available(own.uav, i); });
+        own.clusters = stillClusters(std::move(own.clusters), own.uav, m_simulation);
+        if (own.target() == target)
             continue;
         isTimely = false;
-        plan.target = firstOfOrder(plan.order);
-        plan.legs.clear();
+        own.legs.clear();
     }
-    putInForce(std::move(plans));
+    putInForce(std::move(plan));
     return isTimely;
 }
 
@@ -134,8 +90,10 @@ bool Mission::planNow(const std::stop_token& stop)
     options.workLimit = m_options.workLimit;
     options.gap = m_options.gap;
     options.inFlight =
-        !m_settingsChanged &&
-        std::ranges::any_of(m_plans, [](const PlanEvent& plan) { return plan.target.has_value(); });
+        !m_settingsChanged && std::ranges::any_of(m_plans, [](const PlanPointer& plan) {
+            return std::ranges::any_of(plan->uavs,
+                                       [](const UavPlan& own) { return !own.order.empty(); });
+        });
     options.stop = stop;
     const auto request =
         std::make_shared<const PlanRequest>(requestFor(m_simulation, m_planner.settings().policy));
@@ -143,55 +101,58 @@ bool Mission::planNow(const std::stop_token& stop)
         options.onProgress = [&](const SolveProgress& progress) {
             reportIncumbent(progress, *request);
         };
-    const PlanAnswer answer = m_planner.plan(*request, options, m_options.warmStart);
-    if (answer.outcome.reason == StopReason::Cancelled)
+    Plan plan = m_planner.plan(*request, options, m_options.warmStart);
+    if (plan.outcome.reason == StopReason::Cancelled)
         return false;
 
     m_lastRequest = request;
     m_settingsChanged = false;
-    if (!answer.failure.empty())
-        note({.kind = EventKind::PlannerFailed, .failure = answer.failure});
-    Round plans = planEvents(answer, *request);
-    for (PlanEvent& plan : plans) {
-        plan.time_s = m_simulation.time_s();
-        plan.reason = m_simulation.planReason(plan.uav);
-    }
+    if (!plan.failure.empty())
+        note({.kind = EventKind::PlannerFailed, .failure = plan.failure});
+    plan.problem = withoutNumbers(plan.problem);
+    plan.outcome.plan = {};
+    plan.outcome.multipliers = {};
+    plan.solvedIds = {};
+    plan.time_s = m_simulation.time_s();
+    for (UavPlan& own : plan.uavs)
+        own.reason = m_simulation.planReason(own.uav);
     // The first plan of a mission is made before its start.
     const std::int64_t wait = std::llround(m_scenario.planningTime_s / m_simulation.world().dt_s());
     if (wait == 0 || m_plans.empty()) {
-        putInForce(std::move(plans));
+        putInForce(std::move(plan));
         return true;
     }
-    m_pending = {.plans = std::move(plans), .step = m_simulation.step() + wait};
+    m_pending = {.plan = std::move(plan), .step = m_simulation.step() + wait};
     flyOn();
     return true;
 }
 
-void Mission::putInForce(Round plans)
+void Mission::putInForce(Plan plan)
 {
-    for (PlanEvent& plan : plans) {
-        plan.zeta_m2s = m_simulation.zeta_m2s();
-        plan.thisSortie = thisSortie(m_simulation, plan.uav, plan.order, plan.clusters);
-    }
+    if (plan.uavs.empty())
+        return;
+    plan.zeta_m2s = m_simulation.zeta_m2s();
+    for (UavPlan& own : plan.uavs)
+        own.thisSortie = thisSortie(m_simulation, own.uav, own.order, own.clusters);
     if (m_options.record) // two forecasts are costly where missions are flown by the thousand
-        compareWithLast(plans);
-    for (PlanEvent& plan : plans)
-        activate(std::move(plan));
+        compareWithLast(plan);
+    activate(std::move(plan));
 }
 
-/** Puts the plan of one UAV into force and records it. */
-void Mission::activate(PlanEvent plan)
+/** Puts the plan into force and records it. */
+void Mission::activate(Plan plan)
 {
-    m_simulation.setTarget(plan.uav, plan.target, firstAim(plan), clusterOfTarget(plan),
-                           keepsSearch(plan));
-    if (!plan.interim)
-        note({.kind = EventKind::Planned,
-              .iceberg = plan.target,
-              .uav = plan.uav,
-              .source = plan.source,
-              .fellBack = plan.fellBack});
-    noteEvents();
-    m_plans.push_back(std::move(plan));
+    for (const UavPlan& own : plan.uavs) {
+        startFlying(plan, own, m_simulation);
+        if (!plan.interim)
+            note({.kind = EventKind::Planned,
+                  .iceberg = own.target(),
+                  .uav = own.uav,
+                  .source = plan.outcome.source,
+                  .fellBack = plan.fellBack});
+        noteEvents();
+    }
+    m_plans.push_back(std::make_shared<const Plan>(std::move(plan)));
 }
 
 /** Continues the previous plans while a new one is pending. */
@@ -206,35 +167,33 @@ void Mission::flyOn()
 void Mission::flyOn(int uav)
 {
     const PlanReason reason = m_simulation.planReason(uav);
-    PlanEvent plan{.time_s = m_simulation.time_s(),
-                   .uav = uav,
-                   .reason = reason,
-                   .zeta_m2s = m_simulation.zeta_m2s(),
-                   .interim = true};
-    plan.order = restOfPlan(uav, reason);
-    std::erase_if(plan.order, [&](int i) {
+    UavPlan own{.uav = uav, .order = restOfPlan(uav, reason), .reason = reason};
+    std::erase_if(own.order, [&](int i) {
         return !m_simulation.available(uav, i) || isTargetOfOther(uav, i);
     });
-    if (plan.order.empty())
+    if (own.order.empty())
         if (const std::optional<int> next = nearest(
                 m_simulation.observer(), m_simulation.fleet().autopilot(uav).pose().position_m,
                 [&](int i) { return !isTargetOfOther(uav, i) && m_simulation.available(uav, i); });
             next)
-            plan.order = {*next};
-    if (const PlanEvent* last = lastPlanOf(m_plans, uav))
-        plan.clusters = stillClusters(last->clusters, uav, m_simulation);
-    plan.thisSortie = thisSortie(m_simulation, uav, plan.order, plan.clusters);
-    plan.target = firstOfOrder(plan.order);
+            own.order = {*next};
+    if (const PlanPointer last = lastPlanOf(m_plans, uav))
+        own.clusters = stillClusters(last->of(uav)->clusters, uav, m_simulation);
+    own.thisSortie = thisSortie(m_simulation, uav, own.order, own.clusters);
+    const double time_s = m_simulation.time_s();
     const FlightTarget* now = m_simulation.fleet().autopilot(uav).flightTarget();
-    if (plan.target && now != nullptr && plan.target == now->target && now->aim) {
+    if (own.target() && now != nullptr && own.target() == now->target && now->aim) {
         AimedLeg leg = *now->aim;
-        const double planned_s = plan.time_s + m_scenario.planningTime_s;
+        const double planned_s = time_s + m_scenario.planningTime_s;
         leg.sighting_s = std::max(leg.sighting_s, planned_s);
         if (leg.end_s)
             leg.end_s = std::max(*leg.end_s, planned_s);
-        plan.legs = {leg};
+        own.legs = {leg};
     }
-    activate(std::move(plan));
+    activate({.time_s = time_s,
+              .zeta_m2s = m_simulation.zeta_m2s(),
+              .interim = true,
+              .uavs = {std::move(own)}});
 }
 
 bool Mission::isTargetOfOther(int uav, int iceberg) const
@@ -247,8 +206,8 @@ bool Mission::isTargetOfOther(int uav, int iceberg) const
 
 std::vector<int> Mission::restOfPlan(int uav, PlanReason reason) const
 {
-    const PlanEvent* last = lastPlanOf(m_plans, uav);
-    std::vector<int> rest = last ? last->order : std::vector<int>();
+    const PlanPointer last = lastPlanOf(m_plans, uav);
+    std::vector<int> rest = last ? last->of(uav)->order : std::vector<int>();
     if (reason == PlanReason::TargetReached && !rest.empty())
         rest.erase(rest.begin());
     return rest;
@@ -266,8 +225,8 @@ ForecastStart Mission::forecastStart() const
     return start;
 }
 
-/** Records what the plans change compared with those in force, predicted from now. */
-void Mission::compareWithLast(Round& plans) const
+/** Records what the plan changes compared with those in force, predicted from now. */
+void Mission::compareWithLast(Plan& plan) const
 {
     if (m_plans.empty())
         return;
@@ -280,9 +239,9 @@ void Mission::compareWithLast(Round& plans) const
             order.resize(static_cast<std::size_t>(*visits));
         return order;
     };
-    const auto isPlanned = [&plans](int iceberg) {
-        return std::ranges::any_of(plans, [iceberg](const PlanEvent& plan) {
-            return std::ranges::find(plan.order, iceberg) != plan.order.end();
+    const auto isPlanned = [&plan](int iceberg) {
+        return std::ranges::any_of(plan.uavs, [iceberg](const UavPlan& own) {
+            return std::ranges::find(own.order, iceberg) != own.order.end();
         });
     };
     std::vector<std::vector<int>> clustersBefore;
@@ -290,11 +249,12 @@ void Mission::compareWithLast(Round& plans) const
     const auto append = [](auto& all, const std::vector<std::vector<int>>& own) {
         all.insert(all.end(), own.begin(), own.end());
     };
-    for (const PlanEvent& next : plans) {
-        const PlanEvent* last = lastPlanOf(m_plans, next.uav);
+    for (const UavPlan& next : plan.uavs) {
+        const PlanPointer last = lastPlanOf(m_plans, next.uav);
         if (last == nullptr)
             continue;
-        append(clustersBefore, last->clusters);
+        const std::vector<std::vector<int>>& clusters = last->of(next.uav)->clusters;
+        append(clustersBefore, clusters);
         append(clustersAfter, next.clusters);
         std::vector<int> rest =
             restOfPlan(next.uav, last->interim ? PlanReason::None : next.reason);
@@ -303,7 +263,7 @@ void Mission::compareWithLast(Round& plans) const
             return !m_simulation.available(next.uav, iceberg) && !isPlanned(iceberg);
         });
         const auto k = static_cast<std::size_t>(next.uav);
-        before[k] = ofSortie(next.uav, std::move(rest), last->clusters);
+        before[k] = ofSortie(next.uav, std::move(rest), clusters);
         after[k] = ofSortie(next.uav, next.order, next.clusters);
     }
     const double left_s =
@@ -311,30 +271,30 @@ void Mission::compareWithLast(Round& plans) const
         m_simulation.time_s();
     std::vector<std::optional<PlanChange>> changes = planChanges(
         forecastStart(), before, after, left_s, {.before = clustersBefore, .after = clustersAfter});
-    for (PlanEvent& plan : plans)
-        plan.change = std::move(changes[static_cast<std::size_t>(plan.uav)]);
+    for (UavPlan& own : plan.uavs)
+        own.change = std::move(changes[static_cast<std::size_t>(own.uav)]);
 }
 
 void Mission::reportIncumbent(const SolveProgress& progress, const PlanRequest& request)
 {
-    PlanEvent event{.time_s = m_simulation.time_s(),
-                    .clusters = request.clusters,
-                    .status = SolveStatus::Feasible,
-                    .objective = progress.objective,
-                    .bound = progress.bound,
-                    .elapsed_s = progress.elapsed_s};
     if (std::ranges::all_of(progress.plan, &std::vector<int>::empty))
         return;
+    Plan plan{.time_s = m_simulation.time_s(),
+              .outcome = {.status = SolveStatus::Feasible,
+                          .objective = progress.objective,
+                          .bound = progress.bound,
+                          .elapsed_s = progress.elapsed_s}};
     for (std::size_t k = 0; k < progress.plan.size(); ++k) {
-        event.uav = request.uavs[k].uav;
-        event.sameSolve = k > 0;
-        event.order = progress.plan[k];
-        event.reason = m_simulation.planReason(event.uav);
-        event.target = firstOfOrder(event.order);
-        event.thisSortie = thisSortie(m_simulation, event.uav, event.order, event.clusters);
-        event.legs = progress.legs.empty() ? std::vector<AimedLeg>() : progress.legs[k];
-        m_incumbentListener(event);
+        const int uav = request.uavs[k].uav;
+        plan.uavs.push_back(
+            {.uav = uav,
+             .order = progress.plan[k],
+             .clusters = request.clusters,
+             .legs = progress.legs.empty() ? std::vector<AimedLeg>() : progress.legs[k],
+             .reason = m_simulation.planReason(uav),
+             .thisSortie = thisSortie(m_simulation, uav, progress.plan[k], request.clusters)});
     }
+    m_incumbentListener(std::make_shared<const Plan>(std::move(plan)));
 }
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/plan/policy/plan.h"
 #include "core/sim/simulation.h"
 
 #include <optional>
@@ -25,7 +26,7 @@ using OrdersByUav = std::vector<std::vector<int>>;
 /** Predicted visit of one iceberg. */
 struct ForecastVisit
 {
-    int iceberg = -1;              ///< index
+    int iceberg = 0;               ///< index
     Point place_m = Point::Zero(); ///< meeting point
     double leg_m = 0;              ///< length over ground, from the previous visit or the UAV
     double arrival_s = 0;          ///< time since the start
@@ -73,16 +74,6 @@ struct ChangedClusters
 {
     std::span<const std::vector<int>> before;
     std::span<const std::vector<int>> after;
-};
-
-/** Replacement of the rest of one order by another. */
-struct PlanChange
-{
-    std::vector<int> before; ///< rest of the previous order, iceberg indices
-    double distance_m = 0;   ///< length of the new order minus that of the previous one
-    /** Predicted zeta of the new orders minus that of the previous ones, all UAVs. */
-    double zeta_m2s = 0;
-    bool operator==(const PlanChange&) const = default;
 };
 
 /**

@@ -4,23 +4,26 @@
 
 namespace berg {
 
-std::vector<std::vector<double>> plannedVisits(std::span<const PlanEvent> plans,
+std::vector<std::vector<double>> plannedVisits(std::span<const PlanPointer> plans,
                                                std::size_t icebergs, double now_s)
 {
     std::vector<std::vector<double>> visits(icebergs);
-    if (std::all_of(plans.begin(), plans.end(),
-                    [](const PlanEvent& plan) { return plan.laterVisits.empty(); }))
+    std::vector<const UavPlan*> own;
+    for (std::size_t uav = 0; uav < plans.size(); ++uav)
+        if (plans[uav])
+            own.push_back(plans[uav]->of(static_cast<int>(uav)));
+    if (std::ranges::all_of(own, [](const UavPlan* plan) { return plan->laterVisits.empty(); }))
         return visits;
     const auto add = [&](int iceberg, double time_s) {
         if (const auto i = static_cast<std::size_t>(iceberg); i < icebergs && time_s >= now_s)
             visits[i].push_back(time_s);
     };
-    for (const PlanEvent& plan : plans) {
-        if (plan.outlook)
+    for (const UavPlan* plan : own) {
+        if (plan->outlook)
             for (std::size_t k = 0;
-                 k < std::min(plan.order.size(), plan.outlook->sightings_s.size()); ++k)
-                add(plan.order[k], plan.outlook->sightings_s[k]);
-        for (const PlannedVisit& visit : plan.laterVisits)
+                 k < std::min(plan->order.size(), plan->outlook->sightings_s.size()); ++k)
+                add(plan->order[k], plan->outlook->sightings_s[k]);
+        for (const PlannedVisit& visit : plan->laterVisits)
             add(visit.iceberg, visit.time_s);
     }
     for (std::vector<double>& times_s : visits)

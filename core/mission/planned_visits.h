@@ -12,15 +12,16 @@ namespace berg {
 /**
  * Predicted visits of each iceberg, by index, in mission time and ascending: the sightings along
  * the aimed legs of the plans in force and the later visits of their patrols, of all UAVs together.
- * Visits before `now_s` are left out. All lists are empty if no plan is a patrol.
+ * `plans` holds the plan of each UAV, or null. Visits before `now_s` are left out. All lists are
+ * empty if no plan is a patrol.
  */
-[[nodiscard]] std::vector<std::vector<double>> plannedVisits(std::span<const PlanEvent> plans,
+[[nodiscard]] std::vector<std::vector<double>> plannedVisits(std::span<const PlanPointer> plans,
                                                              std::size_t icebergs, double now_s);
 
 /** The longest time that a patrol leaves one iceberg unseen. */
 struct RevisitGap
 {
-    int iceberg = -1; ///< index
+    int iceberg = 0; ///< index
     double gap_s = 0;
     bool operator==(const RevisitGap&) const = default;
 };

@@ -32,22 +32,25 @@ std::int64_t stepsOf(double interval_s, double dt_s)
 
 } // namespace
 
-std::optional<AimedLeg> firstAim(const PlanEvent& plan)
-{
-    return plan.legs.empty() ? std::nullopt : std::optional(plan.legs.front());
-}
-
-std::span<const int> clusterOfTarget(const PlanEvent& plan)
-{
-    return plan.target ? clusterWith(plan.clusters, *plan.target) : std::span<const int>();
-}
-
-const PlanEvent* lastPlanOf(std::span<const PlanEvent> plans, int uav)
+PlanPointer lastPlanOf(std::span<const PlanPointer> plans, int uav)
 {
     for (std::size_t i = plans.size(); i-- > 0;)
-        if (plans[i].uav == uav)
-            return &plans[i];
+        if (plans[i]->of(uav) != nullptr)
+            return plans[i];
     return nullptr;
+}
+
+std::span<const int> clusterOfTarget(const UavPlan& plan)
+{
+    return plan.target() ? clusterWith(plan.clusters, *plan.target()) : std::span<const int>();
+}
+
+void startFlying(const Plan& plan, const UavPlan& own, Simulation& simulation)
+{
+    const bool isCoverage = plan.outcome.source == AnswerSource::Coverage;
+    simulation.setTarget(own.uav, own.target(),
+                         own.legs.empty() ? std::nullopt : std::optional(own.legs.front()),
+                         clusterOfTarget(own), plan.interim || (isCoverage && own.target()));
 }
 
 Recorder::Recorder(double interval_s, double keyframe_s, double dt_s)

@@ -11,77 +11,17 @@
 
 namespace berg {
 
-/**
- * One plan for one UAV, with the figures of its solve. When several UAVs are planned together, each
- * has an event of its own, one after another, and all share the solve.
- */
-struct PlanEvent
-{
-    double time_s = 0;
-    int uav = 0;
-    bool sameSolve = false; ///< the previous event is of the same solve, for another UAV
-    /** Reason for which this UAV needed the plan. */
-    PlanReason reason = PlanReason::None;
-    std::optional<int> target; ///< index of the iceberg to fly to; nullopt to circle
-    std::vector<int> order;    ///< indices of the icebergs in visiting order
-    /** Groups of two or more icebergs planned as one point. */
-    std::vector<std::vector<int>> clusters;
-    /**
-     * Number of icebergs visited before the UAV turns home; nullopt if the endurance is unlimited.
-     */
-    std::optional<int> thisSortie;
-    std::vector<AimedLeg> legs;              ///< aimed legs; empty means straight to the target
-    std::optional<double> predictedZeta_m2s; ///< predicted zeta by which `legs` were chosen
-    std::optional<AimedOutlook> outlook;     ///< predicted sightings on `legs`
-    std::vector<PlannedVisit> laterVisits;   ///< as in `UavAnswer`; run files leave them out
-    double zeta_m2s = 0;                     ///< Eq. (24) up to this instant
-    SolveStatus status = SolveStatus::None;
-    StopReason stop = StopReason::Finished;
-    AnswerSource source = AnswerSource::None;
-    Criterion criterion = Criterion::Visitation; ///< unit of `objective` and `bound`
-    double mu = 0;
-    double objective = 0;
-    std::optional<double> bound;
-    std::optional<double> gap; ///< relative gap
-    /** Length of the whole plan in the distances of the request, m. */
-    double distance_m = 0;
-    /** Wall-clock time of the solve; the only member that differs between equal runs. */
-    double elapsed_s = 0;
-    bool warmStarted = false;
-    /** True if the planner failed and the previous plan is continued. */
-    bool fellBack = false;
-    /** True for the rest of the previous plan, flown while the next one is being made. */
-    bool interim = false;
-    /** Comparison with the rest of the previous plan, to the end of the run; only with a record. */
-    std::optional<PlanChange> change;
-};
-
-/**
- * Returns true if searches by plan continue under this plan: it is interim, or a coverage plan
- * whose first aimed leg has been overtaken by a sighting.
- */
-[[nodiscard]] inline bool keepsSearch(const PlanEvent& plan)
-{
-    return plan.interim || (plan.source == AnswerSource::Coverage && plan.target);
-}
-
-/**
- * Returns true if the plan counts in `Metrics::replans`: it is not interim, and the first of its
- * solve.
- */
-[[nodiscard]] inline bool isReplan(const PlanEvent& plan)
-{
-    return !plan.interim && !plan.sameSolve;
-}
-
-/** Returns the last of the plans that is for the UAV, or null if there is none. */
-[[nodiscard]] const PlanEvent* lastPlanOf(std::span<const PlanEvent> plans, int uav);
+/** Returns the last of the plans that the UAV flies, or null if there is none. */
+[[nodiscard]] PlanPointer lastPlanOf(std::span<const PlanPointer> plans, int uav);
 
 /** Returns the members of the target's cluster; none for a single iceberg or without a target. */
-[[nodiscard]] std::span<const int> clusterOfTarget(const PlanEvent& plan);
+[[nodiscard]] std::span<const int> clusterOfTarget(const UavPlan& plan);
 
-/** Returns the aim of the plan's first leg, or nullopt if it has no aimed legs. */
-[[nodiscard]] std::optional<AimedLeg> firstAim(const PlanEvent& plan);
+/**
+ * Sends one UAV of the plan to its target. Searches by plan continue under an interim plan, and
+ * under a coverage plan whose first aimed leg has been overtaken by a sighting.
+ */
+void startFlying(const Plan& plan, const UavPlan& own, Simulation& simulation);
 
 /** One UAV at the instant of a sample. */
 struct UavSample

@@ -51,11 +51,12 @@ Visit visitOf(std::span<const int> members, const Scenario& scenario, LegFlight&
 /** Returns the cluster reached by the event; empty for a single iceberg. */
 std::span<const int> clusterReached(const Mission& mission, const MissionEvent& reached)
 {
-    const std::vector<PlanEvent>& plans = mission.plans();
-    const auto after = std::ranges::lower_bound(plans, reached.time_s, {}, &PlanEvent::time_s);
+    const std::vector<PlanPointer>& plans = mission.plans();
+    const auto after = std::ranges::lower_bound(plans, reached.time_s, {}, &Plan::time_s);
     const auto before = std::span(plans).first(static_cast<std::size_t>(after - plans.begin()));
-    const PlanEvent* plan = lastPlanOf(before, *reached.uav);
-    return plan == nullptr ? std::span<const int>() : clusterWith(plan->clusters, *reached.iceberg);
+    const PlanPointer plan = lastPlanOf(before, *reached.uav);
+    return plan ? clusterWith(plan->of(*reached.uav)->clusters, *reached.iceberg)
+                : std::span<const int>();
 }
 
 } // namespace

@@ -190,13 +190,13 @@ void Fleet::leaveSearch(int uav)
     Search search = m_observer.searches().take(uav);
     const Point datum_m = m_observer.estimate_m(search.iceberg);
     const auto away_m = [&](int of) { return (autopilot(of).pose().position_m - datum_m).norm(); };
-    int next = -1;
+    std::optional<int> next;
     for (int other = 0; other < count(); ++other)
         if (other != uav && autopilot(other).isPlanned() && !m_observer.searches().of(other) &&
-            maySearch(other, search.iceberg) && (next < 0 || away_m(other) < away_m(next)))
+            maySearch(other, search.iceberg) && (!next || away_m(other) < away_m(*next)))
             next = other;
-    if (next >= 0)
-        m_observer.beginSearch(next, std::move(search));
+    if (next)
+        m_observer.beginSearch(*next, std::move(search));
     else
         m_observer.giveUp(std::move(search), uav, m_report);
 }

@@ -66,7 +66,7 @@ public:
      * iceberg reached. With `aim` it flies that leg until something comes into view. With `members`
      * of a cluster, which contains the iceberg, it flies to the middle of the circle around their
      * estimates and has reached it when all of them are reached at once. For `keepsSearch` see
-     * `keepsSearch(PlanEvent)`.
+     * `startFlying`.
      */
     void setTarget(int uav, std::optional<int> iceberg,
                    const std::optional<AimedLeg>& aim = std::nullopt,

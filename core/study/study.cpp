@@ -41,10 +41,11 @@ void setPlanner(Scenario& scenario, const StudySetting& setting)
 bool isStuck(const Mission& mission)
 {
     std::set<int> targets;
-    for (const PlanEvent& plan : mission.plans())
-        // Without a target the UAV circles.
-        if (plan.time_s >= mission.scenario().duration_s / 2 && plan.target)
-            targets.insert(*plan.target);
+    for (const PlanPointer& plan : mission.plans())
+        for (const UavPlan& own : plan->uavs)
+            // Without a target the UAV circles.
+            if (plan->time_s >= mission.scenario().duration_s / 2 && own.target())
+                targets.insert(*own.target());
     return targets.size() <= 2;
 }
 

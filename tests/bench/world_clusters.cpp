@@ -2,6 +2,7 @@
 #include "core/presets/presets.h"
 #include "core/sim/clusters.h"
 #include "tests/bench/world_parts.h"
+#include "tests/support/flight/flown_plans.h"
 
 #include <string>
 #include <tuple>
@@ -19,8 +20,8 @@ Row flown(const Scenario& scenario)
     double legs = 0;
     double missed = 0;
     bool isCluster = false; // type of the leg that a plan ends
-    for (const PlanEvent& plan : mission.plans()) {
-        solving_s += plan.elapsed_s;
+    for (const test::FlownPlan& plan : test::flownPlans(mission)) {
+        solving_s += plan.plan->outcome.elapsed_s;
         missed += isCluster && plan.reason == PlanReason::Overdue ? 1 : 0;
         isCluster = !clusterOfTarget(plan).empty();
         legs += isCluster ? 1 : 0;

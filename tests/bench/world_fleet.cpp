@@ -16,7 +16,7 @@ Scenario partitioned(Scenario scenario)
 {
     Scenario start = scenario;
     start.planner.policy = PolicyKind::Latency;
-    const PlanAnswer plan = planFromStart(start);
+    const Plan plan = planFromStart(start);
     for (std::size_t uav = 0; uav < plan.uavs.size(); ++uav)
         for (const int iceberg : plan.uavs[uav].order)
             scenario.icebergs[static_cast<std::size_t>(iceberg)].uav = scenario.uavs[uav].id;

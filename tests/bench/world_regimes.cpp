@@ -92,7 +92,7 @@ Field fieldOf(const Scenario& scenario)
             continue;
         }
         field.againstBest = 100 * (zeta_m2s / best_m2s - 1);
-        field.foreseen = zeta_m2s / mission.plans().front().predictedZeta_m2s.value_or(zeta_m2s);
+        field.foreseen = zeta_m2s / mission.plans().front()->predictedZeta_m2s.value_or(zeta_m2s);
         field.plans = mission.metrics().replans;
     }
     return field;

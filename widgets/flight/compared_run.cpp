@@ -65,9 +65,9 @@ ComparedRun comparedRun(const FlightRecord& record)
     } else {
         run.unseen = unseenIntervals(run.samples, record.history.rows);
     }
-    for (const PlanEvent& plan : record.history.plans)
-        if (isReplan(plan))
-            run.plans_s.push_back(plan.time_s);
+    for (const PlanPointer& plan : record.history.plans)
+        if (!plan->interim)
+            run.plans_s.push_back(plan->time_s);
     run.uavVisits_s.resize(record.scenario.uavs.size());
     for (const MissionEvent& event : record.history.events) {
         if (event.kind == EventKind::Reached) {

@@ -31,13 +31,13 @@ Point placeAt(const FlightRecord& record, std::size_t uav, double time_s)
 }
 
 /** Returns the plans of the UAV made by the time shown, last one first. */
-std::vector<const PlanEvent*> plansBackwards(const FlightRecord& record, int uav)
+std::vector<const Plan*> plansBackwards(const FlightRecord& record, int uav)
 {
-    const std::vector<PlanEvent>& plans = record.history.plans;
-    std::vector<const PlanEvent*> own;
+    const std::vector<PlanPointer>& plans = record.history.plans;
+    std::vector<const Plan*> own;
     for (std::size_t k = std::min(record.shown().planCount, plans.size()); k-- > 0;)
-        if (plans[k].uav == uav)
-            own.push_back(&plans[k]);
+        if (plans[k]->of(uav) != nullptr)
+            own.push_back(plans[k].get());
     return own;
 }
 
@@ -45,12 +45,13 @@ std::vector<const PlanEvent*> plansBackwards(const FlightRecord& record, int uav
  * Returns the index of the latest plan that changed the order; only interventions that kept it may
  * follow. Returns the size if there is none.
  */
-std::size_t lastChange(const std::vector<const PlanEvent*>& backwards)
+std::size_t lastChange(const std::vector<const Plan*>& backwards, int uav)
 {
     for (std::size_t k = 0; k < backwards.size(); ++k) {
-        if (backwards[k]->change)
+        const UavPlan& own = *backwards[k]->of(uav);
+        if (own.change)
             return k;
-        if (backwards[k]->reason != PlanReason::Intervention)
+        if (own.reason != PlanReason::Intervention)
             break;
     }
     return backwards.size();
@@ -78,11 +79,12 @@ std::vector<AimedPath> after(std::vector<AimedPath> paths, double time_s)
 }
 
 /** Returns how a plan would have continued from that time. */
-std::vector<AimedPath> pathsAfter(const FlightRecord& record, const PlanEvent& plan, double time_s)
+std::vector<AimedPath> pathsAfter(const FlightRecord& record, const Plan& plan, int uav,
+                                  double time_s)
 {
-    const auto k = static_cast<std::size_t>(plan.uav);
-    const DubinsState uav{.position_m = placeAt(record, k, plan.time_s)};
-    return after(pathsOf(plan, uav, plan.time_s, record.shown().motions.at(k)), time_s);
+    const auto k = static_cast<std::size_t>(uav);
+    const DubinsState pose{.position_m = placeAt(record, k, plan.time_s)};
+    return after(pathsOf(*plan.of(uav), pose, plan.time_s, record.shown().motions.at(k)), time_s);
 }
 
 } // namespace
@@ -111,27 +113,31 @@ void FlightRecord::noteStartPlan()
 {
     if (startPlan && !isSameWorld(startPlan->scenario, scenario))
         startPlan.reset();
-    if (now.phase != RunPhase::Ready || now.plans.empty())
+    if (now.phase != RunPhase::Ready || !now.plan)
         return;
-    const auto orders = [](const std::vector<PlanEvent>& plans) {
+    const auto orders = [](const Plan& plan) {
         OrdersByUav own;
-        for (const PlanEvent& plan : plans)
-            own.push_back(plan.order);
+        for (const UavPlan& uav : plan.uavs)
+            own.push_back(uav.order);
         return own;
     };
-    StartPlan next{.scenario = scenario, .plans = now.plans};
-    next.changes.resize(now.plans.size());
-    const bool isComparable = startPlan && startPlan->plans.size() == now.plans.size();
-    if (isComparable && orders(startPlan->plans) == orders(now.plans)) {
-        next.changes = startPlan->changes;
-        next.former = startPlan->former;
-    } else if (isComparable) {
-        next.changes = planChanges(
-            forecastStart(now), orders(startPlan->plans), orders(now.plans), scenario.duration_s,
-            {.before = startPlan->plans.front().clusters, .after = now.plans.front().clusters});
-        next.former = startPlan->plans;
+    Plan next = *now.plan;
+    PlanPointer former;
+    if (startPlan && startPlan->plan->uavs.size() == next.uavs.size()) {
+        const Plan& last = *startPlan->plan;
+        const bool isSame = orders(last) == orders(next);
+        std::vector<std::optional<PlanChange>> changes;
+        if (!isSame)
+            changes = planChanges(
+                forecastStart(now), orders(last), orders(next), scenario.duration_s,
+                {.before = last.uavs.front().clusters, .after = next.uavs.front().clusters});
+        for (std::size_t uav = 0; uav < next.uavs.size(); ++uav)
+            next.uavs[uav].change = isSame ? last.uavs[uav].change : changes[uav];
+        former = isSame ? startPlan->former : startPlan->plan;
     }
-    startPlan = std::move(next);
+    startPlan = {.scenario = scenario,
+                 .plan = std::make_shared<const Plan>(std::move(next)),
+                 .former = std::move(former)};
 }
 
 std::optional<ShownChange> FlightRecord::changeShown(int uav) const
@@ -139,16 +145,18 @@ std::optional<ShownChange> FlightRecord::changeShown(int uav) const
     if (isOver())
         return {};
     const auto u = static_cast<std::size_t>(uav);
-    if (!inFlight() && startPlan && u < startPlan->changes.size() && startPlan->changes[u] &&
-        now.plan)
-        return ShownChange{.change = *startPlan->changes[u],
-                           .paths = pathsAfter(*this, startPlan->former[u], 0)};
-    const std::vector<const PlanEvent*> backwards = plansBackwards(*this, uav);
-    const std::size_t k = lastChange(backwards);
+    const UavPlan* atStart =
+        !inFlight() && startPlan && now.plan ? startPlan->plan->of(uav) : nullptr;
+    if (atStart != nullptr && atStart->change)
+        return ShownChange{.change = *atStart->change,
+                           .paths = pathsAfter(*this, *startPlan->former, uav, 0)};
+    const std::vector<const Plan*> backwards = plansBackwards(*this, uav);
+    const std::size_t k = lastChange(backwards, uav);
     if (k == backwards.size())
         return std::nullopt;
-    const PlanEvent& plan = *backwards[k];
-    const std::vector<int>& before = plan.change->before;
+    const Plan& plan = *backwards[k];
+    const PlanChange& change = *plan.of(uav)->change;
+    const std::vector<int>& before = change.before;
     const bool isLeft = std::any_of(before.begin(), before.end(), [&](int iceberg) {
         const Track& track = shown().world.tracks[static_cast<std::size_t>(iceberg)];
         return !track.inView && track.seen_s <= plan.time_s;
@@ -156,9 +164,9 @@ std::optional<ShownChange> FlightRecord::changeShown(int uav) const
     if (!isLeft)
         return std::nullopt;
     ShownChange shownChange{
-        .change = *plan.change, .time_s = plan.time_s, .from_m = placeAt(*this, u, plan.time_s)};
+        .change = change, .time_s = plan.time_s, .from_m = placeAt(*this, u, plan.time_s)};
     if (k + 1 < backwards.size())
-        shownChange.paths = pathsAfter(*this, *backwards[k + 1], plan.time_s);
+        shownChange.paths = pathsAfter(*this, *backwards[k + 1], uav, plan.time_s);
     return shownChange;
 }
 
@@ -250,9 +258,9 @@ double weighedDistance_m(const MissionSnapshot& shown, Route route)
 {
     double length_m = 0;
     for (const UavRequest& uav : shown.request->uavs)
-        if (const PlanEvent* plan = planOf(shown, uav.uav);
-            plan != nullptr && plan->time_s == shown.plan->time_s)
-            length_m += weighedLength_m(*shown.request, uav, plan->order, route);
+        if (const PlanPointer& plan = shown.plans.at(static_cast<std::size_t>(uav.uav));
+            plan && plan->time_s == shown.plan->time_s)
+            length_m += weighedLength_m(*shown.request, uav, plan->of(uav.uav)->order, route);
     return length_m;
 }
 
@@ -269,12 +277,7 @@ PlanReadout readoutOf(const FlightRecord& record, const QString& fault)
     PlanReadout readout{.plan = shown.plan,
                         .solving = record.now.phase == RunPhase::Planning,
                         .isOver = record.isOver(),
-                        .fault = fault,
-                        .others = {}};
-    for (const PlanEvent& plan : shown.plans)
-        if (shown.plan && plan.uav != shown.plan->uav && plan.sameSolve &&
-            plan.time_s == shown.plan->time_s)
-            readout.others.push_back(plan.order);
+                        .fault = fault};
     if (shown.plan && shown.request && traitsOf(shown.planner.policy).weighsSigma)
         readout.weighed_m = weighedDistance_m(shown, record.scenario.planner.route);
     return readout;

@@ -17,12 +17,9 @@ struct PlanReadout; // widgets/words
 struct StartPlan
 {
     Scenario scenario;
-    std::vector<PlanEvent> plans; ///< by UAV, like the vectors below
-    /**
-     * The last change of each order since only the planner has changed, with the plans before it.
-     */
-    std::vector<std::optional<PlanChange>> changes;
-    std::vector<PlanEvent> former;
+    /** Its changes are the last ones of each order since only the planner has changed. */
+    PlanPointer plan;
+    PlanPointer former; ///< plan before those changes; null without any
 };
 
 /** The change of plan that is shown. */
@@ -98,7 +95,7 @@ private:
 /** Returns a formatter of times relative to the instant shown. */
 [[nodiscard]] TimesAhead timesOf(const FlightRecord& record);
 
-/** Returns the readout of the plan at the instant shown, with the other plans of the same solve. */
+/** Returns the readout of the plan at the instant shown. */
 [[nodiscard]] PlanReadout readoutOf(const FlightRecord& record, const QString& fault);
 
 /**

@@ -19,14 +19,6 @@ void join(std::vector<Record>& known, std::size_t first, std::vector<Record> new
     std::move(news.begin(), news.end(), std::back_inserter(known));
 }
 
-/** Returns the index of the event of the same solve's first UAV. */
-std::size_t firstOfSolve(std::span<const PlanEvent> plans, std::size_t place)
-{
-    while (place > 0 && plans[place].sameSolve)
-        --place;
-    return place;
-}
-
 std::vector<double> airspeedsOf(const std::vector<Motion>& motions)
 {
     std::vector<double> airspeeds_mps;
@@ -62,12 +54,11 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
 void setPlan(MissionSnapshot& snapshot, const Mission& mission, std::size_t count)
 {
     snapshot.planCount = count;
-    const std::span<const PlanEvent> made(mission.plans().data(), count);
+    const std::span<const PlanPointer> made(mission.plans().data(), count);
     for (std::size_t uav = 0; uav < snapshot.world.uavs.size(); ++uav)
-        if (const PlanEvent* plan = lastPlanOf(made, static_cast<int>(uav)))
-            snapshot.plans.push_back(*plan);
+        snapshot.plans.push_back(lastPlanOf(made, static_cast<int>(uav)));
     if (count > 0)
-        snapshot.plan = made[firstOfSolve(made, count - 1)];
+        snapshot.plan = made.back();
 }
 
 std::vector<Intervention> worldChangesOf(const Mission& mission)
@@ -104,21 +95,22 @@ ForecastStart forecastStart(const MissionSnapshot& snapshot)
             .wind_mps = snapshot.motions.front().wind_mps};
 }
 
-const PlanEvent* planOf(const MissionSnapshot& snapshot, int uav)
+const UavPlan* planOf(const MissionSnapshot& snapshot, int uav)
 {
-    const auto it = std::ranges::find(snapshot.plans, uav, &PlanEvent::uav);
-    return it == snapshot.plans.end() ? nullptr : &*it;
+    const auto k = static_cast<std::size_t>(uav);
+    return k < snapshot.plans.size() && snapshot.plans[k] ? snapshot.plans[k]->of(uav) : nullptr;
 }
 
 OrdersByUav ordersOf(const MissionSnapshot& snapshot)
 {
     OrdersByUav orders(snapshot.world.uavs.size());
-    for (const PlanEvent& plan : snapshot.plans)
-        orders.at(static_cast<std::size_t>(plan.uav)) = plan.order;
+    for (std::size_t uav = 0; uav < orders.size(); ++uav)
+        if (const UavPlan* plan = planOf(snapshot, static_cast<int>(uav)))
+            orders[uav] = plan->order;
     return orders;
 }
 
-std::vector<AimedPath> pathsOf(const PlanEvent& plan, const DubinsState& uav, double time_s,
+std::vector<AimedPath> pathsOf(const UavPlan& plan, const DubinsState& uav, double time_s,
                                const Motion& motion)
 {
     if (plan.legs.empty())
@@ -136,10 +128,10 @@ std::vector<AimedPath> pathsOf(const PlanEvent& plan, const DubinsState& uav, do
 
 std::vector<AimedPath> pathsAhead(const MissionSnapshot& snapshot, int uav)
 {
-    const PlanEvent* inForce = planOf(snapshot, uav);
+    const UavPlan* inForce = planOf(snapshot, uav);
     if (inForce == nullptr)
         return {};
-    PlanEvent plan = *inForce;
+    UavPlan plan = *inForce;
     const auto k = static_cast<std::size_t>(uav);
     const UavState& state = snapshot.world.uavs[k];
     if (state.aim && !plan.legs.empty())

@@ -20,7 +20,7 @@ struct MissionHistory
 {
     std::vector<Sample> samples;
     std::vector<std::vector<IcebergSample>> rows; ///< icebergs at each sample, by iceberg index
-    std::vector<PlanEvent> plans;
+    std::vector<PlanPointer> plans;
     std::vector<MissionEvent> events;
     std::uint64_t rewrites = 0; ///< number of times a known end was discarded
 };
@@ -47,8 +47,8 @@ struct MissionSnapshot
     std::vector<Iceberg> icebergs; ///< all icebergs; those added in flight come last
     std::vector<Point> truth_m;
     std::vector<bool> active;
-    std::optional<PlanEvent> plan; ///< newest plan, of the first UAV of its solve
-    std::vector<PlanEvent> plans;  ///< plans in force, by UAV; at most one for each
+    PlanPointer plan;               ///< newest plan; null if there is none
+    std::vector<PlanPointer> plans; ///< plan in force of each UAV; null if it has none
     /** Request that `plan` answers; null without a plan. */
     std::shared_ptr<const PlanRequest> request;
     std::size_t planCount = 0;   ///< number of plans made so far
@@ -82,13 +82,13 @@ struct MissionSnapshot
  * Returns the paths on which the UAV flies a plan with aim points from its position at `time_s`,
  * until all icebergs of the order are seen. Returns no paths for other plans.
  */
-[[nodiscard]] std::vector<AimedPath> pathsOf(const PlanEvent& plan, const DubinsState& uav,
+[[nodiscard]] std::vector<AimedPath> pathsOf(const UavPlan& plan, const DubinsState& uav,
                                              double time_s, const Motion& motion);
 /** Returns the paths of the UAV's plan in force from the snapshot's instant on. */
 [[nodiscard]] std::vector<AimedPath> pathsAhead(const MissionSnapshot& snapshot, int uav);
 
-/** Returns the plan in force of the UAV, or null if there is none. */
-[[nodiscard]] const PlanEvent* planOf(const MissionSnapshot& snapshot, int uav);
+/** Returns the UAV's part of its plan in force, or null if there is none. */
+[[nodiscard]] const UavPlan* planOf(const MissionSnapshot& snapshot, int uav);
 
 /** Returns the orders of the plans in force, by UAV. */
 [[nodiscard]] OrdersByUav ordersOf(const MissionSnapshot& snapshot);

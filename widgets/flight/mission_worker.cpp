@@ -128,7 +128,8 @@ void MissionWorker::replayRun(const RunFile& run)
 
 void MissionWorker::listenToIncumbents()
 {
-    m_mission->setIncumbentListener([this](const PlanEvent& plan) { publishIncumbent(plan); });
+    m_mission->setIncumbentListener(
+        [this](PlanPointer plan) { publishIncumbent(std::move(plan)); });
 }
 
 void MissionWorker::fly(FlightRate rate)
@@ -283,9 +284,8 @@ std::shared_ptr<const ExportJob> MissionWorker::prepared(const ExportTask& task)
 {
     if (!m_mission || m_mission->plans().empty())
         throw Error(ErrorCode::InvalidInput, "plan", {IssueId::NotPlannable});
-    const PlanAnswer plan = startPlan(*m_mission);
     const ExportSource source{.scenario = m_mission->scenario(),
-                              .plan = plan,
+                              .plan = *m_mission->plans().front(),
                               .mission = m_phase == RunPhase::Ready ? nullptr : m_mission.get(),
                               .predicted = task.predicted,
                               .words = reportLanguage()};
@@ -354,18 +354,14 @@ HistoryUpdate MissionWorker::takeNewRecords()
     return news;
 }
 
-void MissionWorker::publishIncumbent(const PlanEvent& plan)
+void MissionWorker::publishIncumbent(PlanPointer plan)
 {
     if (m_phase != RunPhase::Planning)
         return; // in flight the last plan stays shown until the next one is complete
-    if (!plan.sameSolve)
-        m_incumbents.clear();
-    m_incumbents.push_back(plan);
-    if (plan.uav + 1 < m_mission->simulation().uavCount())
-        return; // the plans of the other UAVs follow
     MissionSnapshot snapshot = present();
-    snapshot.plans = m_incumbents;
-    snapshot.plan = m_incumbents.front();
+    for (const UavPlan& own : plan->uavs)
+        snapshot.plans.at(static_cast<std::size_t>(own.uav)) = plan;
+    snapshot.plan = std::move(plan);
     if (m_mail.snapshots.put(std::move(snapshot), amend))
         emit published();
 }

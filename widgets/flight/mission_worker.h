@@ -83,7 +83,7 @@ private:
     void fail(const WorkFailure& failure);
     [[nodiscard]] MissionSnapshot present();
     void publish();
-    void publishIncumbent(const PlanEvent& plan);
+    void publishIncumbent(PlanPointer plan);
     void replayRun(const RunFile& run);
     void listenToIncumbents();
     [[nodiscard]] HistoryUpdate takeNewRecords();
@@ -102,9 +102,8 @@ private:
     QTimer m_timer;
     QElapsedTimer m_clock;
     FlightRate m_rate = 1;
-    double m_target_s = 0;               ///< simulated time that is due by the wall clock, s
-    std::vector<PlanEvent> m_incumbents; ///< of the current solve, by UAV
-    HistoryUpdate m_published;           ///< number of records already sent; its part stays empty
+    double m_target_s = 0;     ///< simulated time that is due by the wall clock, s
+    HistoryUpdate m_published; ///< number of records already sent; its part stays empty
 };
 
 } // namespace berg

@@ -16,7 +16,7 @@ PlannedPath pathOf(const MissionSnapshot& now, std::size_t uav, const RouteForec
                      .fence = now.fences[uav]};
     for (const ForecastVisit& visit : route.visits)
         path.places_m.push_back(visit.place_m);
-    const PlanEvent& plan = *planOf(now, static_cast<int>(uav));
+    const UavPlan& plan = *planOf(now, static_cast<int>(uav));
     path.thisSortie +=
         static_cast<std::size_t>(plan.thisSortie.value_or(static_cast<int>(route.visits.size())));
     return path;
@@ -30,12 +30,12 @@ std::vector<std::optional<PlannedPath>> plannedPaths(const MissionSnapshot& now,
     std::vector<std::optional<PlannedPath>> paths(scenario.uavs.size());
     // Until it is planned, a newly edited scenario may have other UAVs than the mission.
     const std::size_t uavs = std::min(scenario.uavs.size(), now.world.uavs.size());
-    if (uavs == 0 || !now.plan || now.plan->outlook)
+    if (uavs == 0 || !now.plan || now.plan->uavs.front().outlook)
         return paths;
     const PlanForecast forecast =
-        forecastPlan(forecastStart(now), ordersOf(now), 0, now.plan->clusters);
+        forecastPlan(forecastStart(now), ordersOf(now), 0, now.plan->uavs.front().clusters);
     for (std::size_t uav = 0; uav < uavs; ++uav) {
-        const PlanEvent* plan = planOf(now, static_cast<int>(uav));
+        const UavPlan* plan = planOf(now, static_cast<int>(uav));
         if (plan != nullptr && plan->legs.empty() && now.world.uavs[uav].isPlanned())
             paths[uav] = pathOf(now, uav, forecast.uavs[uav]);
     }

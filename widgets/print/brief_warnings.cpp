@@ -178,7 +178,8 @@ QStringList idleLines(const ExportContent& content)
 QStringList planLines(const ExportContent& content, const QLocale& locale)
 {
     if (content.what == ExportScope::Track || visitsNothing(content) || content.plan.fellBack ||
-        !traitsOf(content.planner.policy).solves() || content.plan.status == SolveStatus::Optimal)
+        !traitsOf(content.planner.policy).solves() ||
+        content.plan.outcome.status == SolveStatus::Optimal)
         return {};
     return {
         FlightBrief::tr("The order is not proven optimal: %1.").arg(planWords(content, locale))};
@@ -314,7 +315,7 @@ QString planWords(const ExportContent& content, const QLocale& locale)
         return FlightBrief::tr("Solver limit reached; previous plan kept");
     if (traitsOf(content.planner.policy).method == PolicyMethod::OneByOne)
         return FlightBrief::tr("Chosen one iceberg at a time");
-    switch (content.plan.status) {
+    switch (content.plan.outcome.status) {
     case SolveStatus::Optimal:
         return FlightBrief::tr("Proven optimal");
     case SolveStatus::Feasible:

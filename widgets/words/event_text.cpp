@@ -77,7 +77,7 @@ QString planReasonText(PlanReason reason)
     return english.empty() ? QString() : EventText::tr(english.c_str());
 }
 
-QString planOrderText(const PlanEvent& plan, const std::vector<Iceberg>& icebergs)
+QString planOrderText(const UavPlan& plan, const std::vector<Iceberg>& icebergs)
 {
     QStringList names;
     for (const int iceberg : plan.order)

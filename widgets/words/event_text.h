@@ -24,6 +24,6 @@ namespace berg {
 [[nodiscard]] QString planReasonText(PlanReason reason);
 
 /** Returns the order of a plan by name: "berg-3, berg-1, berg-2". */
-[[nodiscard]] QString planOrderText(const PlanEvent& plan, const std::vector<Iceberg>& icebergs);
+[[nodiscard]] QString planOrderText(const UavPlan& plan, const std::vector<Iceberg>& icebergs);
 
 } // namespace berg

@@ -20,10 +20,11 @@ struct PlanText
 };
 
 /** Returns whether a solver has evaluated the order by Eq. (1). */
-bool isSolved(const PlanEvent& plan)
+bool isSolved(const Plan& plan)
 {
-    return plan.status != SolveStatus::None && plan.source != AnswerSource::OneByOne &&
-           plan.source != AnswerSource::KeptRoute;
+    return plan.outcome.status != SolveStatus::None &&
+           plan.outcome.source != AnswerSource::OneByOne &&
+           plan.outcome.source != AnswerSource::KeptRoute;
 }
 
 /** Returns the name of a solver for the middle of a sentence. */
@@ -72,23 +73,23 @@ QString statusText(SolveStatus status)
     return PlanText::tr("no order found", "status");
 }
 
-QString detailsOf(const PlanEvent& plan, const QLocale& locale)
+QString detailsOf(const Plan& plan, const QLocale& locale)
 {
     const auto number = [&](double value) { return significantText(value, 6, locale); };
-    QStringList lines{PlanText::tr("Solver: %1").arg(solverText(plan.source)),
-                      PlanText::tr("Status: %1").arg(statusText(plan.status)),
-                      PlanText::tr("Time: %1").arg(solveTimeText(plan.elapsed_s, locale))};
-    const bool isLatency = plan.criterion == Criterion::Latency;
-    if (plan.source == AnswerSource::Coverage && plan.predictedZeta_m2s)
+    QStringList lines{PlanText::tr("Solver: %1").arg(solverText(plan.outcome.source)),
+                      PlanText::tr("Status: %1").arg(statusText(plan.outcome.status)),
+                      PlanText::tr("Time: %1").arg(solveTimeText(plan.outcome.elapsed_s, locale))};
+    const bool isLatency = plan.problem.criterion == Criterion::Latency;
+    if (plan.outcome.source == AnswerSource::Coverage && plan.predictedZeta_m2s)
         lines << PlanText::tr("Predicted zeta: %1 m² s").arg(number(*plan.predictedZeta_m2s));
-    else if (plan.status != SolveStatus::None)
+    else if (plan.outcome.status != SolveStatus::None)
         lines << (isLatency ? PlanText::tr("Objective: %1 m² s") : PlanText::tr("Objective: %1 m²"))
-                     .arg(number(plan.objective));
-    if (plan.bound)
+                     .arg(number(plan.outcome.objective));
+    if (plan.outcome.bound)
         lines << (isLatency ? PlanText::tr("Lower bound: %1 m² s")
                             : PlanText::tr("Lower bound: %1 m²"))
-                     .arg(number(*plan.bound));
-    if (plan.warmStarted)
+                     .arg(number(*plan.outcome.bound));
+    if (plan.outcome.hintUsed)
         lines << PlanText::tr("Warm start from the previous plan");
     return lines.join(u'\n');
 }
@@ -96,13 +97,14 @@ QString detailsOf(const PlanEvent& plan, const QLocale& locale)
 /** Returns the state of a plan whose solver returned an order as requested. */
 PlanState stateOfSolve(const PlanReadout& readout, const QLocale& locale)
 {
-    const PlanEvent& plan = *readout.plan;
+    const Plan& plan = *readout.plan;
     // Shorter times vary from run to run and do not matter; the details state them.
-    const QString time = plan.elapsed_s < 0.0995 ? PlanText::tr("under 0.1 s")
-                                                 : solveTimeText(plan.elapsed_s, locale);
-    if (plan.status == SolveStatus::Optimal)
+    const QString time = plan.outcome.elapsed_s < 0.0995
+                             ? PlanText::tr("under 0.1 s")
+                             : solveTimeText(plan.outcome.elapsed_s, locale);
+    if (plan.outcome.status == SolveStatus::Optimal)
         return {PlanVerdict::Proven,
-                PlanText::tr("Proven optimal, %1 (%2)").arg(time, solverText(plan.source)),
+                PlanText::tr("Proven optimal, %1 (%2)").arg(time, solverText(plan.outcome.source)),
                 {}};
     if (readout.solving)
         return {PlanVerdict::Estimate,
@@ -121,7 +123,7 @@ PlanState stateOfSolve(const PlanReadout& readout, const QLocale& locale)
 QString fleetText(const PlanReadout& readout)
 {
     return u"%1, %2"_s.arg(
-        PlanText::tr("%n UAVs", nullptr, static_cast<int>(readout.others.size()) + 1),
+        PlanText::tr("%n UAVs", nullptr, static_cast<int>(readout.plan->uavs.size())),
         PlanText::tr("%n icebergs", nullptr, static_cast<int>(readout.icebergs())));
 }
 
@@ -139,23 +141,23 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
         return {PlanVerdict::None,
                 readout.solving ? PlanText::tr("Planning…") : PlanText::tr("No plan yet"),
                 {}};
-    const PlanEvent& plan = *readout.plan;
+    const Plan& plan = *readout.plan;
     if (readout.icebergs() == 0)
         return {PlanVerdict::None, PlanText::tr("Nothing to visit now"), {}};
-    if (plan.stop == StopReason::Unable)
+    if (plan.outcome.reason == StopReason::Unable)
         return {PlanVerdict::Warning, issueSentence(IssueId::SolverUnable), {}};
     if (plan.fellBack)
         return {PlanVerdict::Warning,
-                plan.reason == PlanReason::Start
+                plan.uavs.front().reason == PlanReason::Start
                     ? PlanText::tr("Solver limit reached; flying to the nearest iceberg")
                     : PlanText::tr("Solver limit reached; previous plan kept"),
                 {}};
-    if (plan.source == AnswerSource::OneByOne)
+    if (plan.outcome.source == AnswerSource::OneByOne)
         return {PlanVerdict::None, PlanText::tr("Chosen one iceberg at a time"), {}};
-    if (plan.source == AnswerSource::KeptRoute)
+    if (plan.outcome.source == AnswerSource::KeptRoute)
         return {PlanVerdict::None, PlanText::tr("Following the existing route"), {}};
     PlanState state = stateOfSolve(readout, locale);
-    if (!readout.others.empty())
+    if (plan.uavs.size() > 1)
         state.text += u" · "_s + fleetText(readout);
     return state;
 }
@@ -164,9 +166,10 @@ PlanState stateOf(const PlanReadout& readout, const QLocale& locale)
 
 std::size_t PlanReadout::icebergs() const
 {
-    std::size_t count = plan ? plan->order.size() : 0;
-    for (const std::vector<int>& order : others)
-        count += order.size();
+    std::size_t count = 0;
+    if (plan)
+        for (const UavPlan& own : plan->uavs)
+            count += own.order.size();
     return count;
 }
 
@@ -184,19 +187,19 @@ PlanFigures planFigures(const PlanReadout& readout, PolicyKind policy)
     PlanFigures figures;
     if (!readout.plan || readout.isOver || readout.isHeld || readout.icebergs() == 0)
         return figures;
-    const PlanEvent& plan = *readout.plan;
-    if (plan.status == SolveStatus::None || plan.source == AnswerSource::KeptRoute)
+    const Plan& plan = *readout.plan;
+    if (plan.outcome.status == SolveStatus::None || plan.outcome.source == AnswerSource::KeptRoute)
         return figures;
     figures.distance_m = readout.weighed_m.value_or(plan.distance_m);
     // Only Eq. (1) has a reward: kept routes are made as if every sigma were 0, and the other
     // policies weigh time.
     if (!traitsOf(policy).weighsSigma)
         return figures;
-    figures.reward_m2 = plan.mu * *figures.distance_m - plan.objective;
+    figures.reward_m2 = plan.problem.mu * *figures.distance_m - plan.outcome.objective;
     if (!isSolved(plan))
         return figures;
-    figures.objective_m2 = plan.objective;
-    figures.mu_m = plan.mu;
+    figures.objective_m2 = plan.outcome.objective;
+    figures.mu_m = plan.problem.mu;
     return figures;
 }
 

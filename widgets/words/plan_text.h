@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/mission/plan_forecast.h"
-#include "core/mission/recorder.h"
+#include "core/plan/policy/policy.h"
 
 #include <QLocale>
 #include <QString>
@@ -14,12 +13,11 @@ namespace berg {
 /** The present plan, and whether another one is being made. */
 struct PlanReadout
 {
-    std::optional<PlanEvent> plan; ///< plan of one UAV of the solve
+    PlanPointer plan; ///< null if there is none
     bool solving = false;
     bool isOver = false; ///< whether the run has ended
     bool isHeld = false; ///< every UAV returns, holds or is on the ground: no plan is in force
     QString fault;       ///< reason for which nothing can be planned; empty if there is none
-    OrdersByUav others;  ///< orders of the UAVs planned in the same solve
     std::optional<double> weighed_m = {}; ///< D of Eq. (2); nullopt if the policy has none
 
     /** Returns the number of icebergs in all orders. */

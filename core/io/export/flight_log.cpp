@@ -60,7 +60,7 @@ void addDeviation(std::vector<MissionEvent>& deviations, const MissionEvent& eve
 }
 
 /** Adds the figures of the first plan, and the hash of its file. */
-void addPlanned(LogUav& uav, const Mission& mission, const PlanAnswer& plan)
+void addPlanned(LogUav& uav, const Mission& mission, const Plan& plan)
 {
     const Scenario& scenario = mission.scenario();
     const std::string& id = scenario.uavs[uav.row].id;
@@ -195,7 +195,8 @@ FlightLog flightLog(const ExportContent& content)
                   .metrics = mission.metrics(),
                   .predicted = content.predicted,
                   .wasChanged = !mission.interventions().empty()};
-    const PlanAnswer plan = startPlan(mission);
+    const Plan none;
+    const Plan& plan = mission.plans().empty() ? none : *mission.plans().front();
     for (std::size_t row = 0; row < mission.scenario().uavs.size(); ++row) {
         LogUav uav{.row = row,
                    .visits = mission.visits(static_cast<int>(row)),

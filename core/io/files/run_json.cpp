@@ -76,18 +76,22 @@ std::string interventionText(const Intervention& intervention)
     return object.inLine();
 }
 
-std::string planText(const RecordedPlan& plan)
+/** Returns a line for each UAV of the plan. */
+std::string planText(const PlanPointer& plan)
 {
-    JsonObject object;
-    object.add("time_s", plan.time_s);
-    object.addUnless("uav", plan.uav, 0);
-    object.add("target", plan.target.value_or(kNoIcebergInFile));
-    object.addText("order", jsonArrayOf(plan.order));
-    if (!plan.clusters.empty())
-        object.addText("clusters", jsonArray(textsOf(plan.clusters, jsonArrayOf<int>)));
-    if (!plan.legs.empty())
-        object.addText("legs", jsonArray(textsOf(plan.legs, legText)));
-    return object.inLine();
+    const std::vector<std::string> lines = textsOf(plan->uavs, [&plan](const UavPlan& own) {
+        JsonObject object;
+        object.add("time_s", plan->time_s);
+        object.addUnless("uav", own.uav, 0);
+        object.add("target", own.target().value_or(kNoIcebergInFile));
+        object.addText("order", jsonArrayOf(own.order));
+        if (!own.clusters.empty())
+            object.addText("clusters", jsonArray(textsOf(own.clusters, jsonArrayOf<int>)));
+        if (!own.legs.empty())
+            object.addText("legs", jsonArray(textsOf(own.legs, legText)));
+        return object.inLine();
+    });
+    return joined(lines, ",\n  ");
 }
 
 /** Reads a time within the run that is not before the time of the previous entry. */
@@ -245,24 +249,33 @@ std::vector<std::vector<int>> readClusters(ObjectReader& object, const RunContex
     });
 }
 
-std::vector<RecordedPlan> readPlans(ObjectReader& run, const RunContext& context)
+/** Makes the order begin with the target, as in every file that Bergwatch writes. */
+void startWith(std::vector<int>& order, std::optional<int> target)
+{
+    std::erase_if(order, [target](int iceberg) { return !target || iceberg == *target; });
+    if (target)
+        order.insert(order.begin(), *target);
+}
+
+std::vector<PlanPointer> readPlans(ObjectReader& run, const RunContext& context)
 {
     double before_s = 0;
     return readEach(run, "plans", [&](const Json& value, const std::string& path) {
         ObjectReader object(value, path, run.faults());
-        RecordedPlan plan;
-        plan.time_s = before_s = readTime(object, context.flownUntil_s, before_s);
-        plan.uav = asInt(object.whole(
+        UavPlan own;
+        before_s = readTime(object, context.flownUntil_s, before_s);
+        own.uav = asInt(object.whole(
             "uav", 0, {.low = 0, .high = static_cast<std::int64_t>(context.uavs) - 1}));
-        plan.target = icebergOrNone(object, "target", context);
+        const std::optional<int> target = icebergOrNone(object, "target", context);
         std::vector<bool> seen(context.icebergs, false);
         if (const Json* order = object.find("order"))
-            plan.order = readIcebergs(*order, object.path("order"), run.faults(), context, seen);
-        plan.clusters = readClusters(object, context);
-        plan.legs = readEach(object, "legs", [&](const Json& leg, const std::string& at) {
+            own.order = readIcebergs(*order, object.path("order"), run.faults(), context, seen);
+        startWith(own.order, target);
+        own.clusters = readClusters(object, context);
+        own.legs = readEach(object, "legs", [&](const Json& leg, const std::string& at) {
             return readLeg(leg, at, run.faults(), context);
         });
-        return plan;
+        return std::make_shared<const Plan>(Plan{.time_s = before_s, .uavs = {std::move(own)}});
     });
 }
 

@@ -12,18 +12,6 @@
 
 namespace berg {
 
-/** One replanning as stored in a run file. */
-struct RecordedPlan
-{
-    double time_s = 0;
-    int uav = 0;               ///< index
-    std::optional<int> target; ///< iceberg index; nullopt without a target
-    std::vector<int> order;
-    std::vector<std::vector<int>> clusters; ///< groups that are flown to as one point
-    std::vector<AimedLeg> legs;             ///< legs with aim points, empty for plans without
-    bool operator==(const RecordedPlan&) const = default;
-};
-
 /** A recorded run: its inputs, and enough of its course to check a replay bit for bit. */
 struct RunFile
 {
@@ -31,10 +19,13 @@ struct RunFile
     MissionOptions options;
     double flownUntil_s = 0;
     std::vector<Intervention> interventions;
-    std::vector<RecordedPlan> plans;
+    /** Only what `writeRun` writes of them counts. A plan read from a file is for one UAV. */
+    std::vector<PlanPointer> plans;
     std::vector<WorldState> keyframes;
     Metrics metrics;
-    bool operator==(const RunFile&) const = default;
+
+    /** Returns whether both are written as the same file. */
+    [[nodiscard]] bool operator==(const RunFile& other) const;
 };
 
 /**
@@ -42,7 +33,10 @@ struct RunFile
  * that the file stays readable; the last keyframe is always included.
  */
 [[nodiscard]] RunFile runOf(const Mission& mission);
-/** Passes the text of the run file to `put` piece by piece, so that only one piece is in memory. */
+/**
+ * Passes the text of the run file to `put` piece by piece, so that only one piece is in memory. A
+ * plan has a line for each UAV: time, target, order, clusters and legs.
+ */
 void writeRun(const RunFile& run, const TextSink& put);
 /** Reads a run file. Throws as `scenarioFromJson`. */
 [[nodiscard]] RunFile runFromJson(std::string_view text, const std::string& subject,

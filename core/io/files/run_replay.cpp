@@ -156,38 +156,53 @@ void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vec
     }
 }
 
+/** Returns what a run file has of the plans: for each UAV, the time and its part. */
+std::vector<std::pair<double, UavPlan>> linesOf(const std::vector<PlanPointer>& plans)
+{
+    std::vector<std::pair<double, UavPlan>> lines;
+    for (const PlanPointer& plan : plans)
+        for (const UavPlan& own : plan->uavs)
+            lines.emplace_back(plan->time_s, UavPlan{.uav = own.uav,
+                                                     .order = own.order,
+                                                     .clusters = own.clusters,
+                                                     .legs = own.legs});
+    return lines;
+}
+
 void comparePlans(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
 {
-    const auto [a, b] = std::mismatch(recorded.plans.begin(), recorded.plans.end(),
-                                      replayed.plans.begin(), replayed.plans.end());
-    const auto i = static_cast<std::size_t>(a - recorded.plans.begin());
-    if (a == recorded.plans.end() && b == replayed.plans.end())
+    const auto left = linesOf(recorded.plans);
+    const auto right = linesOf(replayed.plans);
+    const auto [a, b] = std::ranges::mismatch(left, right);
+    if (a == left.end() && b == right.end())
         return;
-    if (a == recorded.plans.end() || b == replayed.plans.end()) {
+    if (a == left.end() || b == right.end()) {
         issues.push_back(differs("plans", IssueId::ReplayedTotal,
-                                 {countOf(recorded.plans.size()), countOf(replayed.plans.size())}));
+                                 {countOf(left.size()), countOf(right.size())}));
         return;
     }
-    const std::string path = entry("plans", i);
-    const double time_s = a->time_s;
-    const auto number = [&](const char* field, const IssueArgument& before,
-                            const IssueArgument& now) {
-        issues.push_back(differs(path + field, IssueId::ReplayedNumber, {time_s, before, now}));
+    const std::string path = entry("plans", static_cast<std::size_t>(a - left.begin()));
+    const double time_s = a->first;
+    const UavPlan& before = a->second;
+    const UavPlan& now = b->second;
+    const auto number = [&](const char* field, const IssueArgument& one,
+                            const IssueArgument& other) {
+        issues.push_back(differs(path + field, IssueId::ReplayedNumber, {time_s, one, other}));
     };
     const auto other = [&](const char* field) {
         issues.push_back(differs(path + field, IssueId::ReplayedOther, {time_s}));
     };
-    if (a->time_s != b->time_s)
-        number(".time_s", a->time_s, b->time_s);
-    else if (a->uav != b->uav)
-        number(".uav", a->uav, b->uav);
-    else if (a->target != b->target)
-        number(".target", a->target.value_or(kNoIcebergInFile),
-               b->target.value_or(kNoIcebergInFile));
-    else if (a->clusters != b->clusters)
+    if (a->first != b->first)
+        number(".time_s", a->first, b->first);
+    else if (before.uav != now.uav)
+        number(".uav", before.uav, now.uav);
+    else if (before.target() != now.target())
+        number(".target", before.target().value_or(kNoIcebergInFile),
+               now.target().value_or(kNoIcebergInFile));
+    else if (before.clusters != now.clusters)
         other(".clusters");
     else
-        other(a->order == b->order ? ".legs" : ".order");
+        other(before.order == now.order ? ".legs" : ".order");
 }
 
 void compareMetrics(const RunFile& recorded, const RunFile& replayed, std::vector<Issue>& issues)
@@ -205,24 +220,25 @@ void compareMetrics(const RunFile& recorded, const RunFile& replayed, std::vecto
 
 } // namespace
 
+bool RunFile::operator==(const RunFile& other) const
+{
+    return scenario == other.scenario && options == other.options &&
+           flownUntil_s == other.flownUntil_s && interventions == other.interventions &&
+           linesOf(plans) == linesOf(other.plans) && keyframes == other.keyframes &&
+           metrics == other.metrics;
+}
+
 RunFile runOf(const Mission& mission)
 {
     RunFile run{.scenario = mission.scenario(),
                 .options = mission.options(),
                 .flownUntil_s = mission.simulation().time_s(),
                 .interventions = mission.interventions(),
-                .plans = {},
+                .plans = mission.plans(),
                 .keyframes = {},
                 .metrics = mission.metrics()};
     for (const Simulation& keyframe : mission.recorder().keyframes())
         run.keyframes.push_back(keyframe.state());
-    for (const PlanEvent& plan : mission.plans())
-        run.plans.push_back({.time_s = plan.time_s,
-                             .uav = plan.uav,
-                             .target = plan.target,
-                             .order = plan.order,
-                             .clusters = plan.clusters,
-                             .legs = plan.legs});
     return run;
 }
 

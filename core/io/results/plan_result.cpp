@@ -92,7 +92,7 @@ std::optional<double> PlanReport::mu() const
     return problem.sigma_m2.empty() ? std::nullopt : std::optional(problem.mu);
 }
 
-PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer)
+PlanReport planReport(const Scenario& scenario, const Plan& answer)
 {
     const Simulation start(scenario);
     const PlanRequest request = requestFor(start, scenario.planner.policy);
@@ -108,7 +108,7 @@ PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer)
                       .order = {},
                       .ids = {},
                       .distance_m = ownDistance_m(request, asked, scenario, order),
-                      .thisSortie = thisSortie(start, asked.uav, order, answer.clusters),
+                      .thisSortie = thisSortie(start, asked.uav, order, answer.uavs[k].clusters),
                       .slot_s = slotOfSortie_s(scenario, static_cast<std::size_t>(asked.uav),
                                                start.uav(asked.uav).withheld_s)};
         for (const int iceberg : order) {
@@ -125,7 +125,11 @@ PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer)
         report.path = LengthKind::Flight;
     if (report.path != LengthKind::Order)
         report.uavs.front().distance_m = report.distance_m = answer.distance_m;
-    for (const std::vector<int>& members : answer.clusters)
+    std::vector<std::vector<int>> clusters;
+    for (const UavPlan& own : answer.uavs)
+        clusters.insert(clusters.end(), own.clusters.begin(), own.clusters.end());
+    std::ranges::sort(clusters);
+    for (const std::vector<int>& members : clusters)
         std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
     return report;
 }

@@ -54,7 +54,7 @@ struct PlanReport
  * Builds the report of a plan. `answer` must come from `planFromStart(scenario)`; throws
  * `std::logic_error` for another number of UAVs.
  */
-[[nodiscard]] PlanReport planReport(const Scenario& scenario, const PlanAnswer& answer);
+[[nodiscard]] PlanReport planReport(const Scenario& scenario, const Plan& answer);
 
 /**
  * Returns the report as one JSON document with a stable member order, as `--json` prints it. The

@@ -112,10 +112,9 @@ FleetPlan lastRests(const PlanRequest& request, const FleetTask& task)
     return validPart(task.problem, std::move(plan));
 }
 
-PlanAnswer answerOf(const PlanRequest& request, const std::vector<std::vector<int>>& orders,
-                    Route route)
+Plan answerOf(const PlanRequest& request, const std::vector<std::vector<int>>& orders, Route route)
 {
-    PlanAnswer answer;
+    Plan answer;
     for (std::size_t uav = 0; uav < orders.size(); ++uav) {
         answer.distance_m += distanceOf(request, request.uavs[uav], orders[uav], route);
         answer.uavs.emplace_back().order = orders[uav];

@@ -52,9 +52,8 @@ ordersInIds(const PlanRequest& request, const FleetTask& task, const FleetPlan& 
  * legs of the request, with the return legs of closed routes. Throws `std::logic_error` if the
  * request does not hold one of the ids.
  */
-[[nodiscard]] PlanAnswer answerOf(const PlanRequest& request,
-                                  const std::vector<std::vector<int>>& orders,
-                                  Route route = Route::Open);
+[[nodiscard]] Plan answerOf(const PlanRequest& request, const std::vector<std::vector<int>>& orders,
+                            Route route = Route::Open);
 
 /**
  * Returns whether the UAV may visit the iceberg with this id now; throws `std::logic_error` if the

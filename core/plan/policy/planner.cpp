@@ -74,7 +74,7 @@ std::vector<int> nearestAvailable(const std::vector<int>& ids, const std::vector
  * Ensures, for any policy, that no order begins with an iceberg that is not available to its UAV,
  * or with one that another order begins with.
  */
-void separateFirsts(const PlanRequest& request, std::vector<UavAnswer>& answers)
+void separateFirsts(const PlanRequest& request, std::vector<UavPlan>& answers)
 {
     std::vector<int> firsts;
     for (std::size_t k = 0; k < answers.size(); ++k) {
@@ -117,7 +117,7 @@ void Planner::setSettings(const PlannerSettings& settings)
     m_settings = settings;
 }
 
-PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options, bool warmStart)
+Plan Planner::plan(const PlanRequest& request, const SolveOptions& options, bool warmStart)
 {
     requireSolvingAllowed(); // its error must not count as a failure of the policy
     SolveOptions solveOptions = options;
@@ -131,7 +131,7 @@ PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options
     for (UavRequest& uav : withRests.uavs)
         uav.lastRest = warmStart ? stillAvailable(m_lastOrders[uav.uav], request, uav.available)
                                  : std::vector<int>{};
-    PlanAnswer answer;
+    Plan answer;
     try {
         answer = m_policy->plan(withRests, solveOptions);
     } catch (const std::exception& failure) {
@@ -142,20 +142,19 @@ PlanAnswer Planner::plan(const PlanRequest& request, const SolveOptions& options
         return answer; // nothing is stored: the caller repeats the request
     answer.uavs.resize(request.uavs.size());
     separateFirsts(request, answer.uavs);
-    if (std::ranges::all_of(answer.uavs, [](const UavAnswer& uav) { return uav.order.empty(); }))
+    if (std::ranges::all_of(answer.uavs, [](const UavPlan& uav) { return uav.order.empty(); }))
         answer.fellBack = fallBack(request, answer.uavs);
-    std::vector<int> flown;
     for (std::size_t k = 0; k < answer.uavs.size(); ++k) {
-        std::vector<int>& order = answer.uavs[k].order;
-        flown.insert(flown.end(), order.begin(), order.end());
-        order = withMembers(order, request.clusters);
-        m_lastOrders[request.uavs[k].uav] = order;
+        UavPlan& own = answer.uavs[k];
+        own.uav = request.uavs[k].uav;
+        own.clusters = clustersIn(own.order, request.clusters);
+        own.order = withMembers(own.order, request.clusters);
+        m_lastOrders[own.uav] = own.order;
     }
-    answer.clusters = clustersIn(flown, request.clusters);
     return answer;
 }
 
-bool Planner::fallBack(const PlanRequest& request, std::vector<UavAnswer>& answers) const
+bool Planner::fallBack(const PlanRequest& request, std::vector<UavPlan>& answers) const
 {
     std::vector<int> taken;
     for (std::size_t k = 0; k < answers.size(); ++k) {

@@ -40,15 +40,15 @@ public:
      * `warmStart` the solver does not get the last orders (the fallback still uses them). Throws
      * `std::logic_error` inside a `NoBlockingScope`.
      */
-    [[nodiscard]] PlanAnswer plan(const PlanRequest& request, const SolveOptions& options,
-                                  bool warmStart = true);
+    [[nodiscard]] Plan plan(const PlanRequest& request, const SolveOptions& options,
+                            bool warmStart = true);
 
 private:
     /**
      * Gives each UAV the rest of its last order, else the nearest iceberg that no other UAV flies
      * to. Returns false if there is nothing to fly to.
      */
-    [[nodiscard]] bool fallBack(const PlanRequest& request, std::vector<UavAnswer>& answers) const;
+    [[nodiscard]] bool fallBack(const PlanRequest& request, std::vector<UavPlan>& answers) const;
 
     PlannerSettings m_settings;
     PolicyMaker m_maker;

@@ -34,8 +34,8 @@ class TaskSolver
 public:
     TaskSolver(Backend backend, const TvpSolver& alone) : m_backend(backend), m_alone(alone) {}
 
-    [[nodiscard]] PlanAnswer solve(const PlanRequest& request, FleetTask task, bool warmStart,
-                                   SolveOptions options)
+    [[nodiscard]] Plan solve(const PlanRequest& request, FleetTask task, bool warmStart,
+                             SolveOptions options)
     {
         options.hint = warmStart ? lastRests(request, task) : FleetPlan{};
         if (options.inFlight && !options.hint.empty())
@@ -46,7 +46,7 @@ public:
                 report(progress);
             };
         SolveOutcome outcome = berg::solve(task.problem, m_backend, m_alone, options);
-        PlanAnswer answer =
+        Plan answer =
             answerOf(request, ordersInIds(request, task, outcome.plan), task.problem.route);
         if (outcome.status != SolveStatus::None && outcome.bound)
             answer.gap = relativeGap(task.problem, outcome.objective, *outcome.bound);
@@ -93,7 +93,7 @@ public:
     {
     }
 
-    PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
+    Plan plan(const PlanRequest& request, const SolveOptions& options) override
     {
         FleetTask task = visitationTask(request, m_settings.route);
         if (task.ids.empty()) // no UAV has anything to visit
@@ -117,7 +117,7 @@ public:
     {
     }
 
-    PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
+    Plan plan(const PlanRequest& request, const SolveOptions& options) override
     {
         require(request.speed_mps > 0, "latency: no arrival times without an airspeed");
         FleetTask task = fleetTask(request);
@@ -140,7 +140,7 @@ class GreedyPolicy final : public Policy
 public:
     explicit GreedyPolicy(bool nearest) : m_nearest(nearest) {}
 
-    PlanAnswer plan(const PlanRequest& request, const SolveOptions&) override
+    Plan plan(const PlanRequest& request, const SolveOptions&) override
     {
         FleetTask task = fleetTask(request);
         FleetPlan plan(task.uavs.size());
@@ -150,7 +150,7 @@ public:
             plan[static_cast<std::size_t>(next.uav)].push_back(next.node);
             done[static_cast<std::size_t>(next.node)] = true;
         }
-        PlanAnswer answer = answerOf(request, ordersInIds(request, task, plan));
+        Plan answer = answerOf(request, ordersInIds(request, task, plan));
         answer.outcome = {.status = SolveStatus::Feasible, .source = AnswerSource::OneByOne};
         answer.outcome.objective = fleetObjective(task.problem, plan);
         answer.outcome.plan = std::move(plan);
@@ -214,12 +214,12 @@ public:
     {
     }
 
-    PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
+    Plan plan(const PlanRequest& request, const SolveOptions& options) override
     {
         if (request.ids == m_known) {
             const std::vector<std::vector<int>> orders = remainingOrders(request);
             if (!std::ranges::all_of(orders, &std::vector<int>::empty)) {
-                PlanAnswer answer = answerOf(request, orders);
+                Plan answer = answerOf(request, orders);
                 answer.outcome = {.status = SolveStatus::Feasible,
                                   .source = AnswerSource::KeptRoute};
                 return answer;
@@ -229,7 +229,7 @@ public:
         task.problem = distanceOnly(std::move(task.problem));
         SolveOptions whole = options;
         whole.inFlight = false; // this plan is kept for a long time
-        PlanAnswer answer = m_solver.solve(request, std::move(task), false, whole);
+        Plan answer = m_solver.solve(request, std::move(task), false, whole);
         if (answer.outcome.reason == StopReason::Cancelled)
             return answer; // incomplete routes are discarded
         m_known = request.ids;

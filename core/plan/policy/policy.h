@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/plan/fleet/fleet_problem.h"
+#include "core/plan/policy/plan.h"
 #include "core/plan/policy/policy_table.h"
-#include "core/plan/solve/solver.h"
 
 #include <memory>
 #include <span>
@@ -65,52 +64,6 @@ struct PlanRequest
     Eigen::MatrixXd betweenUavs_m;
 };
 
-/** One visit of a patrol, which comes back to icebergs. */
-struct PlannedVisit
-{
-    int iceberg = 0;   ///< id
-    double time_s = 0; ///< predicted, since the start of the mission
-    bool operator==(const PlannedVisit&) const = default;
-};
-
-/** The part of an answer that concerns one UAV. */
-struct UavAnswer
-{
-    std::vector<int> order;     ///< ids in visiting order; the first one is available; may be empty
-    std::vector<AimedLeg> legs; ///< legs of the flight; empty means straight to the first iceberg
-    std::optional<AimedOutlook> outlook; ///< prediction for `legs`
-    /** Visits that the UAV plans after `legs`, or after the first iceberg if there are no legs,
-     * ascending in time; an iceberg may appear several times. Empty unless `coverage` plans a
-     * patrol. */
-    std::vector<PlannedVisit> laterVisits = {};
-};
-
-/** Result of a plan. */
-struct PlanAnswer
-{
-    /** One entry for each of `PlanRequest::uavs`; no two orders begin with the same iceberg. */
-    std::vector<UavAnswer> uavs;
-    /** Clusters of the request that an order holds; their members follow one another. */
-    std::vector<std::vector<int>> clusters;
-    SolveOutcome outcome; ///< result of the solver; its nodes are those of `problem`
-    /** Problem that was solved (`visitationTask`); empty if no solve was needed. */
-    FleetProblem problem;
-    std::vector<int> solvedIds; ///< id of node k+1 of `problem`
-    /**
-     * Whether the policy gave no order, so that each UAV flies the rest of its last order, or to
-     * the nearest iceberg if there is no rest.
-     */
-    bool fellBack = false;
-    std::string failure;                     ///< reason, in English, if the policy threw an error
-    std::optional<double> predictedZeta_m2s; ///< predicted zeta, by which the legs were chosen
-    std::optional<double> gap;               ///< relative gap of `outcome`
-    /**
-     * Distance of the plan in the unit of `UavRequest::distance_m`, with the return legs of closed
-     * routes.
-     */
-    double distance_m = 0;
-};
-
 /** Chooses the orders in which icebergs are visited. One object serves one mission. */
 class Policy
 {
@@ -127,8 +80,7 @@ public:
      * Throws as `solveFleet` and `TvpSolver::solve` do, and `std::logic_error` for an invalid
      * request; the policy latency needs a `speed_mps` above 0.
      */
-    [[nodiscard]] virtual PlanAnswer plan(const PlanRequest& request,
-                                          const SolveOptions& options) = 0;
+    [[nodiscard]] virtual Plan plan(const PlanRequest& request, const SolveOptions& options) = 0;
 };
 
 /**

@@ -143,8 +143,8 @@ private:
  */
 struct MadeCycle
 {
-    Cycle cycle;       ///< empty if none was found, or if the solve was cancelled
-    PlanAnswer answer; ///< answer about the cycle problem, without orders
+    Cycle cycle; ///< empty if none was found, or if the solve was cancelled
+    Plan answer; ///< answer about the cycle problem, without orders
 };
 
 MadeCycle makeCycle(const PlanRequest& request, const Eigen::MatrixXd& distance_m,
@@ -172,7 +172,7 @@ MadeCycle makeCycle(const PlanRequest& request, const Eigen::MatrixXd& distance_
 }
 
 /** Returns the answer about the cycle with these orders. */
-PlanAnswer withOrders(PlanAnswer answer, std::vector<std::vector<int>> orders)
+Plan withOrders(Plan answer, std::vector<std::vector<int>> orders)
 {
     answer.uavs.clear();
     for (std::vector<int>& order : orders)
@@ -187,8 +187,7 @@ PlanAnswer withOrders(PlanAnswer answer, std::vector<std::vector<int>> orders)
 class TourOfOne
 {
 public:
-    PlanAnswer plan(const PlanRequest& request, const TvpSolver& solver,
-                    const SolveOptions& options)
+    Plan plan(const PlanRequest& request, const TvpSolver& solver, const SolveOptions& options)
     {
         const std::vector<std::vector<int>> none(1);
         if (request.ids.empty())
@@ -196,7 +195,7 @@ public:
         m_rest = request.ids == m_known ? fromFirstAvailable(request, m_rest) : std::vector<int>();
         m_known = request.ids;
         if (!m_rest.empty()) {
-            PlanAnswer answer = answerOf(request, {m_rest});
+            Plan answer = answerOf(request, {m_rest});
             answer.outcome = {.status = SolveStatus::Feasible, .source = AnswerSource::KeptRoute};
             return answer;
         }
@@ -248,7 +247,7 @@ private:
 
     std::vector<int> m_cycle;    ///< ids, from the entry on
     std::vector<int> m_cycleIds; ///< ids of the request that the cycle was made for
-    PlanAnswer m_made;
+    Plan m_made;
     std::vector<int> m_rest; ///< rest of the present round
     std::vector<int> m_known;
 };
@@ -256,7 +255,7 @@ private:
 class TourOfSeveral
 {
 public:
-    PlanAnswer plan(const PlanRequest& request, const TvpSolver& solver, SolveOptions options)
+    Plan plan(const PlanRequest& request, const TvpSolver& solver, SolveOptions options)
     {
         const FleetTask task = fleetTask(request);
         const std::vector<std::vector<int>> none(request.uavs.size());
@@ -343,7 +342,7 @@ private:
 
     Cycle m_cycle;
     std::vector<int> m_ids; ///< ids of the request that the cycle was made for
-    PlanAnswer m_made;      ///< answer about the cycle, without orders
+    Plan m_made;            ///< answer about the cycle, without orders
     /** By `UavRequest::uav`: place of its next iceberg in the cycle. */
     std::map<int, std::size_t> m_places;
 };
@@ -353,7 +352,7 @@ class TourPolicy final : public Policy
 public:
     explicit TourPolicy(const TvpSolver& solver) : m_solver(solver) {}
 
-    PlanAnswer plan(const PlanRequest& request, const SolveOptions& options) override
+    Plan plan(const PlanRequest& request, const SolveOptions& options) override
     {
         // A UAV of several may be planned alone later, but keeps its place in the cycle.
         m_isOfSeveral = m_isOfSeveral || request.uavs.size() > 1;

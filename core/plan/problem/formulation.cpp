@@ -110,9 +110,9 @@ void addPositionColumns(const TvpProblem& problem, MilpModel& model)
         double distance_m = problem.distance_m(arc.from, arc.to);
         if (problem.route == Route::Closed && arc.position == problem.icebergCount())
             distance_m += problem.distance_m(arc.to, 0);
-        model.columns.push_back({.name = label("z", {arc.from, arc.to, arc.position}),
+        model.columns.push_back({.name = label("z", {arc.from, arc.to, *arc.position}),
                                  .objective = problem.mu * distance_m +
-                                              problem.sigma_m2[at(arc.to)] * (arc.position + 1)});
+                                              problem.sigma_m2[at(arc.to)] * (*arc.position + 1)});
     }
 }
 
@@ -138,10 +138,10 @@ void addPositionRows(MilpModel& model)
     for (int c = 0; c < static_cast<int>(model.arcs.size()); ++c) {
         const MilpArc& arc = model.arcs[at(c)];
         visits[at(arc.to - 1)].terms.push_back({c, 1});
-        MilpRow& source = arc.position == 1 ? start : flow(arc.from, arc.position);
+        MilpRow& source = arc.position == 1 ? start : flow(arc.from, *arc.position);
         source.terms.push_back({c, arc.position == 1 ? 1.0 : -1.0});
-        if (arc.position < icebergs)
-            flow(arc.to, arc.position + 1).terms.push_back({c, 1});
+        if (*arc.position < icebergs)
+            flow(arc.to, *arc.position + 1).terms.push_back({c, 1});
     }
     visits.push_back(std::move(start));
     for (std::vector<MilpRow>* rows : {&visits, &flows})
@@ -224,7 +224,7 @@ std::vector<double> encode(const MilpModel& model, std::span<const int> order)
     for (std::size_t c = 0; c < model.arcs.size(); ++c) {
         const MilpArc& arc = model.arcs[c];
         const bool flown = next[at(arc.from)] == arc.to;
-        if (flown && (arc.position == 0 || arc.position == position[at(arc.from)]))
+        if (flown && (!arc.position || arc.position == position[at(arc.from)]))
             solution[c] = 1;
     }
     if (model.hasOrderColumns)

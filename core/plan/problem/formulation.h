@@ -3,6 +3,7 @@
 #include "core/plan/problem/tvp.h"
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -46,7 +47,8 @@ struct MilpArc
 {
     int from = 0;
     int to = 0;
-    int position = 0; ///< position that the arc leaves, 1 = UAV; 0 if the formulation has none
+    /** Position that the arc leaves, 1 = UAV; nullopt if the formulation has none. */
+    std::optional<int> position = {};
     bool operator==(const MilpArc&) const = default;
 };
 

@@ -25,7 +25,8 @@ VisitOrder byMeanPosition(const MilpModel& model, std::span<const double> relaxe
                     mean.begin());
     else
         for (std::size_t c = 0; c < model.arcs.size(); ++c)
-            mean[static_cast<std::size_t>(model.arcs[c].to)] += relaxed[c] * model.arcs[c].position;
+            mean[static_cast<std::size_t>(model.arcs[c].to)] +=
+                relaxed[c] * *model.arcs[c].position;
 
     VisitOrder order(mean.size() - 1);
     std::iota(order.begin(), order.end(), 1);
@@ -75,13 +76,13 @@ AdmissibleFlow::AdmissibleFlow(const MilpModel& model)
 {
     for (std::size_t c = 0; c < model.arcs.size(); ++c) {
         const MilpArc& arc = model.arcs[c];
-        m_outgoing[slot(model, arc.position, arc.from)].push_back(static_cast<int>(c));
+        m_outgoing[slot(model, arc.position.value_or(0), arc.from)].push_back(static_cast<int>(c));
     }
 }
 
 const std::vector<int>& AdmissibleFlow::onwardFrom(const MilpArc& arc) const
 {
-    return m_outgoing[slot(m_model, arc.position + 1, arc.to)];
+    return m_outgoing[slot(m_model, *arc.position + 1, arc.to)];
 }
 
 std::vector<MilpRow> AdmissibleFlow::violated(std::span<const double> relaxed,

@@ -169,8 +169,8 @@ private slots:
             w.trigger(u"redoAction"_s);
         QVERIFY(w.scenario() == end);
         QVERIFY(w.untilReady());
-        const PlanAnswer plan = test::elsewhere([&] { return planFromStart(end); });
-        QCOMPARE(w.record().now.plan->order, plan.uavs[0].order);
+        const Plan plan = test::elsewhere([&] { return planFromStart(end); });
+        QCOMPARE(w.record().now.plan->uavs[0].order, plan.uavs[0].order);
         QVERIFY(w.interaction.errors.isEmpty());
     }
 };

@@ -93,7 +93,7 @@ private slots:
         QVERIFY(w.untilReady());
         QCOMPARE(plan.model()->rowCount(), 5);
         const Scenario scenario = w.scenario();
-        QCOMPARE(w.record().now.plan->order,
+        QCOMPARE(w.record().now.plan->uavs[0].order,
                  test::elsewhere([&] { return planFromStart(scenario).uavs[0].order; }));
         w.trigger(u"undoAction"_s);
         QVERIFY(w.untilReady());
@@ -175,7 +175,7 @@ private slots:
         auto& plan = test::child<QTableView>(w.window(), u"planTable"_s);
         QTest::mouseClick(plan.viewport(), Qt::LeftButton, {},
                           plan.visualRect(plan.model()->index(1, 1)).center());
-        const auto second = static_cast<std::size_t>(w.record().now.plan->order[1]);
+        const auto second = static_cast<std::size_t>(w.record().now.plan->uavs[0].order[1]);
         const std::string id = w.scenario().icebergs[second].id;
         QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{id});
         QCOMPARE(test::child<QLineEdit>(w.window(), u"icebergId"_s).text(),

@@ -83,7 +83,7 @@ private slots:
         const std::string expected = test::elsewhere([&] {
             Mission mission(scenario);
             mission.advance(flown ? 40 : 0);
-            const PlanAnswer plan = planFromStart(scenario);
+            const Plan plan = planFromStart(scenario);
             const ExportContent content = exportContent({.scenario = scenario,
                                                          .plan = plan,
                                                          .mission = flown ? &mission : nullptr,

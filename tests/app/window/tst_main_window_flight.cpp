@@ -263,9 +263,10 @@ private slots:
         QCOMPARE(w.record().now.active, (std::vector<bool>{true, false, true, true}));
         QVERIFY(w.scenario() == before);
         QVERIFY(w.until([&] {
-            return std::ranges::none_of(w.record().now.plans, [](const PlanEvent& plan) {
-                return std::ranges::find(plan.order, 1) != plan.order.end();
-            });
+            return std::ranges::none_of(ordersOf(w.record().now),
+                                        [](const std::vector<int>& order) {
+                                            return std::ranges::find(order, 1) != order.end();
+                                        });
         }));
         const MissionEvent& last = *std::ranges::find_if(
             w.record().history.events, [](auto& e) { return e.kind == EventKind::Intervention; });
@@ -330,7 +331,7 @@ private slots:
         QTRY_VERIFY(firstEvent(w).endsWith(u"berg-1"_s));
         w.dragTau(0.9, 0.0);
         QVERIFY(w.untilReady());
-        QCOMPARE(w.record().now.plan->target, std::optional(1));
+        QCOMPARE(w.record().now.plan->uavs[0].target(), std::optional(1));
         QTRY_VERIFY(firstEvent(w).endsWith(u"berg-2"_s));
     }
 

@@ -1,5 +1,6 @@
 #include "core/io/export/content/export_flight.h"
 #include "core/io/files/run_json.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/window/map_fixture.h"
 #include "tests/support/window/window_fixture.h"
 #include "widgets/charts/pareto_chart.h"
@@ -75,7 +76,7 @@ void dragTo(WindowFixture& w, const std::string& iceberg, const std::string& uav
     QCoreApplication::sendEvent(table.viewport(), &drop);
 }
 
-bool isInOrderOf(const PlanEvent& plan, int iceberg)
+bool isInOrderOf(const UavPlan& plan, int iceberg)
 {
     return std::ranges::find(plan.order, iceberg) != plan.order.end();
 }
@@ -200,7 +201,7 @@ private slots:
         });
         QVERIFY(differences.empty());
         bool isVisited = false;
-        for (const PlanEvent& plan : plans) {
+        for (const test::FlownPlan& plan : test::flownPlans(plans)) {
             isVisited = isVisited || (plan.uav == 1 && isInOrderOf(plan, index));
             QVERIFY(plan.uav == 1 || plan.time_s < time_s || plan.reason == PlanReason::Start ||
                     !isInOrderOf(plan, index));

@@ -278,7 +278,7 @@ private slots:
         QCOMPARE(w.record().now.world.tracks[4].sigma_m2,
                  berg::errorOf(SightingSource::Radar).sigma_m2());
         QCOMPARE(countEvents(w, [](const auto& e) { return e.kind == EventKind::Appeared; }), 2);
-        QVERIFY(w.record().now.plan->order.size() >= 5);
+        QVERIFY(w.record().now.plan->uavs[0].order.size() >= 5);
         w.workspace.selection().set({first.id}); // and reported seen as the others are
         QVERIFY(w.action(u"seenAction"_s).isEnabled());
         QVERIFY(flyTo(w, 10));

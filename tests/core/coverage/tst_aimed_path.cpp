@@ -3,6 +3,7 @@
 #include "core/mission/mission.h"
 #include "core/mission/plan_requests.h"
 #include "core/presets/presets.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
@@ -126,7 +127,7 @@ private slots:
         for (int k = 0; k < 40; ++k) {
             mission.advance(mission.simulation().time_s() + 7);
             const WorldState& world = mission.simulation().state();
-            const PlanEvent& plan = mission.plans().back();
+            const test::FlownPlan plan = test::flownPlans(mission).back();
             if (!world.uavs[0].aim || plan.legs.size() < 2)
                 continue;
             std::vector<AimedLeg> legs = plan.legs;

@@ -54,7 +54,7 @@ std::optional<Pose> poseAt(const std::vector<AimedPath>& paths, double time_s)
 }
 
 /** Returns zeta of the legs, integrated in small steps with the views that the planner uses. */
-double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
+double integrated_m2s(const PlanRequest& request, const Plan& answer)
 {
     constexpr double kStep_s = 0.05;
     const PredictionInput& input = *request.uavs[0].prediction;
@@ -94,7 +94,7 @@ double integrated_m2s(const PlanRequest& request, const PlanAnswer& answer)
  * Verifies that UAVs fly only to icebergs they may have, that each iceberg is in one order, and
  * that times agree.
  */
-void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
+void verifyAnswer(const Plan& answer, const PlanRequest& request)
 {
     QCOMPARE(answer.uavs.size(), request.uavs.size());
     QVERIFY(answer.outcome.status == SolveStatus::Feasible);
@@ -102,7 +102,7 @@ void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
     std::multiset<int> first;
     std::set<int> available;
     for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
-        const UavAnswer& uav = answer.uavs[u];
+        const UavPlan& uav = answer.uavs[u];
         const auto may = [&](int id) {
             return request.uavs[u].available[static_cast<std::size_t>(id)];
         };
@@ -145,12 +145,11 @@ FlownFleet fly(FleetFlight& flight, const Scenario& scenario)
             continue;
         const PlanRequest request = flight.request(rests);
         const bool isFirst = flown.plans == 0;
-        const PlanAnswer answer =
-            policy->plan(request, {.workLimit = isFirst ? 1'000'000 : kWork / 10});
+        const Plan answer = policy->plan(request, {.workLimit = isFirst ? 1'000'000 : kWork / 10});
         verifyAnswer(answer, request);
         rests.clear();
         for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
-            const UavAnswer& uav = answer.uavs[u];
+            const UavPlan& uav = answer.uavs[u];
             rests.push_back(uav.order);
             flight.setLeg(static_cast<int>(u), uav.order.empty() ? -1 : uav.order.front(),
                           uav.legs.empty() ? std::nullopt : std::optional(uav.legs.front()));
@@ -252,14 +251,14 @@ private slots:
         double integratedSum_m2s = 0;
         for (int seed = 1; seed <= 4; ++seed) {
             const PlanRequest request = FleetFlight(field(seed, uavs, icebergs)).request();
-            const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+            const Plan answer = coverage()->plan(request, {.workLimit = kWork});
             verifyAnswer(answer, request);
             const double integrated = integrated_m2s(request, answer);
             // A very close sighting may differ, which costs 3 %; the error is usually within 0.1 %.
             QVERIFY(std::abs(*answer.predictedZeta_m2s / integrated - 1) < 0.04);
             predictedSum_m2s += *answer.predictedZeta_m2s;
             integratedSum_m2s += integrated;
-            for (const UavAnswer& uav : answer.uavs)
+            for (const UavPlan& uav : answer.uavs)
                 QVERIFY(std::abs(uav.outlook->zeta_m2s / *answer.predictedZeta_m2s - 1) < 1e-9);
         }
         QVERIFY(std::abs(predictedSum_m2s / integratedSum_m2s - 1) < 0.01);
@@ -297,7 +296,7 @@ private slots:
         for (int i = 0; i < 12; ++i)
             flight.assign(i, i % 3 - 1);
         const PlanRequest request = flight.request();
-        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+        const Plan answer = coverage()->plan(request, {.workLimit = kWork});
         for (std::size_t u = 0; u < 2; ++u)
             for (const AimedLeg& leg : answer.uavs[u].legs)
                 QVERIFY(request.uavs[u].available[static_cast<std::size_t>(leg.iceberg)]);
@@ -310,10 +309,10 @@ private slots:
         addIceberg(scenario, 3000, 0);
         addIceberg(scenario, 3000, 2000);
         const PlanRequest request = FleetFlight(scenario).request();
-        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+        const Plan answer = coverage()->plan(request, {.workLimit = kWork});
         verifyAnswer(answer, request);
         QCOMPARE(std::count_if(answer.uavs.begin(), answer.uavs.end(),
-                               [](const UavAnswer& uav) { return uav.order.empty(); }),
+                               [](const UavPlan& uav) { return uav.order.empty(); }),
                  1);
     }
 
@@ -321,7 +320,7 @@ private slots:
     {
         Scenario scenario = withUavs(emptySea(), 2);
         addIceberg(scenario, 50, 0);
-        const PlanAnswer answer = coverage()->plan(FleetFlight(scenario).request(), {});
+        const Plan answer = coverage()->plan(FleetFlight(scenario).request(), {});
         QCOMPARE(answer.uavs.size(), std::size_t{2});
         QVERIFY(answer.uavs[0].order.empty() && answer.uavs[1].order.empty());
         QVERIFY(!answer.predictedZeta_m2s);
@@ -335,7 +334,7 @@ private slots:
         addIceberg(scenario, 3000, 1000, 4);
         const PlanRequest request = FleetFlight(scenario).request();
         QVERIFY(request.uavs[1].prediction->tracks[0].inView);
-        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+        const Plan answer = coverage()->plan(request, {.workLimit = kWork});
         const double error = *answer.predictedZeta_m2s / integrated_m2s(request, answer) - 1;
         QVERIFY2(std::abs(error) < 0.01, qPrintable(QString::number(error)));
     }
@@ -347,7 +346,7 @@ private slots:
         PredictionInput shorter = *request.uavs[1].prediction;
         shorter.until_s = 300;
         request.uavs[1].prediction = std::make_shared<const PredictionInput>(shorter);
-        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+        const Plan answer = coverage()->plan(request, {.workLimit = kWork});
         QCOMPARE(answer.uavs[0].outlook->until_s, 1000.0);
         QVERIFY(answer.uavs[1].legs.back().sighting_s <= 300 + 1e-9);
         QVERIFY(answer.uavs[0].legs.back().sighting_s > 900);
@@ -363,10 +362,10 @@ private slots:
             input.weights[3] = 50;
             uav.prediction = std::make_shared<const PredictionInput>(input);
         }
-        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+        const Plan answer = coverage()->plan(request, {.workLimit = kWork});
         const double error = *answer.predictedZeta_m2s / integrated_m2s(request, answer) - 1;
         QVERIFY2(std::abs(error) < 0.01, qPrintable(QString::number(error)));
-        const auto goesThere = [](const UavAnswer& uav) {
+        const auto goesThere = [](const UavPlan& uav) {
             return std::count_if(uav.legs.begin(), uav.legs.end(),
                                  [](const AimedLeg& leg) { return leg.iceberg == 3; });
         };
@@ -377,11 +376,11 @@ private slots:
     {
         const PlanRequest request = FleetFlight(field(7, 3)).request();
         const SolveOptions options{.workLimit = kWork};
-        const PlanAnswer one = coverage()->plan(request, options);
+        const Plan one = coverage()->plan(request, options);
         std::vector<SolveProgress> reported;
         SolveOptions watched = options;
         watched.onProgress = [&](const SolveProgress& progress) { reported.push_back(progress); };
-        const PlanAnswer two = coverage()->plan(request, watched);
+        const Plan two = coverage()->plan(request, watched);
         for (std::size_t u = 0; u < 3; ++u)
             QVERIFY(one.uavs[u].legs == two.uavs[u].legs);
         QVERIFY(!reported.empty());
@@ -398,10 +397,10 @@ private slots:
         std::stop_source source;
         source.request_stop();
         const std::unique_ptr<Policy> policy = coverage();
-        const PlanAnswer cut = policy->plan(request, {.stop = source.get_token()});
+        const Plan cut = policy->plan(request, {.stop = source.get_token()});
         QVERIFY(cut.outcome.reason == StopReason::Cancelled);
         QVERIFY(cut.uavs.empty());
-        const PlanAnswer quick = policy->plan(request, {.timeLimit_s = 0});
+        const Plan quick = policy->plan(request, {.timeLimit_s = 0});
         QVERIFY(quick.outcome.reason == StopReason::TimeLimit);
         verifyAnswer(quick, request);
     }

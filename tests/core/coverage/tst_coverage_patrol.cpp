@@ -4,6 +4,7 @@
 #include "core/presets/presets.h"
 #include "core/scenario/limits.h"
 #include "tests/support/flight/fleet_flight.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
@@ -39,7 +40,7 @@ Scenario sparseField(int seed, int icebergs, double duration_s, int uavs = 1)
     return scenario;
 }
 
-PlanAnswer firstPlan(const Scenario& scenario, std::int64_t workLimit = kWork)
+Plan firstPlan(const Scenario& scenario, std::int64_t workLimit = kWork)
 {
     return coverage()->plan(planRequest(Simulation(scenario)), {.workLimit = workLimit});
 }
@@ -52,10 +53,10 @@ double flown_m2s(Scenario scenario, PolicyKind policy)
     return mission.metrics().zeta_m2s;
 }
 
-bool hasLaterVisits(const PlanAnswer& answer)
+bool hasLaterVisits(const Plan& answer)
 {
     return std::ranges::any_of(answer.uavs,
-                               [](const UavAnswer& uav) { return !uav.laterVisits.empty(); });
+                               [](const UavPlan& uav) { return !uav.laterVisits.empty(); });
 }
 
 } // namespace
@@ -81,9 +82,9 @@ private slots:
     {
         for (const int uavs : {1, 3}) {
             const Scenario scenario = sparseField(2, 20, 4 * 3600, uavs);
-            const PlanAnswer answer = firstPlan(scenario);
+            const Plan answer = firstPlan(scenario);
             std::map<int, int> visits;
-            for (const UavAnswer& uav : answer.uavs) {
+            for (const UavPlan& uav : answer.uavs) {
                 QVERIFY(!uav.legs.empty());
                 QVERIFY(!uav.laterVisits.empty());
                 QCOMPARE(uav.outlook->sightings_s.size(), uav.order.size());
@@ -112,7 +113,7 @@ private slots:
         for (const int uavs : {1, 2}) {
             Scenario scenario = sparseField(3, 10, 4000, uavs);
             scenario.noise = false;
-            const PlanAnswer answer = firstPlan(scenario, 30'000'000);
+            const Plan answer = firstPlan(scenario, 30'000'000);
             QCOMPARE(answer.uavs.front().outlook->until_s, 4000.0);
             const double zeta_m2s = flown_m2s(scenario, PolicyKind::Coverage);
             const double off = *answer.predictedZeta_m2s / zeta_m2s - 1;
@@ -141,15 +142,16 @@ private slots:
             mission.advance(scenario.duration_s);
             double time_s = -1;
             std::set<int> targets;
-            for (const PlanEvent& plan : mission.plans()) {
+            for (const test::FlownPlan& plan : test::flownPlans(mission)) {
                 if (plan.time_s > time_s)
                     targets.clear();
                 time_s = plan.time_s;
-                QVERIFY2(plan.target, qPrintable(QString::number(time_s)));
-                QVERIFY(targets.insert(*plan.target).second);
+                QVERIFY2(plan.target(), qPrintable(QString::number(time_s)));
+                QVERIFY(targets.insert(*plan.target()).second);
             }
-            QVERIFY(!mission.plans().front().laterVisits.empty());
-            QVERIFY(mission.plans().back().laterVisits.empty()); // less than 1000 s are left
+            QVERIFY(!test::flownPlans(mission).front().laterVisits.empty());
+            QVERIFY(
+                test::flownPlans(mission).back().laterVisits.empty()); // less than 1000 s are left
         }
     }
 
@@ -182,7 +184,7 @@ private slots:
         };
         QVERIFY(count(EventKind::Landed) >= 2);
         QCOMPARE(count(EventKind::LateHome), 0);
-        const std::vector<PlannedVisit>& later = mission.plans().front().laterVisits;
+        const std::vector<PlannedVisit> later = test::flownPlans(mission).front().laterVisits;
         QVERIFY(!later.empty());
         double longest_s = 0;
         for (std::size_t k = 1; k < later.size(); ++k)
@@ -197,14 +199,14 @@ private slots:
     {
         Scenario scenario = sparseField(12, 12, 2 * 3600);
         scenario.observer.model = ObserverModel::Kalman;
-        const PlanAnswer known = firstPlan(scenario);
+        const Plan known = firstPlan(scenario);
         QVERIFY(known.uavs.front().legs.empty());
         QVERIFY(!known.uavs.front().outlook);
         QCOMPARE(known.uavs.front().order.size(), 12U);
         QVERIFY(known.uavs.front().laterVisits.size() > 12U);
         for (Iceberg& iceberg : scenario.icebergs)
             iceberg.velocitySd_mps = 0.1;
-        const PlanAnswer unknown = firstPlan(scenario);
+        const Plan unknown = firstPlan(scenario);
         QVERIFY(!hasLaterVisits(unknown));
         const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
         const PlanRequest request = planRequest(Simulation(scenario));
@@ -217,7 +219,7 @@ private slots:
     void limitsStillGiveAPlan()
     {
         const PlanRequest request = planRequest(Simulation(sparseField(10, 12, 7200)));
-        const PlanAnswer hasty = coverage()->plan(request, {.timeLimit_s = 0});
+        const Plan hasty = coverage()->plan(request, {.timeLimit_s = 0});
         QVERIFY(hasty.outcome.reason == StopReason::TimeLimit);
         QVERIFY(!hasty.uavs.front().legs.empty());
         QVERIFY(!coverage()->plan(request, {.workLimit = 1}).uavs.front().legs.empty());
@@ -234,7 +236,7 @@ private slots:
         for (const int icebergs : {10, 14, 5, 1, 12}) {
             PlanRequest request = planRequest(Simulation(sparseField(11, icebergs, 7200)));
             request.uavs.front().lastRest = rest;
-            const PlanAnswer answer = policy->plan(request, {.workLimit = kWork / 10});
+            const Plan answer = policy->plan(request, {.workLimit = kWork / 10});
             rest = answer.uavs.front().order;
             QCOMPARE(rest.size(), static_cast<std::size_t>(icebergs));
             for (const PlannedVisit& visit : answer.uavs.front().laterVisits)

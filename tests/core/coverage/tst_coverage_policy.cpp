@@ -43,7 +43,7 @@ PlanRequest requestOf(const Scenario& scenario)
  * Verifies that every available id is in the order once, that the first leg sees the first one, and
  * that the numbers agree.
  */
-void verifyAnswer(const PlanAnswer& answer, const PlanRequest& request)
+void verifyAnswer(const Plan& answer, const PlanRequest& request)
 {
     std::multiset<int> available;
     for (std::size_t k = 0; k < request.ids.size(); ++k)
@@ -130,7 +130,7 @@ private slots:
         std::vector<int> last;
         for (int k = 0; k < 15; ++k) {
             const PlanRequest request = planRequest(simulation);
-            const PlanAnswer answer = policy->plan(withRest(request, last), {.workLimit = kWork});
+            const Plan answer = policy->plan(withRest(request, last), {.workLimit = kWork});
             verifyAnswer(answer, request);
             QCOMPARE(answer.outcome.hintUsed, k > 0);
             simulation.setTarget(0, answer.uavs[0].order.front(), answer.uavs[0].legs.front());
@@ -147,16 +147,15 @@ private slots:
         scenario.noise = false;
         Simulation simulation(scenario);
         const std::unique_ptr<Policy> policy = coverage();
-        const PlanAnswer first = policy->plan(planRequest(simulation), {});
+        const Plan first = policy->plan(planRequest(simulation), {});
         simulation.setTarget(0, first.uavs[0].order.front(), first.uavs[0].legs.front());
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         const PlanRequest request = planRequest(simulation);
         const double left_m2s = *first.predictedZeta_m2s - simulation.zeta_m2s();
-        const PlanAnswer warm =
-            policy->plan(withRest(request, first.uavs[0].order), {.workLimit = 1});
+        const Plan warm = policy->plan(withRest(request, first.uavs[0].order), {.workLimit = 1});
         QVERIFY(*warm.predictedZeta_m2s < 1.005 * left_m2s);
-        const PlanAnswer cold = policy->plan(request, {.workLimit = 1});
+        const Plan cold = policy->plan(request, {.workLimit = 1});
         QVERIFY(!cold.outcome.hintUsed);
         QVERIFY(*cold.predictedZeta_m2s > 1.03 * left_m2s); // The plan has greedy legs only.
     }
@@ -165,7 +164,7 @@ private slots:
     {
         Scenario scenario = emptySea();
         addIceberg(scenario, 50, 0);
-        const PlanAnswer answer = coverage()->plan(requestOf(scenario), {});
+        const Plan answer = coverage()->plan(requestOf(scenario), {});
         QVERIFY(answer.uavs[0].order.empty());
         QVERIFY(answer.uavs[0].legs.empty());
         QVERIFY(!answer.predictedZeta_m2s);
@@ -178,7 +177,7 @@ private slots:
         source.request_stop();
         const PlanRequest request = requestOf(randomScenario(6));
         const std::unique_ptr<Policy> policy = coverage();
-        const PlanAnswer cut = policy->plan(request, {.stop = source.get_token()});
+        const Plan cut = policy->plan(request, {.stop = source.get_token()});
         QVERIFY(cut.outcome.reason == StopReason::Cancelled);
         QVERIFY(cut.uavs.empty());
         const SolveOptions options{.workLimit = kWork};
@@ -189,7 +188,7 @@ private slots:
     void timeLimitStillGivesAPlan()
     {
         const PlanRequest request = requestOf(randomScenario(6));
-        const PlanAnswer answer = coverage()->plan(request, {.timeLimit_s = 0});
+        const Plan answer = coverage()->plan(request, {.timeLimit_s = 0});
         QVERIFY(answer.outcome.reason == StopReason::TimeLimit);
         verifyAnswer(answer, request);
     }
@@ -212,7 +211,7 @@ private slots:
         Scenario scenario = randomScenario(8);
         scenario.duration_s = 4000;
         const PlanRequest request = requestOf(scenario);
-        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+        const Plan answer = coverage()->plan(request, {.workLimit = kWork});
         verifyAnswer(answer, request);
         QVERIFY(answer.uavs[0].legs.back().sighting_s < 1500);
     }
@@ -222,7 +221,7 @@ private slots:
     {
         Scenario scenario = randomScenario(8);
         const PlanRequest request = requestOf(scenario);
-        const PlanAnswer answer = coverage()->plan(request, {.workLimit = kWork});
+        const Plan answer = coverage()->plan(request, {.workLimit = kWork});
         const AimedOutlook outlook = answer.uavs[0].outlook.value();
         QCOMPARE(outlook.until_s, scenario.duration_s);
         QVERIFY(std::abs(outlook.zeta_m2s - *answer.predictedZeta_m2s) < 1e-6 * outlook.zeta_m2s);
@@ -243,7 +242,7 @@ private slots:
     {
         Scenario scenario = randomScenario(8);
         scenario.duration_s = 4000;
-        const PlanAnswer answer = coverage()->plan(requestOf(scenario), {.workLimit = kWork});
+        const Plan answer = coverage()->plan(requestOf(scenario), {.workLimit = kWork});
         QCOMPARE(answer.uavs[0].outlook->until_s, 800.0);
         QVERIFY(answer.uavs[0].outlook->zeta_m2s <
                 0.99 * *answer.predictedZeta_m2s); // The rest beyond the horizon counts, too.
@@ -261,7 +260,7 @@ private slots:
         SolveOptions watched = quiet;
         watched.onProgress = [&](const SolveProgress& progress) { reported.push_back(progress); };
         const std::unique_ptr<Policy> policy = coverage();
-        const PlanAnswer answer = policy->plan(request, watched);
+        const Plan answer = policy->plan(request, watched);
         QVERIFY(answer.uavs[0].legs == coverage()->plan(request, quiet).uavs[0].legs);
         QVERIFY(!reported.empty());
         for (std::size_t i = 0; i < reported.size(); ++i) {
@@ -282,7 +281,7 @@ private slots:
         const std::unique_ptr<TvpSolver> solver = makeSolver(Backend::Auto);
         const PlanRequest request = requestOf(randomScenario(9));
         const PlannerSettings settings{.policy = PolicyKind::Nearest};
-        const PlanAnswer answer = makeFlownPolicy(settings, *solver)->plan(request, {});
+        const Plan answer = makeFlownPolicy(settings, *solver)->plan(request, {});
         QVERIFY(answer.uavs[0].order ==
                 makePolicy(settings, *solver)->plan(request, {}).uavs[0].order);
         QVERIFY(answer.uavs[0].legs.empty());

@@ -5,6 +5,7 @@
 #include "core/mission/mission.h"
 #include "core/mission/plan_requests.h"
 #include "core/presets/presets.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
@@ -74,7 +75,7 @@ private slots:
                             {.record = false});
             mission.advance(1000);
             const double ratio =
-                mission.metrics().zeta_m2s / *mission.plans().front().predictedZeta_m2s;
+                mission.metrics().zeta_m2s / *mission.plans().front()->predictedZeta_m2s;
             qInfo("seed %d: flown / predicted %.3f", seed, ratio);
             QVERIFY(ratio > 0.93 && ratio < 1.18);
         }
@@ -96,8 +97,8 @@ private slots:
         Mission mission(measured(randomScenario(seed), 0.3), {.record = false});
         mission.advance(200);
         double before_m2s = std::numeric_limits<double>::infinity();
-        for (const PlanEvent& plan : mission.plans()) {
-            const double total_m2s = plan.zeta_m2s + *plan.predictedZeta_m2s;
+        for (const test::FlownPlan& plan : test::flownPlans(mission)) {
+            const double total_m2s = plan.plan->zeta_m2s + *plan.plan->predictedZeta_m2s;
             QVERIFY2(total_m2s < 1.2 * before_m2s, qPrintable(QString::number(plan.time_s)));
             before_m2s = total_m2s;
         }
@@ -273,7 +274,7 @@ private slots:
         QVERIFY(alone.searches[1].time_s > alone.searches[0].time_s + 30);
         // The search belongs to the first UAV at the place.
         request.uavs.push_back(request.uavs[0]);
-        const std::vector<UavAnswer> answers =
+        const std::vector<UavPlan> answers =
             describeFleet(models, request, std::vector<CoveragePlan>{plan, {{.iceberg = 0}}});
         QCOMPARE(answers[0].outlook->searches.size(), std::size_t{1});
         QCOMPARE(answers[0].outlook->searches[0].chance, 0.25);

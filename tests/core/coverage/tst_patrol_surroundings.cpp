@@ -4,6 +4,7 @@
 #include "core/mission/mission.h"
 #include "core/presets/presets.h"
 #include "core/scenario/limits.h"
+#include "tests/support/flight/flown_plans.h"
 
 #include <QTest>
 
@@ -80,7 +81,7 @@ Mission flownPatrol(std::int64_t seed)
 /** Returns whether a plan made while patrols are flown has later visits. */
 bool fliesPatrols(const Mission& mission)
 {
-    return std::ranges::any_of(mission.plans(), [](const PlanEvent& plan) {
+    return std::ranges::any_of(test::flownPlans(mission), [](const test::FlownPlan& plan) {
         return plan.time_s < kLength_s - kEnd_s && !plan.laterVisits.empty();
     });
 }

@@ -5,6 +5,7 @@
 #include "core/sim/clusters.h"
 #include "tests/support/approx.h"
 #include "tests/support/flight/cluster_scenes.h"
+#include "tests/support/flight/flown_plans.h"
 
 #include <QTest>
 
@@ -126,7 +127,7 @@ private slots:
             scenario.planner.policy = seed % 2 == 0 ? PolicyKind::Visitation : PolicyKind::Latency;
             Mission mission(scenario);
             mission.advance(scenario.duration_s);
-            const std::vector<PlanEvent>& plans = mission.plans();
+            const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
             for (std::size_t k = 0; k < plans.size(); ++k) {
                 QVERIFY(plans[k].reason != PlanReason::Overdue);
                 for (const std::vector<int>& members : plans[k].clusters) {
@@ -185,11 +186,11 @@ private slots:
         for (int seed = 1; seed <= 10; ++seed) {
             Mission mission(calmFleet(seed, 2 + seed % 2));
             mission.advance(mission.scenario().duration_s);
-            const std::vector<PlanEvent>& plans = mission.plans();
             std::set<int> planned;
-            for (const PlanEvent& plan : plans) {
+            PlanPointer last;
+            for (const test::FlownPlan& plan : test::flownPlans(mission)) {
                 QVERIFY(plan.reason != PlanReason::Overdue);
-                if (!plan.sameSolve)
+                if (std::exchange(last, plan.plan) != plan.plan)
                     planned.clear();
                 for (const int iceberg : plan.order)
                     QVERIFY(planned.insert(iceberg).second);
@@ -292,7 +293,7 @@ private slots:
             part.advance(time_s);
             QVERIFY(instantAt(whole, time_s).simulation.state() == part.simulation().state());
         }
-        QVERIFY(std::ranges::any_of(whole.plans(), [](const PlanEvent& plan) {
+        QVERIFY(std::ranges::any_of(test::flownPlans(whole), [](const test::FlownPlan& plan) {
             return plan.interim && !plan.clusters.empty();
         }));
     }
@@ -305,7 +306,7 @@ private slots:
             scenario.planningTime_s = 8;
             Mission mission(scenario);
             mission.advance(500);
-            for (const PlanEvent& plan : mission.plans()) {
+            for (const test::FlownPlan& plan : test::flownPlans(mission)) {
                 const Simulation then = instantAt(mission, plan.time_s).simulation;
                 for (const std::vector<int>& members : plan.clusters) {
                     QVERIFY(members.size() >= 2);
@@ -322,9 +323,9 @@ private slots:
         scenario.planner.policy = PolicyKind::Visitation;
         Mission mission(scenario);
         int reported = 0;
-        mission.setIncumbentListener([&](const PlanEvent& plan) {
-            QCOMPARE(plan.order.size(), std::size_t{14});
-            QVERIFY(!plan.clusters.empty());
+        mission.setIncumbentListener([&](const PlanPointer& plan) {
+            QCOMPARE(plan->uavs[0].order.size(), std::size_t{14});
+            QVERIFY(!plan->uavs[0].clusters.empty());
             ++reported;
         });
         mission.advance(0);

@@ -85,7 +85,8 @@ private slots:
         }
         QVERIFY2(longest_s <= 60, qPrintable(QString::number(longest_s))); // was 1900
         // The other UAV's leg continues.
-        const auto plansOfOther = std::ranges::count(mission.plans(), 0, &PlanEvent::uav);
+        const auto plansOfOther = std::ranges::count_if(
+            mission.plans(), [](const PlanPointer& plan) { return plan->of(0) != nullptr; });
         QVERIFY2(plansOfOther <= 10, qPrintable(QString::number(plansOfOther)));
     }
 

@@ -8,6 +8,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/files/file_texts.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
@@ -88,14 +89,14 @@ private slots:
         QVERIFY(mission.metrics().visits > 5);
         // Each UAV has a plan, or only UAVs without a target have one.
         std::map<double, std::vector<int>> reported;
-        for (const PlanEvent& plan : mission.plans())
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
             reported[plan.time_s].push_back(plan.uav);
         for (const auto& [time_s, uavsReported] : reported) {
             QVERIFY(std::ranges::is_sorted(uavsReported));
             const bool isForAll = static_cast<int>(uavsReported.size()) == uavs;
             QVERIFY(isForAll || time_s > 0);
         }
-        QVERIFY(static_cast<int>(mission.plans().size()) <= mission.metrics().replans * uavs);
+        QCOMPARE(static_cast<int>(mission.plans().size()), mission.metrics().replans);
         for (int uav = 0; uav < uavs; ++uav)
             COMPARE_NEAR(mission.simulation().uav(uav).flown_m, 22 * scenario.duration_s, 1e-6);
     }
@@ -104,12 +105,13 @@ private slots:
     {
         const Mission mission = flownToEnd(fleetScenario(1, 2));
         int byOther = 0;
+        const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
         for (const MissionEvent& reached : eventsOf(mission, EventKind::Reached))
             for (int uav = 0; uav < 2; ++uav) {
-                const auto plan = std::ranges::find_if(mission.plans(), [&](const PlanEvent& p) {
+                const auto plan = std::ranges::find_if(plans, [&](const test::FlownPlan& p) {
                     return p.uav == uav && p.time_s == reached.time_s;
                 });
-                QVERIFY(plan != mission.plans().end());
+                QVERIFY(plan != plans.end());
                 if (uav != reached.uav && plan->reason == PlanReason::Fleet)
                     ++byOther;
             }
@@ -121,10 +123,12 @@ private slots:
     {
         const Mission mission = flownToEnd(fleetScenario(1, 2));
         int unchanged = 0;
-        for (std::size_t i = 2; i < mission.plans().size(); ++i) {
-            const PlanEvent& plan = mission.plans()[i];
-            const PlanEvent* last = lastPlanOf(std::span(mission.plans()).first(i), plan.uav);
-            if (plan.reason != PlanReason::Fleet || last->target != plan.target)
+        std::map<int, std::optional<int>> targets;
+        for (const test::FlownPlan& plan : test::flownPlans(mission)) {
+            const auto last = targets.find(plan.uav);
+            const bool isSame = last != targets.end() && last->second == plan.target();
+            targets[plan.uav] = plan.target();
+            if (plan.reason != PlanReason::Fleet || !isSame)
                 continue;
             const Simulation then = instantAt(mission, plan.time_s).simulation;
             const UavState& uav = then.uav(plan.uav);
@@ -174,9 +178,9 @@ private slots:
             const Mission mission = flownToEnd(scenario, {.workLimit = 300'000});
             QVERIFY2(mission.metrics().visits > 3,
                      std::string(nameOf(kPolicyNames, policy)).c_str());
-            for (const PlanEvent& plan : mission.plans())
-                if (plan.target)
-                    QCOMPARE(*plan.target % 2, plan.uav);
+            for (const test::FlownPlan& plan : test::flownPlans(mission))
+                if (plan.target())
+                    QCOMPARE(*plan.target() % 2, plan.uav);
         }
     }
 
@@ -185,15 +189,15 @@ private slots:
         const Scenario scenario = fleetScenario(4, 2);
         Mission mission(scenario);
         mission.advance(60);
-        const PlanEvent* first = lastPlanOf(mission.plans(), 0);
-        QVERIFY(first->order.size() > 2);
-        const int handed = first->order[1];
+        const PlanPointer first = lastPlanOf(mission.plans(), 0);
+        QVERIFY(first->uavs[0].order.size() > 2);
+        const int handed = first->uavs[0].order[1];
         const std::string& id = scenario.icebergs[static_cast<std::size_t>(handed)].id;
         mission.intervene({.assigned = Assignment{.iceberg = id, .uav = "uav-2"}});
         QCOMPARE(mission.simulation().world().parameters(handed).assignedUav, 1);
         mission.advance(scenario.duration_s);
         bool isPlanned = false;
-        for (const PlanEvent& plan : mission.plans()) {
+        for (const test::FlownPlan& plan : test::flownPlans(mission)) {
             const bool isIn = std::ranges::find(plan.order, handed) != plan.order.end();
             if (plan.time_s >= 60 && plan.uav == 0 && plan.reason != PlanReason::Start)
                 QVERIFY(!isIn || plan.time_s == first->time_s);
@@ -307,11 +311,12 @@ private slots:
         scenario.icebergs[0].uav = scenario.uavs[0].id;
         scenario.icebergs[1].uav = "uav-b";
         const Mission mission = flownToEnd(scenario);
-        const auto given = std::ranges::find_if(mission.plans(), [](const PlanEvent& plan) {
+        const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
+        const auto given = std::ranges::find_if(plans, [](const test::FlownPlan& plan) {
             return plan.uav == 0 && plan.reason == PlanReason::SeenByOther;
         });
-        QVERIFY(given != mission.plans().end());
-        QVERIFY(!given->target);
+        QVERIFY(given != plans.end());
+        QVERIFY(!given->target());
         // This does not count as a visit of the first UAV, which was far away.
         const std::vector<MissionEvent> reached = eventsOf(mission, EventKind::Reached);
         QVERIFY(std::ranges::none_of(reached, [&](const MissionEvent& event) {
@@ -342,24 +347,26 @@ private slots:
         const PlanRequest request = planRequest(Simulation(scenario));
         double distance_m = 0;
         double reward_m2 = 0;
-        for (const PlanEvent& plan : mission.plans()) {
-            QVERIFY(plan.bound && plan.gap && plan.mu > 0);
-            QCOMPARE(plan.status, SolveStatus::Feasible); // so there is a gap to report
-            COMPARE_NEAR(*plan.gap, (plan.objective - *plan.bound) / (plan.objective + 41 * sum_m2),
-                         1e-9);
-            const auto k = static_cast<std::size_t>(plan.uav);
+        const Plan& plan = *mission.plans().front();
+        const SolveOutcome& outcome = plan.outcome;
+        QVERIFY(outcome.bound && plan.gap && plan.problem.mu > 0);
+        QCOMPARE(outcome.status, SolveStatus::Feasible); // so there is a gap to report
+        COMPARE_NEAR(*plan.gap,
+                     (outcome.objective - *outcome.bound) / (outcome.objective + 41 * sum_m2),
+                     1e-9);
+        for (const UavPlan& own : plan.uavs) {
+            const auto k = static_cast<std::size_t>(own.uav);
             int from = 0;
             double t = 2;
-            for (const int iceberg : plan.order) {
+            for (const int iceberg : own.order) {
                 distance_m += request.uavs[k].distance_m(from, iceberg + 1);
                 reward_m2 += initialSigma_m2(scenario.icebergs[static_cast<std::size_t>(iceberg)]) *
                              (41 - t++);
                 from = iceberg + 1;
             }
         }
-        const PlanEvent& plan = mission.plans().front();
         COMPARE_NEAR(plan.distance_m, distance_m, 1e-6);
-        COMPARE_NEAR(plan.mu * plan.distance_m - plan.objective, reward_m2, 1e-6);
+        COMPARE_NEAR(plan.problem.mu * plan.distance_m - outcome.objective, reward_m2, 1e-6);
     }
 
     /**
@@ -395,9 +402,11 @@ private slots:
     {
         const Mission mission = flownToEnd(fleetScenario(9, 2));
         int changes = 0;
-        for (std::size_t i = 0; i + 1 < mission.plans().size(); i += 2) {
-            const auto& a = mission.plans()[i].change;
-            const auto& b = mission.plans()[i + 1].change;
+        for (const PlanPointer& plan : mission.plans()) {
+            if (plan->uavs.size() < 2)
+                continue;
+            const auto& a = plan->uavs[0].change;
+            const auto& b = plan->uavs[1].change;
             changes += a || b ? 1 : 0;
             if (a && b)
                 QCOMPARE(a->zeta_m2s, b->zeta_m2s);

@@ -4,6 +4,7 @@
 #include "core/scenario/limits.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/files/file_texts.h"
+#include "tests/support/flight/flown_plans.h"
 
 #include <QTest>
 
@@ -99,7 +100,7 @@ private slots:
         QCOMPARE(mission.simulation().uav(0).mode, FlightMode::Home);
         mission.advance(61);
         // Its remaining icebergs are planned for the other UAV at once.
-        const PlanEvent& plan = mission.plans().back();
+        const test::FlownPlan plan = test::flownPlans(mission).back();
         QCOMPARE(plan.uav, 1);
         QCOMPARE(plan.time_s, 60.0);
         QVERIFY(std::ranges::find(plan.order, *target) != plan.order.end());
@@ -146,7 +147,7 @@ private slots:
             QCOMPARE(uav.mode, FlightMode::Hold);
             QVERIFY((uav.pose.position_m - here_m).norm() < 400);
         }
-        for (const PlanEvent& plan : mission.plans())
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
             QVERIFY(plan.uav == 1 || plan.time_s <= 80);
         QVERIFY(std::ranges::any_of(mission.events(), [target](const MissionEvent& event) {
             return event.kind == EventKind::Sighted && event.iceberg == target && event.uav == 1;

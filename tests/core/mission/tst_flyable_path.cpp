@@ -1,4 +1,5 @@
 #include "core/io/export/content/export_flight.h"
+#include "core/mission/flyable_path.h"
 #include "core/presets/presets.h"
 #include "tests/support/approx.h"
 
@@ -20,7 +21,7 @@ Scenario coverageScenario(int seed)
     return scenario;
 }
 
-FlyablePath pathOf(const ExportSource& source, const UavOrder& order)
+FlyablePath pathOf(const ExportSource& source, const UavPlan& order)
 {
     return flyOrder(presentScene(source, 0), order, false);
 }
@@ -56,9 +57,9 @@ private slots:
     {
         QFETCH(int, seed);
         const Scenario scenario = coverageScenario(seed);
-        const PlanAnswer plan = planFromStart(scenario);
+        const Plan plan = planFromStart(scenario);
         const ExportSource source{.scenario = scenario, .plan = plan};
-        const UavOrder order = presentOrder(source, 0);
+        const UavPlan order = presentPlan(source, 0);
         QVERIFY(order.legs == plan.uavs[0].legs);
         const FlyablePath path = pathOf(source, order);
         compareSightings(path, plan.uavs[0].order, plan.uavs[0].outlook->sightings_s,
@@ -77,12 +78,12 @@ private slots:
         Scenario scenario = coverageScenario(2);
         for (Iceberg& iceberg : scenario.icebergs)
             iceberg.q_m2ps = 0; // no growth beyond the prediction
-        const PlanAnswer start = planFromStart(scenario);
+        const Plan start = planFromStart(scenario);
         Mission mission(scenario);
         mission.advance(137);
-        const PlanEvent& plan = *lastPlanOf(mission.plans(), 0);
+        const UavPlan& plan = *lastPlanOf(mission.plans(), 0)->of(0);
         const ExportSource source{.scenario = scenario, .plan = start, .mission = &mission};
-        const UavOrder order = presentOrder(source, 0);
+        const UavPlan order = presentPlan(source, 0);
         QVERIFY(!order.legs.empty());
         const FlyablePath path = pathOf(source, order);
         QVERIFY(path.track.front().state.position_m == mission.simulation().uav(0).pose.position_m);
@@ -102,7 +103,7 @@ private slots:
         scenario.uavs[0].position_m = Point::Zero();
         scenario.uavs[0].heading_deg = 90;
         const FlyablePath path =
-            flyOrder(scenario, {.icebergs = {0, 1, 2}, .clusters = {{1, 2}}}, false);
+            flyOrder(scenario, {.order = {0, 1, 2}, .clusters = {{1, 2}}}, false);
         std::multiset<int> seen;
         for (const Visit& visit : path.visits)
             for (const int iceberg : icebergsOf(visit))
@@ -114,11 +115,11 @@ private slots:
     void anotherSpeedIsFlownStraight()
     {
         const Scenario scenario = coverageScenario(1);
-        const PlanAnswer plan = planFromStart(scenario);
+        const Plan plan = planFromStart(scenario);
         const ExportSource source{.scenario = scenario, .plan = plan};
         const ExportContent slow =
             exportContent(source, {.what = ExportScope::Path, .airspeed_mps = 20});
-        UavOrder order = presentOrder(source, 0);
+        UavPlan order = presentPlan(source, 0);
         order.legs.clear();
         Scenario scene = presentScene(source, 0);
         scene.uavs.front().spec.airspeed_mps = 20;

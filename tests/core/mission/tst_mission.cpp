@@ -2,6 +2,7 @@
 #include "core/mission/mission_instant.h"
 #include "core/plan/policy/policy.h"
 #include "core/presets/presets.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QtTest>
@@ -74,9 +75,9 @@ void compareMissions(const Mission& a, const Mission& b)
                                &Simulation::state, &Simulation::state));
     QCOMPARE(a.plans().size(), b.plans().size());
     for (std::size_t i = 0; i < a.plans().size(); ++i) {
-        QCOMPARE(a.plans()[i].time_s, b.plans()[i].time_s);
-        QCOMPARE(a.plans()[i].order, b.plans()[i].order);
-        QCOMPARE(a.plans()[i].objective, b.plans()[i].objective);
+        QCOMPARE(a.plans()[i]->time_s, b.plans()[i]->time_s);
+        QCOMPARE(a.plans()[i]->uavs[0].order, b.plans()[i]->uavs[0].order);
+        QCOMPARE(a.plans()[i]->outcome.objective, b.plans()[i]->outcome.objective);
     }
 }
 
@@ -145,7 +146,7 @@ private slots:
         while (mission.advance(until_s) != AdvanceStatus::Finished) {
             until_s += 0.1;
             for (; checked < mission.plans().size(); ++checked)
-                for (const int iceberg : mission.plans()[checked].order)
+                for (const int iceberg : mission.plans()[checked]->uavs[0].order)
                     QVERIFY(!mission.simulation().track(iceberg).inView);
         }
         QVERIFY(checked > 10);
@@ -156,15 +157,15 @@ private slots:
     {
         Mission mission(randomScenario(16), {}, std::make_unique<FailingSolver>(1));
         flyToEnd(mission);
-        const auto& plans = mission.plans();
+        const auto plans = test::flownPlans(mission);
         QVERIFY(plans.size() > 8);
         QVERIFY(!plans[0].fellBack);
         const std::vector<int>& first = plans[0].order;
         for (std::size_t i = 1; i < 5; ++i) {
             QVERIFY(plans[i].fellBack);
-            QCOMPARE(plans[i].status, SolveStatus::None);
-            QCOMPARE(plans[i].stop, StopReason::TimeLimit);
-            QVERIFY(plans[i].target);
+            QCOMPARE(plans[i].plan->outcome.status, SolveStatus::None);
+            QCOMPARE(plans[i].plan->outcome.reason, StopReason::TimeLimit);
+            QVERIFY(plans[i].target());
             // The rest of the first plan, in its order.
             auto place = first.begin();
             for (const int iceberg : plans[i].order) {
@@ -197,8 +198,8 @@ private slots:
         Mission mission(randomScenario(16), {}, std::make_unique<FailingSolver>(0));
         flyToEnd(mission);
         QVERIFY(mission.metrics().visits > 3);
-        for (const PlanEvent& plan : mission.plans())
-            QVERIFY(plan.fellBack || !plan.target);
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
+            QVERIFY(plan.fellBack || !plan.target());
     }
 
     void everyPolicyFlies_data()
@@ -216,8 +217,8 @@ private slots:
         flyToEnd(mission);
         QVERIFY(mission.metrics().visits >= 5);
         std::set<std::optional<int>> targets;
-        for (const PlanEvent& plan : mission.plans())
-            targets.insert(plan.target);
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
+            targets.insert(plan.target());
         // `nearest` may get stuck between a few icebergs; every other policy visits all of them.
         QVERIFY(targets.size() >= (scenario.planner.policy == PolicyKind::Nearest ? 2U : 5U));
     }
@@ -231,19 +232,20 @@ private slots:
         flyToEnd(mission);
         // After two laps the successor of an iceberg in the cycle never changes, except for
         // icebergs in view, which are skipped.
-        const std::vector<int>& cycle = mission.plans()[0].order;
+        const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
+        const std::vector<int>& cycle = plans[0].order;
         int backward = 0;
-        for (std::size_t i = 1; i < mission.plans().size(); ++i) {
+        for (std::size_t i = 1; i < plans.size(); ++i) {
             const auto placeOf = [&](std::optional<int> iceberg) {
                 return std::find(cycle.begin(), cycle.end(), iceberg) - cycle.begin();
             };
-            const auto from = placeOf(mission.plans()[i - 1].target);
-            const auto to = placeOf(mission.plans()[i].target);
+            const auto from = placeOf(plans[i - 1].target());
+            const auto to = placeOf(plans[i].target());
             backward += to <= from ? 1 : 0;
         }
         // The order ascends except for one step back per lap, and a lap visits most of the 12
         // icebergs.
-        const auto visits = static_cast<int>(mission.plans().size());
+        const auto visits = static_cast<int>(plans.size());
         QVERIFY2(backward >= 2 && 8 * backward <= visits,
                  qPrintable(QString("%1 of %2").arg(backward).arg(visits)));
     }
@@ -267,15 +269,14 @@ private slots:
         QCOMPARE(steered.interventions()[1].time_s, 400.0);
         QCOMPARE(steered.icebergs().size(), 13U);
         QVERIFY(steered.metrics().zeta_m2s != plain.metrics().zeta_m2s);
-        const auto replanned = std::count_if(
-            steered.plans().begin(), steered.plans().end(), [](const PlanEvent& plan) {
-                return plan.time_s == 200.0 && plan.reason == PlanReason::Intervention;
-            });
-        QCOMPARE(replanned, 1);
+        int replanned = 0;
         // With tau = 0 the immediate plan goes to the most uncertain iceberg first.
-        for (const PlanEvent& plan : steered.plans())
-            if (plan.time_s == 200.0 && plan.reason == PlanReason::Intervention)
-                QCOMPARE(plan.mu, 0.0);
+        for (const test::FlownPlan& plan : test::flownPlans(steered))
+            if (plan.time_s == 200.0 && plan.reason == PlanReason::Intervention) {
+                ++replanned;
+                QCOMPARE(plan.plan->problem.mu, 0.0);
+            }
+        QCOMPARE(replanned, 1);
     }
 
     /** A reported iceberg counts as in view now, and the new plan need not visit it. */
@@ -284,7 +285,7 @@ private slots:
         const Scenario scenario = randomScenario(3, {.icebergs = 6});
         Mission mission(scenario);
         mission.advance(50);
-        const int target = mission.plans().back().target.value();
+        const int target = test::flownPlans(mission).back().target().value();
         const std::size_t plans = mission.plans().size();
         const std::string id = scenario.icebergs[static_cast<std::size_t>(target)].id;
         QVERIFY(mission.simulation().track(target).sigma_m2 > 0);
@@ -297,7 +298,7 @@ private slots:
         QVERIFY(mission.events().back().reported);
         mission.advance(50.1);
         QCOMPARE(mission.plans().size(), plans + 1);
-        QVERIFY(mission.plans().back().target != target); // it is no longer a target
+        QVERIFY(test::flownPlans(mission).back().target() != target); // it is no longer a target
     }
 
     void unknownSightingIsRefused()
@@ -327,8 +328,8 @@ private slots:
         intervene(replayed);
         flyToEnd(replayed);
         compareMissions(live, replayed);
-        QCOMPARE(live.plans()[0].reason, PlanReason::Start);
-        QCOMPARE(live.plans()[2].reason, PlanReason::Intervention);
+        QCOMPARE(test::flownPlans(live)[0].reason, PlanReason::Start);
+        QCOMPARE(test::flownPlans(live)[2].reason, PlanReason::Intervention);
     }
 
     /** A removed iceberg no longer counts, and the area does not restore it. */
@@ -338,7 +339,7 @@ private slots:
         scenario.area_m = {{-9000, -9000}, {9000, -9000}, {9000, 9000}, {-9000, 9000}};
         Mission mission(scenario);
         mission.advance(100);
-        const int target = mission.plans().back().target.value();
+        const int target = test::flownPlans(mission).back().target().value();
         const std::string id = mission.icebergs()[static_cast<std::size_t>(target)].id;
         const double before_m2 = mission.simulation().observer().sigmaSum_m2();
         mission.intervene({.removed = id});
@@ -346,7 +347,7 @@ private slots:
         QVERIFY(mission.simulation().observer().sigmaSum_m2() < before_m2);
         flyToEnd(mission);
         QVERIFY(!mission.simulation().active(target));
-        for (const PlanEvent& plan : mission.plans())
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
             if (plan.time_s > 100)
                 QVERIFY(std::ranges::find(plan.order, target) == plan.order.end());
         const auto removals = std::ranges::count_if(mission.events(), [&](const MissionEvent& e) {
@@ -452,7 +453,7 @@ private slots:
         const Scenario scenario = randomScenario(22);
         Mission mission(scenario);
         mission.advance(0);
-        QCOMPARE(planFromStart(scenario).uavs[0].order, mission.plans().at(0).order);
+        QCOMPARE(planFromStart(scenario).uavs[0].order, test::flownPlans(mission).at(0).order);
     }
 
     /** The listener gets the first aimed plan while it is being made, with its legs. */
@@ -461,20 +462,20 @@ private slots:
         Scenario scenario = randomScenario(5);
         scenario.planner.policy = PolicyKind::Coverage;
         Mission mission(scenario, {.workLimit = 100'000});
-        std::vector<PlanEvent> reported;
-        mission.setIncumbentListener([&](const PlanEvent& plan) { reported.push_back(plan); });
+        std::vector<PlanPointer> reported;
+        mission.setIncumbentListener(
+            [&](PlanPointer plan) { reported.push_back(std::move(plan)); });
         mission.advance(0);
         QVERIFY(!reported.empty());
-        QVERIFY(!reported.front().legs.empty());
-        QCOMPARE(reported.front().target, std::optional(reported.front().order.front()));
-        const PlanEvent& plan = mission.plans().front();
+        QVERIFY(!reported.front()->uavs[0].legs.empty());
+        const test::FlownPlan plan = test::flownPlans(mission).front();
         QVERIFY(plan.outlook.has_value());
-        QCOMPARE(plan.distance_m, 22 * plan.outlook->sightings_s.back());
+        QCOMPARE(plan.plan->distance_m, 22 * plan.outlook->sightings_s.back());
         const std::size_t first = reported.size();
         mission.advance(200);
         QVERIFY(mission.plans().size() > 2);
         QCOMPARE(reported.size(), first); // later ones take a moment only
-        QVERIFY(mission.plans().back().zeta_m2s > 0);
+        QVERIFY(mission.plans().back()->zeta_m2s > 0);
     }
 
     /** Studies draw the noise once for all settings and store only the figures. */

@@ -1,5 +1,6 @@
 #include "core/mission/mission_instant.h"
 #include "core/presets/presets.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/random_fleet.h"
 #include "tests/support/flight/scenario_builder.h"
 
@@ -148,7 +149,7 @@ private slots:
         for (const double time_s : {0.0, 0.1, 59.9, 60.0, 60.1, 123.3, 123.4, 123.5, 200.0, 200.1,
                                     299.9, 300.0, 417.7, 499.9, 500.0})
             compareWithFlight(instantAt(mission, time_s), flown(scenario, list, time_s, options));
-        for (const PlanEvent& plan : mission.plans())
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
             compareWithFlight(instantAt(mission, plan.time_s),
                               flown(scenario, list, plan.time_s, options));
     }

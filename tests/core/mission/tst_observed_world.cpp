@@ -6,6 +6,7 @@
 #include "core/scenario/initial_truth.h"
 #include "tests/support/approx.h"
 #include "tests/support/files/file_texts.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
@@ -336,8 +337,7 @@ private slots:
         // It is not lost before its estimate was in the middle of the view, 150 m.
         QVERIFY(lost->time_s >= 2850 / 22.0 - 1 && lost->time_s < 3000 / 22.0 + 2);
         for (const PlanReason reason : {PlanReason::Lost, PlanReason::Found})
-            QVERIFY(std::any_of(mission.plans().begin(), mission.plans().end(),
-                                [reason](const PlanEvent& p) { return p.reason == reason; }));
+            QVERIFY(std::ranges::count(test::flownPlans(mission), reason, &UavPlan::reason) > 0);
     }
 
     /** Its distance from the estimate reveals its drift. */
@@ -388,7 +388,7 @@ private slots:
         QVERIFY(!end.available(0, 0));
         QVERIFY(end.track(0).sigma_m2 > 300 * 300 / 2); // it is outside what was seen
         QVERIFY(mission.metrics().visits >= 1);         // the other one
-        for (const PlanEvent& plan : mission.plans())
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
             if (plan.time_s > 300)
                 QVERIFY(std::find(plan.order.begin(), plan.order.end(), 0) == plan.order.end());
     }

@@ -2,6 +2,7 @@
 #include "core/mission/mission.h"
 #include "core/presets/presets.h"
 #include "tests/support/approx.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QtTest>
@@ -212,7 +213,7 @@ private slots:
         const double duration_s = 12000 / 22.0 + 60; // the last visit, and a little more
         Mission mission(rowOfIcebergs(duration_s, PolicyKind::Path));
         mission.advance(0);
-        const std::vector<int> order = mission.plans().front().order;
+        const std::vector<int> order = test::flownPlans(mission).front().order;
         QCOMPARE(order, (std::vector<int>{0, 1, 2, 3}));
         const PlanForecast forecast = forecastPlan(startOf(mission), {order}, duration_s);
         mission.advance(duration_s);
@@ -272,10 +273,10 @@ private slots:
     {
         Mission mission(rowOfIcebergs(1000, PolicyKind::Visitation));
         mission.advance(60);
-        QVERIFY(!mission.plans().front().change);
+        QVERIFY(!test::flownPlans(mission).front().change);
         mission.intervene({.tau = 0.0});
         mission.advance(60);
-        const PlanEvent& plan = mission.plans().back();
+        const test::FlownPlan plan = test::flownPlans(mission).back();
         QCOMPARE(plan.order, (std::vector<int>{3, 2, 1, 0}));
         QVERIFY(plan.change);
         QCOMPARE(plan.change->before, (std::vector<int>{0, 1, 2, 3}));
@@ -284,7 +285,7 @@ private slots:
         mission.intervene({.tau = 0.01}); // gives the same plan
         mission.advance(60);
         QCOMPARE(mission.plans().size(), std::size_t{3});
-        QVERIFY(!mission.plans().back().change);
+        QVERIFY(!test::flownPlans(mission).back().change);
     }
 
     void reachingTheTargetIsNoChange()
@@ -292,7 +293,7 @@ private slots:
         Mission mission(rowOfIcebergs(300, PolicyKind::Path));
         mission.advance(300); // past two icebergs
         QVERIFY(mission.metrics().visits >= 2);
-        for (const PlanEvent& plan : mission.plans())
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
             QVERIFY(!plan.change);
     }
 
@@ -308,7 +309,7 @@ private slots:
             mission.advance(scenario.duration_s);
             QVERIFY(mission.metrics().visits > 5);
             for (std::size_t k = 1; k < mission.plans().size(); ++k)
-                QVERIFY(!mission.plans()[k].change);
+                QVERIFY(!test::flownPlans(mission)[k].change);
         }
     }
 };

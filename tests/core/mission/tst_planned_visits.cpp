@@ -7,13 +7,21 @@ using namespace berg;
 
 namespace {
 
-PlanEvent patrol()
+UavPlan patrol()
 {
-    PlanEvent plan;
+    UavPlan plan;
     plan.order = {1, 0};
     plan.outlook = AimedOutlook{.sightings_s = {100, 160}};
     plan.laterVisits = {{1, 400}, {0, 500}, {1, 900}};
     return plan;
+}
+
+std::vector<std::vector<double>> visitsOf(std::vector<UavPlan> uavs, std::size_t icebergs,
+                                          double now_s)
+{
+    const std::size_t count = uavs.size();
+    const auto plan = std::make_shared<const Plan>(Plan{.uavs = std::move(uavs)});
+    return plannedVisits(std::vector<PlanPointer>(count, plan), icebergs, now_s);
 }
 
 } // namespace
@@ -25,33 +33,31 @@ class TestPlannedVisits : public QObject
 private slots:
     void visitsOfAllUavsAreMergedInTime()
     {
-        PlanEvent other;
+        UavPlan other;
         other.uav = 1;
         other.laterVisits = {{1, 250}};
-        const std::vector<std::vector<double>> visits =
-            plannedVisits(std::vector{patrol(), other}, 3, 0);
+        const std::vector<std::vector<double>> visits = visitsOf({patrol(), other}, 3, 0);
         QCOMPARE(visits, (std::vector<std::vector<double>>{{160, 500}, {100, 250, 400, 900}, {}}));
     }
 
     void pastVisitsAreLeftOut()
     {
-        const std::vector<std::vector<double>> visits =
-            plannedVisits(std::vector{patrol()}, 2, 160);
+        const std::vector<std::vector<double>> visits = visitsOf({patrol()}, 2, 160);
         QCOMPARE(visits, (std::vector<std::vector<double>>{{160, 500}, {400, 900}}));
     }
 
     void planWithoutLaterVisitsIsNoPatrol()
     {
-        PlanEvent plan = patrol();
+        UavPlan plan = patrol();
         plan.laterVisits.clear();
-        const std::vector<std::vector<double>> visits = plannedVisits(std::vector{plan}, 2, 0);
+        const std::vector<std::vector<double>> visits = visitsOf({plan}, 2, 0);
         QCOMPARE(visits, std::vector<std::vector<double>>(2));
         QVERIFY(!longestGap(visits, std::vector<Track>(2)));
     }
 
     void longestGapBeginsWithTheLastSighting()
     {
-        const std::vector<std::vector<double>> visits = plannedVisits(std::vector{patrol()}, 2, 0);
+        const std::vector<std::vector<double>> visits = visitsOf({patrol()}, 2, 0);
         std::vector<Track> tracks(2);
         QCOMPARE(longestGap(visits, tracks), (RevisitGap{.iceberg = 1, .gap_s = 500}));
         tracks[0].seen_s = -450;

@@ -5,6 +5,7 @@
 #include "core/mission/plan_requests.h"
 #include "tests/support/files/file_texts.h"
 #include "tests/support/flight/fenced_scenario.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/random_scenario.h"
 
 #include <QTest>
@@ -65,11 +66,12 @@ std::vector<double> margins_s(const Mission& mission)
 int brokenPromises(const Mission& mission)
 {
     int broken = 0;
+    const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
     for (const double time_s : timesOf(mission, EventKind::HomeBound)) {
-        const auto after = std::find_if(mission.plans().begin(), mission.plans().end(),
-                                        [&](const PlanEvent& p) { return p.time_s > time_s; });
-        const PlanEvent& last = *std::prev(after);
-        broken += last.target && last.thisSortie.value_or(0) > 0 ? 1 : 0;
+        const auto after = std::ranges::find_if(
+            plans, [&](const test::FlownPlan& p) { return p.time_s > time_s; });
+        const test::FlownPlan& last = *std::prev(after);
+        broken += last.target() && last.thisSortie.value_or(0) > 0 ? 1 : 0;
     }
     return broken;
 }
@@ -213,8 +215,9 @@ private slots:
         const MissionInstant later = instantAt(mission, tookOff_s[0] - 1);
         QVERIFY(later.simulation.uav(0).pose == state.pose);
         QCOMPARE(later.simulation.uav(0).flown_m, state.flown_m);
-        const auto plan = std::find_if(mission.plans().begin(), mission.plans().end(),
-                                       [&](const PlanEvent& p) { return p.time_s > landed_s[0]; });
+        const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
+        const auto plan = std::ranges::find_if(
+            plans, [&](const test::FlownPlan& p) { return p.time_s > landed_s[0]; });
         QCOMPARE(plan->reason, PlanReason::TakeOff);
         QVERIFY(std::abs(plan->time_s - tookOff_s[0]) < 1e-6);
     }
@@ -266,7 +269,7 @@ private slots:
                 const Mission mission = flownWithin(s);
                 QCOMPARE(brokenPromises(mission), 0);
                 trips += static_cast<int>(timesOf(mission, EventKind::HomeBound).size());
-                for (const PlanEvent& plan : mission.plans()) {
+                for (const test::FlownPlan& plan : test::flownPlans(mission)) {
                     QVERIFY(plan.thisSortie.has_value());
                     QVERIFY(*plan.thisSortie <= static_cast<int>(plan.order.size()));
                     QVERIFY(plan.order.empty() || *plan.thisSortie >= 1);
@@ -281,7 +284,7 @@ private slots:
         Scenario s = enduring(1);
         s.uavs[0].spec.endurance_s = 500;
         const Mission mission = flownWithin(s);
-        const PlanEvent& first = mission.plans().front();
+        const test::FlownPlan first = test::flownPlans(mission).front();
         QVERIFY(*first.thisSortie < static_cast<int>(first.order.size()));
         // The icebergs promised are reached before the UAV turns home.
         const double home_s = timesOf(mission, EventKind::HomeBound).at(0);
@@ -298,8 +301,8 @@ private slots:
         s.icebergs[0].position_m = {20000, 500}; // 1864 s there and back
         s.icebergs[1].position_m = {3000, 500};
         const Mission mission = flownWithin(s);
-        for (const PlanEvent& plan : mission.plans())
-            QVERIFY(plan.target != 0);
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
+            QVERIFY(plan.target() != 0);
         // With the near iceberg in view there is no target left: it waits on the ground.
         QVERIFY(!timesOf(mission, EventKind::HomeBound).empty());
         const PlanRequest request = planRequest(Simulation(s));
@@ -392,13 +395,15 @@ private slots:
         const Mission mission = flownWithin(s);
         const std::vector<double> tookOff_s = timesOf(mission, EventKind::TookOff);
         QVERIFY(!tookOff_s.empty());
+        const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
         for (const double time_s : tookOff_s) {
-            const auto plan = std::ranges::find_if(mission.plans(), [&](const PlanEvent& made) {
+            const auto plan = std::ranges::find_if(plans, [&](const test::FlownPlan& made) {
                 return made.time_s > time_s - s.dt_s / 2;
             });
-            QVERIFY(plan != mission.plans().end() && plan->interim);
-            const auto next = std::ranges::find_if(plan, mission.plans().end(), isReplan);
-            QVERIFY(next != mission.plans().end());
+            QVERIFY(plan != plans.end() && plan->interim);
+            const auto next =
+                std::ranges::find(plan, plans.end(), false, &test::FlownPlan::interim);
+            QVERIFY(next != plans.end());
             QCOMPARE(next->reason, PlanReason::TakeOff);
             QVERIFY(std::abs(next->time_s - time_s - 9) < s.dt_s / 2);
         }

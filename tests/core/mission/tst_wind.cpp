@@ -7,6 +7,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/files/file_texts.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
@@ -129,7 +130,7 @@ private slots:
             scenario.planner.policy = PolicyKind::Coverage;
             Mission mission(scenario, {.workLimit = 30'000});
             mission.advance(1000);
-            const std::vector<PlanEvent>& plans = mission.plans();
+            const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
             for (std::size_t i = 0; i + 1 < plans.size(); ++i) {
                 if (plans[i].legs.empty() || plans[i + 1].reason != PlanReason::TargetReached)
                     continue;

@@ -5,6 +5,7 @@
 #include "core/presets/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/files/file_texts.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
@@ -100,7 +101,7 @@ private slots:
         QVERIFY(!end.available(0, 1));
         COMPARE_NEAR(end.state().sigmaSum_m2, end.track(0).sigma_m2, 1e-12);
         bool replanned = false;
-        for (const PlanEvent& plan : mission.plans()) {
+        for (const test::FlownPlan& plan : test::flownPlans(mission)) {
             replanned = replanned || plan.reason == PlanReason::Left;
             if (plan.time_s >= left->time_s)
                 QVERIFY(std::find(plan.order.begin(), plan.order.end(), 1) == plan.order.end());

@@ -167,7 +167,7 @@ private slots:
     void clustersAreFlownTo()
     {
         const Mission mission = start("twillingate-clusters");
-        QVERIFY(!mission.plans().front().clusters.empty());
+        QVERIFY(!mission.plans().front()->uavs[0].clusters.empty());
     }
 
     /** Each flies its own part, and no two are near one altitude. */
@@ -184,8 +184,7 @@ private slots:
     void plansComeLate()
     {
         const Mission mission = start("jones-sound-late-plans");
-        QVERIFY(std::any_of(mission.plans().begin(), mission.plans().end(),
-                            [](const PlanEvent& plan) { return plan.interim; }));
+        QVERIFY(std::ranges::count(mission.plans(), true, &Plan::interim) > 0);
     }
 
     void allFilesAreListed()

@@ -4,6 +4,7 @@
 #include "core/presets/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/files/file_texts.h"
+#include "tests/support/flight/flown_plans.h"
 
 #include <QTest>
 
@@ -78,9 +79,9 @@ private slots:
         QVERIFY(mission.plans().size() > 5);
         QCOMPARE(failuresOf(mission), static_cast<std::ptrdiff_t>(mission.plans().size()) - 2);
         // The third plan continues the order of the second.
-        const std::vector<int>& second = mission.plans()[1].order;
-        QVERIFY(mission.plans()[2].fellBack);
-        QCOMPARE(mission.plans()[2].target, second[1]);
+        const std::vector<int> second = test::flownPlans(mission)[1].order;
+        QVERIFY(test::flownPlans(mission)[2].fellBack);
+        QCOMPARE(test::flownPlans(mission)[2].target(), second[1]);
         // It still sees most icebergs.
         QVERIFY(mission.metrics().visits >= 6);
         const auto failure =
@@ -101,7 +102,7 @@ private slots:
         Mission mission(randomScenario(2), {}, std::make_unique<FaultySolver>(1, 3));
         mission.advance(1000);
         QCOMPARE(failuresOf(mission), std::ptrdiff_t{3});
-        QVERIFY(!mission.plans().back().fellBack);
+        QVERIFY(!test::flownPlans(mission).back().fellBack);
     }
 
     /**
@@ -111,7 +112,7 @@ private slots:
     {
         Mission mission(late(3, 12));
         mission.advance(1000);
-        const std::vector<PlanEvent>& plans = mission.plans();
+        const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
         QVERIFY(!plans[0].interim);
         QCOMPARE(plans[0].time_s, 0.0);
         std::size_t waits = 0;
@@ -119,18 +120,18 @@ private slots:
             if (plans[i].interim && !plans[i - 1].interim) {
                 const auto made =
                     std::find_if(plans.begin() + static_cast<std::ptrdiff_t>(i), plans.end(),
-                                 [](const PlanEvent& p) { return !p.interim; });
+                                 [](const test::FlownPlan& p) { return !p.interim; });
                 if (made == plans.end())
                     break; // the run ends first
                 COMPARE_NEAR(made->time_s - plans[i].time_s, 12, 1e-6);
                 // Meanwhile the rest of the previous plan is flown.
                 if (plans[i].reason == PlanReason::TargetReached && plans[i - 1].order.size() > 1)
-                    QCOMPARE(plans[i].target, plans[i - 1].order[1]);
+                    QCOMPARE(plans[i].target(), plans[i - 1].order[1]);
                 ++waits;
             }
         QVERIFY(waits > 5);
         const auto made = std::count_if(plans.begin(), plans.end(),
-                                        [](const PlanEvent& p) { return !p.interim; });
+                                        [](const test::FlownPlan& p) { return !p.interim; });
         QCOMPARE(mission.metrics().replans, static_cast<int>(made));
     }
 

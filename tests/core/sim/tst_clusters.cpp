@@ -308,9 +308,9 @@ private slots:
     {
         const PlanRequest request = clusteredRequest(Simulation(pairAhead()));
         Planner planner({.policy = PolicyKind::Nearest});
-        const PlanAnswer answer = planner.plan(request, {});
+        const Plan answer = planner.plan(request, {});
         QCOMPARE(answer.uavs[0].order, (std::vector<int>{0, 2, 1}));
-        QCOMPARE(answer.clusters, (Groups{{0, 2}}));
+        QCOMPARE(answer.uavs[0].clusters, (Groups{{0, 2}}));
         QCOMPARE(answer.solvedIds, (std::vector<int>{0, 1}));
         // The cluster takes the place of its first member in a warm start.
         SolverScript script;
@@ -333,10 +333,10 @@ private slots:
         Planner planner({.policy = PolicyKind::Visitation},
                         std::make_unique<ScriptedSolver>(script));
         QCOMPARE(planner.plan(request, {}).uavs[0].order, (std::vector<int>{1, 0, 2}));
-        const PlanAnswer answer = planner.plan(request, {});
+        const Plan answer = planner.plan(request, {});
         QVERIFY(answer.fellBack);
         QCOMPARE(answer.uavs[0].order, (std::vector<int>{1, 0, 2}));
-        QCOMPARE(answer.clusters, (Groups{{0, 2}}));
+        QCOMPARE(answer.uavs[0].clusters, (Groups{{0, 2}}));
     }
 };
 

@@ -1,6 +1,7 @@
 #include "core/study/study.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/flight/flown_plans.h"
 #include "tests/support/flight/flown_study.h"
 #include "tests/support/flight/scenario_builder.h"
 
@@ -412,9 +413,9 @@ private slots:
         Mission mission(scenario);
         mission.advance(1000);
         std::set<std::optional<int>> targets;
-        for (const PlanEvent& plan : mission.plans())
+        for (const test::FlownPlan& plan : test::flownPlans(mission))
             if (plan.time_s >= 500)
-                targets.insert(plan.target);
+                targets.insert(plan.target());
         QVERIFY((targets == std::set<std::optional<int>>{std::nullopt, 0, 1})); // the intended case
         QCOMPARE(isStuck(scenario, PolicyKind::Visitation), true);
     }

@@ -35,9 +35,9 @@ inline Scenario fleetScenario(int uavs, int icebergs)
 }
 
 /** Returns a plan that gives the icebergs to the UAVs in turn. */
-inline PlanAnswer fleetPlan(int uavs, int icebergs)
+inline Plan fleetPlan(int uavs, int icebergs)
 {
-    PlanAnswer plan;
+    Plan plan;
     plan.uavs.resize(static_cast<std::size_t>(uavs));
     for (int i = 0; i < icebergs; ++i)
         plan.uavs[static_cast<std::size_t>(i % uavs)].order.push_back(i);

@@ -17,7 +17,7 @@ namespace berg::test {
 
 using namespace Qt::StringLiterals;
 
-inline QByteArray planText(const Scenario& scenario, const PlanAnswer& plan = fourIcebergPlan())
+inline QByteArray planText(const Scenario& scenario, const Plan& plan = fourIcebergPlan())
 {
     return bytes(geoJson(planContent(scenario, plan)));
 }

@@ -250,7 +250,7 @@ private:
         const RunFile run = runFromJson(runToJson(runOf(m_mission)), "run");
         for (const Issue& issue : compareRun(run, runOf(replay(run))))
             m_faults.add(Fault::Replay, issue.field + ' ' + issue.message());
-        const PlanAnswer plan = startPlan(m_mission);
+        const Plan& plan = *m_mission.plans().front();
         for (const ExportFormat& format : exportFormats()) {
             if (format.holds.painted)
                 continue;

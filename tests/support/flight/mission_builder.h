@@ -84,28 +84,27 @@ inline Scenario twoUavsAndAsset()
 }
 
 /** Returns an answer of the planner with an order only. */
-inline PlanAnswer planOf(std::vector<int> order)
+inline Plan planOf(std::vector<int> order)
 {
-    PlanAnswer plan;
+    Plan plan;
     plan.uavs.emplace_back().order = std::move(order);
     return plan;
 }
 
 /** Returns the order in which the golden files visit `fourIcebergs`. */
-inline PlanAnswer fourIcebergPlan()
+inline Plan fourIcebergPlan()
 {
     return planOf({0, 3, 1, 2});
 }
 
 /** Returns the visits of the only UAV. */
-inline std::vector<Visit> plannedVisits(const Scenario& scenario, const PlanAnswer& plan)
+inline std::vector<Visit> plannedVisits(const Scenario& scenario, const Plan& plan)
 {
-    return berg::plannedVisits(scenario, plan.uavs.at(0).order, plan.clusters);
+    return berg::plannedVisits(scenario, plan.uavs.at(0).order, plan.uavs.at(0).clusters);
 }
 
 /** Returns the export content of a plan. It does not refer to the scenario. */
-inline ExportContent planContent(const Scenario& scenario,
-                                 const PlanAnswer& plan = fourIcebergPlan(),
+inline ExportContent planContent(const Scenario& scenario, const Plan& plan = fourIcebergPlan(),
                                  const ExportOptions& options = {})
 {
     return exportContent({.scenario = scenario, .plan = plan}, options);
@@ -114,7 +113,7 @@ inline ExportContent planContent(const Scenario& scenario,
 /** Returns the export content of a run, which must outlive it. */
 inline ExportContent runContent(const Mission& mission, const ExportOptions& options = {})
 {
-    const PlanAnswer plan;
+    const Plan plan;
     return exportContent({.scenario = mission.scenario(), .plan = plan, .mission = &mission},
                          options);
 }

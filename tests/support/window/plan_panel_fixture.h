@@ -55,6 +55,13 @@ inline std::vector<std::string> manyIds()
     return ids;
 }
 
+/** Puts the plan into force for all its UAVs. */
+inline void setPlan(MissionSnapshot& now, Plan plan)
+{
+    now.plan = std::make_shared<const Plan>(std::move(plan));
+    now.plans.assign(now.plan->uavs.size(), now.plan);
+}
+
 /**
  * The UAV is at (0, 0), the icebergs are estimated at (300, 400) and, drifting, (300, 1000) at time
  * 100.
@@ -76,8 +83,7 @@ inline MissionSnapshot twoIcebergs(const Scenario& scenario)
         now.motions.push_back(
             {.airspeed_mps = uav.spec.airspeed_mps, .wind_mps = scenario.wind_mps});
     }
-    now.plan = PlanEvent{.order = {0, 1}};
-    now.plans = {*now.plan};
+    setPlan(now, {.uavs = {{.order = {0, 1}}}});
     now.assigned = {std::nullopt, std::nullopt};
     return now;
 }

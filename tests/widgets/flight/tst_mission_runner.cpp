@@ -91,8 +91,8 @@ private slots:
         const Scenario scenario = randomScenario(4);
         runner.setScenario(scenario);
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
-        QVERIFY(record.now.plan.has_value());
-        QCOMPARE(record.now.plan->order, planFromStart(scenario).uavs[0].order);
+        QVERIFY(record.now.plan != nullptr);
+        QCOMPARE(record.now.plan->uavs[0].order, planFromStart(scenario).uavs[0].order);
         QCOMPARE(record.now.time_s, 0.0);
     }
 
@@ -134,7 +134,7 @@ private slots:
             return r.now.generation == runner.generation() && r.now.phase == RunPhase::Ready;
         }));
         QCOMPARE(record.now.planner.tau, 0.01 * 199);
-        QCOMPARE(record.now.plan->order, planFromStart(scenario).uavs[0].order);
+        QCOMPARE(record.now.plan->uavs[0].order, planFromStart(scenario).uavs[0].order);
     }
 
     void oldGenerationsAreNotReturned()
@@ -290,12 +290,12 @@ private slots:
         const Scenario scenario = randomScenario(4, {.icebergs = 40});
         runner.setScenario(scenario, {.workLimit = 1});
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
-        const std::vector<int> order = record.now.plan->order;
+        const std::vector<int> order = record.now.plan->uavs[0].order;
         QVERIFY(order != planFromStart(scenario).uavs[0].order); // this plan would be better
         QSignalSpy ready(&runner, &MissionRunner::exportReady);
         runner.requestExport({.formatId = "csv"});
         QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, kPatience_ms);
-        PlanAnswer plan;
+        Plan plan;
         plan.uavs.emplace_back().order = order;
         const auto files = ready.front().front().value<std::vector<ExportFile>>();
         QCOMPARE(files.front().content,

@@ -80,22 +80,22 @@ private slots:
 
     void planIsJudged_data()
     {
-        QTest::addColumn<ExportPlan>("plan");
+        QTest::addColumn<Plan>("plan");
         QTest::addColumn<QString>("words");
         QTest::addColumn<bool>("isWarned");
-        QTest::newRow("proven") << ExportPlan{.status = SolveStatus::Optimal, .gap = 0}
+        QTest::newRow("proven") << Plan{.outcome = {.status = SolveStatus::Optimal}, .gap = 0}
                                 << u"Proven optimal"_s << false;
-        QTest::newRow("gap") << ExportPlan{.status = SolveStatus::Feasible, .gap = 0.0079}
+        QTest::newRow("gap") << Plan{.outcome = {.status = SolveStatus::Feasible}, .gap = 0.0079}
                              << u"Within 0.8 % of optimal"_s << true;
-        QTest::newRow("no bound") << ExportPlan{.status = SolveStatus::Feasible}
+        QTest::newRow("no bound") << Plan{.outcome = {.status = SolveStatus::Feasible}}
                                   << u"Best order found"_s << true;
-        QTest::newRow("fell back") << ExportPlan{.fellBack = true}
-                                   << u"Solver limit reached; previous plan kept"_s << true;
+        QTest::newRow("fell back")
+            << Plan{.fellBack = true} << u"Solver limit reached; previous plan kept"_s << true;
     }
 
     void planIsJudged()
     {
-        QFETCH(const ExportPlan, plan);
+        QFETCH(const Plan, plan);
         QFETCH(const QString, words);
         QFETCH(const bool, isWarned);
         ExportContent content = planContent(
@@ -124,7 +124,7 @@ private slots:
     void idleUavsAreNamed()
     {
         const ExportContent content = planContent(fleetScenario(3, 4), [] {
-            PlanAnswer plan;
+            Plan plan;
             plan.uavs.resize(3);
             plan.uavs[1].order = {0, 1, 2, 3};
             return plan;

@@ -96,7 +96,7 @@ public:
 
 private:
     Scenario m_scenario;
-    PlanAnswer m_plan;
+    Plan m_plan;
     std::optional<Mission> m_mission;
     ExportContent m_content;
 };

@@ -76,7 +76,7 @@ private slots:
         mission.advance(time_s);
         const FlightRecord record = recordOf(mission);
         const std::vector<PlanSection> sections = planSections(record.shown(), record.scenario);
-        const PlanAnswer plan = startPlan(mission);
+        const Plan& plan = *mission.plans().front();
         const ExportContent content =
             exportContent({.scenario = scenario, .plan = plan, .mission = &mission},
                           {.what = ExportScope::Order});

@@ -76,7 +76,7 @@ private slots:
             QVERIFY(shown.metrics == then.metrics());
             QCOMPARE(shown.planner.tau, then.plannerSettings().tau);
             QCOMPARE(f.workspace.planner().tau, then.plannerSettings().tau);
-            QCOMPARE(shown.plan->order, then.plans().back().order);
+            QCOMPARE(shown.plan->uavs[0].order, then.plans().back()->uavs[0].order);
             QCOMPARE(f.record().eventsShown(), then.events().size());
         }
         QCOMPARE(f.record().now.time_s, 300.0); // the flight itself stays where it was
@@ -96,7 +96,7 @@ private slots:
             std::vector<int> order;
             for (const int node : curve.curve().intervals[static_cast<std::size_t>(*at)].order())
                 order.push_back(curve.problem().ids[static_cast<std::size_t>(node) - 1]);
-            return order == f.record().shown().plan->order;
+            return order == f.record().shown().plan->uavs[0].order;
         };
         for (const double time_s : {5.0, 120.0, 250.0}) {
             f.workspace.seek(time_s);

@@ -165,10 +165,8 @@ private slots:
         QVERIFY(until([&] { return workspace.assignedUavOf(second) == "uav-2"; }));
         QCOMPARE(workspace.assignedUavOf(first), "uav-2"); // the later one has not taken its place
         QVERIFY(workspace.document().scenario() == scenario);
-        for (const PlanEvent& plan : workspace.record().now.plans)
-            if (plan.uav == 0)
-                for (const int iceberg : plan.order)
-                    QVERIFY(iceberg > 1);
+        for (const int iceberg : ordersOf(workspace.record().now)[0])
+            QVERIFY(iceberg > 1);
         workspace.assign({first}, {});
         QVERIFY(until([&] { return workspace.assignedUavOf(first).empty(); }));
     }

@@ -224,16 +224,20 @@ std::vector<std::vector<Point>> cornersOf(const MapPicture& picture, const Missi
     return corners_m;
 }
 
-/** Clusters of the newest plan in force. */
-std::vector<std::vector<int>> clustersOf(const std::vector<PlanEvent>& plans,
-                                         const ShownPlaces& shown)
+/** Clusters of the newest plan in force, of its first UAV. */
+std::vector<std::vector<int>> clustersOf(const MissionSnapshot& now, const ShownPlaces& shown)
 {
     std::vector<std::vector<int>> clusters;
-    const auto newest = std::ranges::max_element(plans, {}, &PlanEvent::time_s);
-    if (newest == plans.end())
-        return clusters;
-    for (const std::vector<int>& members : newest->clusters)
-        clusters.push_back(placesOf(members, shown));
+    const UavPlan* newest = nullptr;
+    double newest_s = -1;
+    for (std::size_t uav = 0; uav < now.plans.size(); ++uav)
+        if (now.plans[uav] && now.plans[uav]->time_s > newest_s) {
+            newest = planOf(now, static_cast<int>(uav));
+            newest_s = now.plans[uav]->time_s;
+        }
+    if (newest != nullptr)
+        for (const std::vector<int>& members : newest->clusters)
+            clusters.push_back(placesOf(members, shown));
     return clusters;
 }
 
@@ -248,7 +252,7 @@ std::vector<MapPath> mapPaths(const std::vector<AimedPath>& paths)
     return drawn;
 }
 
-std::vector<MapSearchPlace> searchPlacesOf(const PlanEvent& plan, double time_s)
+std::vector<MapSearchPlace> searchPlacesOf(const UavPlan& plan, double time_s)
 {
     std::vector<MapSearchPlace> places;
     if (plan.outlook)
@@ -285,7 +289,7 @@ void markNoReturn(MapPicture& picture, const FlightRecord& record)
 }
 
 /** Returns the places where a patrol will meet its icebergs, by their present estimates. */
-std::vector<Point> laterVisits_m(const PlanEvent& plan, const WorldState& world, double now_s)
+std::vector<Point> laterVisits_m(const UavPlan& plan, const WorldState& world, double now_s)
 {
     std::vector<Point> places_m;
     for (const PlannedVisit& visit : plan.laterVisits)
@@ -302,7 +306,7 @@ MapRoute routeOf(const FlightRecord& record, std::size_t uav, const ShownPlaces&
     const int place = static_cast<int>(uav);
     MapRoute route;
     const UavState& state = record.shown().world.uavs[uav];
-    const PlanEvent* plan = planOf(record.shown(), place);
+    const UavPlan* plan = planOf(record.shown(), place);
     if (plan != nullptr && state.isPlanned() &&
         !record.isOver()) { // else others visit its icebergs
         route.plan = placesOf(plan->order, shown);
@@ -381,7 +385,7 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, Swe
     picture.times = timesOf(record);
     ShownPlaces shown;
     picture.icebergs = icebergsOf(record, shown);
-    picture.clusters = clustersOf(record.shown().plans, shown);
+    picture.clusters = clustersOf(record.shown(), shown);
     // An edited scenario may have more or fewer UAVs than the mission until it is planned.
     const std::size_t uavs = std::min(scenario.uavs.size(), record.shown().world.uavs.size());
     for (std::size_t uav = 0; uav < uavs; ++uav) {

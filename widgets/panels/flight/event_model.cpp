@@ -31,23 +31,26 @@ void EventModel::setHistory(const MissionHistory& history, const std::vector<Ice
     m_rewrites = history.rewrites;
     for (; m_events < history.events.size(); ++m_events) {
         const MissionEvent& event = history.events[m_events];
-        const PlanEvent* plan = nullptr;
+        PlanPointer plan;
         if (event.kind == EventKind::Planned) {
-            while (m_plans < history.plans.size() && history.plans[m_plans].interim)
+            while (m_plans < history.plans.size() && history.plans[m_plans]->interim)
                 ++m_plans; // interim plans are not listed
             if (m_plans < history.plans.size())
-                plan = &history.plans[m_plans++];
+                plan = history.plans[m_plans];
+            if (plan && event.uav == plan->uavs.back().uav)
+                ++m_plans; // a plan has an event for each of its UAVs
         }
-        if (!addsInformation(event, plan))
+        const UavPlan* own = plan ? plan->of(*event.uav) : nullptr;
+        if (!addsInformation(event, own))
             continue;
-        m_rows.push_back(rowOf(event, plan, icebergs, uavs));
+        m_rows.push_back(rowOf(event, plan.get(), icebergs, uavs));
         m_rows.back().number = m_events;
     }
     if (m_rows.size() > static_cast<std::size_t>(rowCount()))
         updateSheet(sheet(), [](int /*row*/) { return true; });
 }
 
-bool EventModel::addsInformation(const MissionEvent& event, const PlanEvent* plan)
+bool EventModel::addsInformation(const MissionEvent& event, const UavPlan* plan)
 {
     if (event.kind != EventKind::Planned)
         return true;
@@ -61,22 +64,28 @@ bool EventModel::addsInformation(const MissionEvent& event, const PlanEvent* pla
     return plan->reason != PlanReason::HoldFlown && !isInVain;
 }
 
-EventModel::EventRow EventModel::rowOf(const MissionEvent& event, const PlanEvent* plan,
+EventModel::EventRow EventModel::rowOf(const MissionEvent& event, const Plan* plan,
                                        const std::vector<Iceberg>& icebergs,
                                        const std::vector<Uav>& uavs) const
 {
     EventRow row{
         .number = 0, .event = event, .what = eventSentence(event, icebergs, uavs, m_locale)};
     if (plan != nullptr) {
-        const PlanState state = planState({.plan = *plan}, m_locale);
-        row.details = planReasonText(plan->reason);
-        if (!state.text.isEmpty() && !plan->sameSolve) // otherwise the row above states it
+        const UavPlan& own = *plan->of(*event.uav);
+        const bool isFirst =
+            &own == &plan->uavs.front(); // otherwise the row above states the solve
+        Plan alone = *plan;
+        alone.uavs = {own};
+        const PlanState state =
+            planState({.plan = std::make_shared<const Plan>(std::move(alone))}, m_locale);
+        row.details = planReasonText(own.reason);
+        if (!state.text.isEmpty() && isFirst)
             row.details += u" · "_s + state.text;
-        if (plan->warmStarted && !plan->sameSolve)
+        if (plan->outcome.hintUsed && isFirst)
             row.details += u" · "_s + tr("warm start");
         if (plan->fellBack)
             row.details += u" · "_s + tr("previous plan kept");
-        row.toolTip = planOrderText(*plan, icebergs);
+        row.toolTip = planOrderText(own, icebergs);
         if (!state.details.isEmpty())
             row.toolTip += u'\n' + state.details;
     }

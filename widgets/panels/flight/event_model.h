@@ -58,8 +58,8 @@ private:
     };
     void clear();
     /** Returns whether the event adds information to the log. */
-    [[nodiscard]] bool addsInformation(const MissionEvent& event, const PlanEvent* plan);
-    [[nodiscard]] EventRow rowOf(const MissionEvent& event, const PlanEvent* plan,
+    [[nodiscard]] bool addsInformation(const MissionEvent& event, const UavPlan* plan);
+    [[nodiscard]] EventRow rowOf(const MissionEvent& event, const Plan* plan,
                                  const std::vector<Iceberg>& icebergs,
                                  const std::vector<Uav>& uavs) const;
     [[nodiscard]] const EventRow& rowAt(int row) const

@@ -92,10 +92,11 @@ std::vector<std::optional<PlaceInOrder>> placesOf(const FlightRecord& record)
     std::vector<std::optional<PlaceInOrder>> places(shown.icebergs.size());
     if (record.isOver()) // nothing of the plan is left
         return places;
-    for (const PlanEvent& plan : shown.plans)
-        for (std::size_t k = 0; k < plan.order.size(); ++k)
-            places[static_cast<std::size_t>(plan.order[k])] =
-                PlaceInOrder{.place = static_cast<int>(k) + 1, .uav = plan.uav};
+    const OrdersByUav orders = ordersOf(shown);
+    for (std::size_t uav = 0; uav < orders.size(); ++uav)
+        for (std::size_t k = 0; k < orders[uav].size(); ++k)
+            places[static_cast<std::size_t>(orders[uav][k])] =
+                PlaceInOrder{.place = static_cast<int>(k) + 1, .uav = static_cast<int>(uav)};
     return places;
 }
 

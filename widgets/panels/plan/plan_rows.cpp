@@ -30,7 +30,7 @@ PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
         if (!now.world.uavs[uav].isPlanned())
             orders[uav].clear();
     return forecastPlan(forecastStart(now), orders, std::max(0.0, scenario.duration_s - now.time_s),
-                        now.plan->clusters);
+                        now.plan->uavs.front().clusters);
 }
 
 /** Returns the row of an iceberg with its present values. */
@@ -107,7 +107,7 @@ void leaveUnseen(PlanRow& row)
 }
 
 /** Clears the times of icebergs after the return home, which belong to later sorties. */
-void leaveForNextSortie(std::vector<PlanRow>& rows, const PlanEvent& plan)
+void leaveForNextSortie(std::vector<PlanRow>& rows, const UavPlan& plan)
 {
     const int flown = plan.thisSortie.value_or(static_cast<int>(rows.size()));
     for (PlanRow& row : rows)
@@ -147,7 +147,7 @@ void endWithRun(PlanSection& section, double left_s)
 /**
  * Adds a row for each lost iceberg that the plan searches for; it is in no order until it is found.
  */
-void addSearches(std::vector<PlanRow>& rows, const MissionSnapshot& now, const PlanEvent& plan)
+void addSearches(std::vector<PlanRow>& rows, const MissionSnapshot& now, const UavPlan& plan)
 {
     std::map<int, PlanRow> byIceberg;
     for (PlannedSearch search : plan.outlook->searches) {
@@ -175,7 +175,7 @@ bool isBeyond(const std::vector<AimedPath>& paths, double time_s)
 }
 
 /** Returns the rows by time; icebergs that the plan does not see come last. */
-std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const PlanEvent& plan)
+std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const UavPlan& plan)
 {
     const std::vector<AimedPath> paths = pathsAhead(now, plan.uav);
     const std::vector<double>& sightings_s = plan.outlook->sightings_s;
@@ -224,7 +224,7 @@ void addLaterVisits(std::vector<PlanRow>& rows, const MissionSnapshot& now,
  * Returns the last leg as in exports: to home with a limited endurance, to the start of a closed
  * route.
  */
-std::optional<ReturnLeg> returnOf(const MissionSnapshot& now, const Uav& uav, const PlanEvent& plan)
+std::optional<ReturnLeg> returnOf(const MissionSnapshot& now, const Uav& uav, const UavPlan& plan)
 {
     const auto seen = static_cast<std::size_t>(
         std::max(0, plan.thisSortie.value_or(static_cast<int>(plan.order.size()))));
@@ -247,7 +247,7 @@ std::optional<ReturnLeg> returnOf(const MissionSnapshot& now, const Uav& uav, co
 PlanOutlook aimedOutlook(const MissionSnapshot& shown, const Scenario& scenario)
 {
     constexpr double kRounding_s = 1e-6; // times are multiples of the step
-    const AimedOutlook& aimed = *shown.plan->outlook;
+    const AimedOutlook& aimed = *shown.plan->uavs.front().outlook;
     PlanOutlook outlook{.zeta_m2s = shown.plan->zeta_m2s + aimed.zeta_m2s, .isAimed = true};
     if (const std::optional<RevisitGap> gap = longestGap(
             plannedVisits(shown.plans, shown.icebergs.size(), shown.time_s), shown.world.tracks)) {
@@ -314,10 +314,11 @@ std::optional<PlanOutlook> predictedOutlook(const FlightRecord& record)
     const MissionSnapshot& shown = record.shown();
     if (!shown.plan || record.scenario.uavs.empty())
         return std::nullopt;
-    if (shown.plan->outlook)
+    if (shown.plan->uavs.front().outlook)
         return aimedOutlook(shown, record.scenario);
-    if (std::ranges::any_of(shown.plans, [](const PlanEvent& plan) { return !plan.legs.empty(); }))
-        return std::nullopt; // straight legs would predict too high a zeta
+    for (std::size_t uav = 0; uav < shown.plans.size(); ++uav)
+        if (const UavPlan* plan = planOf(shown, static_cast<int>(uav)); plan && !plan->legs.empty())
+            return std::nullopt; // straight legs would predict too high a zeta
     PlanOutlook outlook{.zeta_m2s =
                             shown.metrics.zeta_m2s + forecastOf(shown, record.scenario).zeta_m2s};
     addChange(outlook, record);
@@ -364,7 +365,7 @@ std::vector<PlanSection> planSections(const MissionSnapshot& now, const Scenario
         section.isOver = now.time_s > scenario.duration_s - scenario.dt_s / 2;
         section.isPlanned = now.world.uavs[u].isPlanned();
         section.mode = now.world.uavs[u].mode;
-        const PlanEvent* plan = planOf(now, place);
+        const UavPlan* plan = planOf(now, place);
         if (plan == nullptr || section.isOver || !section.isPlanned || u >= forecast.uavs.size())
             continue;
         section.rows =

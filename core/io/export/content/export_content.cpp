@@ -4,6 +4,7 @@
 #include "core/checks/drift_advice.h"
 #include "core/checks/validate.h"
 #include "core/io/export/content/export_flight.h"
+#include "core/mission/flyable_path.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/recovery.h"
 #include "core/scenario/text_checks.h"
@@ -98,9 +99,9 @@ void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& w
 }
 
 /** Returns how many icebergs of the order have no visit. */
-std::size_t leftOf(const UavOrder& order, const std::vector<Visit>& visits)
+std::size_t leftOf(const std::vector<int>& order, const std::vector<Visit>& visits)
 {
-    std::set<int> left(order.icebergs.begin(), order.icebergs.end());
+    std::set<int> left(order.begin(), order.end());
     for (const Visit& visit : visits)
         for (const int iceberg : icebergsOf(visit))
             left.erase(iceberg);
@@ -143,19 +144,19 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
         endAtHome(uav, content.options.returnHome, scene.wind_mps);
         return;
     }
-    UavOrder order = presentOrder(source, uav.row);
+    UavPlan plan = presentPlan(source, uav.row);
     if (content.options.airspeed_mps)
-        order.legs.clear(); // the legs were planned for another speed
-    uav.visits = plannedVisits(scene, order.icebergs, order.clusters);
+        plan.legs.clear(); // the legs were planned for another speed
+    uav.visits = plannedVisits(scene, plan.order, plan.clusters);
     if (content.what == ExportScope::FirstLeg && uav.visits.size() > 1)
         uav.visits.resize(1);
     endAtHome(uav, content.options.returnHome, scene.wind_mps);
     if (content.what == ExportScope::Path) {
         const bool home = !uav.visits.empty() && !uav.visits.back().iceberg;
-        FlyablePath path = flyOrder(scene, order, home);
-        uav.isAimed = !order.legs.empty();
-        if (uav.isAimed)
-            uav.searches = std::move(order.searches);
+        FlyablePath path = flyOrder(scene, plan, home);
+        uav.isAimed = !plan.legs.empty();
+        if (uav.isAimed && plan.outlook)
+            uav.searches = std::move(plan.outlook->searches);
         if (!home)
             endOverTheLastIceberg(path);
         for (TrackPoint& point : path.track)
@@ -164,7 +165,7 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
         uav.visits = std::move(path.visits);
     }
     if (uav.uav.spec.endurance_s > 0 && content.what != ExportScope::FirstLeg)
-        uav.laterSorties = leftOf(order, uav.visits);
+        uav.laterSorties = leftOf(plan.order, uav.visits);
     addSearches(uav, content.now_s);
     for (Visit& visit : uav.visits)
         visit.time_s += content.now_s;
@@ -246,17 +247,6 @@ void checkContent(const ExportContent& content)
         checkPlace("asset", "", assetPlace_m(content), content.now_s);
 }
 
-ExportPlan planOf(const ExportSource& source)
-{
-    if (source.mission && !source.mission->plans().empty()) {
-        const PlanEvent& last = source.mission->plans().back();
-        return {.status = last.status, .gap = last.gap, .fellBack = last.fellBack};
-    }
-    return {.status = source.plan.outcome.status,
-            .gap = source.plan.gap,
-            .fellBack = source.plan.fellBack};
-}
-
 /** Returns the operation volume for the altitude and the airspeed of the options. */
 OperationVolume operationAsChosen(Scenario scenario, const ExportOptions& options)
 {
@@ -320,7 +310,8 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .noFly = scenario.noFly,
         .asset = source.mission ? source.mission->simulation().world().asset() : scenario.asset,
         .planner = source.mission ? source.mission->plannerSettings() : scenario.planner,
-        .plan = planOf(source),
+        .plan = source.mission && !source.mission->plans().empty() ? *source.mission->plans().back()
+                                                                   : source.plan,
         .wind_mps =
             source.mission ? source.mission->simulation().motion(0).wind_mps : scenario.wind_mps,
         .zeta_m2s = {},

@@ -30,7 +30,7 @@ namespace berg {
 struct ExportSource
 {
     const Scenario& scenario;
-    const PlanAnswer& plan;           ///< from `planFromStart`, or from `startPlan` of the mission
+    const Plan& plan;                 ///< from `planFromStart`, or the first one of the mission
     const Mission* mission = nullptr; ///< null if nothing was flown
     /**
      * Flown tracks by UAV, which are moved from; if empty, those recorded by the mission are used.
@@ -130,14 +130,6 @@ struct ExportIceberg
     [[nodiscard]] double sigmaAfter_m2(double dt_s) const { return track.sigmaAfter_m2(dt_s); }
 };
 
-/** Solver result of the plan. */
-struct ExportPlan
-{
-    SolveStatus status = SolveStatus::None;
-    std::optional<double> gap; ///< relative; nullopt without a bound
-    bool fellBack = false;     ///< the plan is the rest of the previous one
-};
-
 /** Input of the writers of exported files, built by `exportContent`. */
 struct ExportContent
 {
@@ -157,7 +149,7 @@ struct ExportContent
     std::optional<NoFlyArea> standoff;        ///< stand-off ring of the asset
     std::optional<OperationVolume> operation; ///< at the chosen altitude and airspeed
     PlannerSettings planner;
-    ExportPlan plan;                         ///< plan in force, or the last one
+    Plan plan;                               ///< plan in force, or the last one
     Point wind_mps = Point::Zero();          ///< at `now_s`, in the plane
     std::optional<double> zeta_m2s;          ///< of all UAVs until now, if flown
     std::optional<ZetaPrediction> predicted; ///< made before take-off; nullopt if there is none

@@ -58,51 +58,27 @@ void advanceToNow(Scenario& scene, const Mission& mission, int row)
     advanceToNow(scene.uavs.front(), simulation.uav(row), simulation.world().dt_s());
 }
 
-UavOrder orderAtStart(const PlanAnswer& plan, std::size_t row)
-{
-    if (row >= plan.uavs.size()) // a plan from the start covers all UAVs
-        return {};
-    return {
-        .icebergs = plan.uavs[row].order, .clusters = plan.clusters, .legs = plan.uavs[row].legs};
-}
-
 } // namespace
 
-PlanAnswer startPlan(const Mission& mission)
-{
-    PlanAnswer answer;
-    for (const PlanEvent& plan : mission.plans()) {
-        if (&plan != &mission.plans().front() && !plan.sameSolve)
-            break; // made after the start
-        answer.uavs.push_back({.order = plan.order, .legs = plan.legs});
-        answer.clusters.insert(answer.clusters.end(), plan.clusters.begin(), plan.clusters.end());
-        answer.outcome.status = plan.status;
-        answer.gap = plan.gap;
-        answer.fellBack = plan.fellBack;
-    }
-    return answer;
-}
-
-UavOrder presentOrder(const ExportSource& source, std::size_t row)
+UavPlan presentPlan(const ExportSource& source, std::size_t row)
 {
     const int uav = static_cast<int>(row);
-    const PlanEvent* plan = source.mission ? lastPlanOf(source.mission->plans(), uav) : nullptr;
-    if (plan == nullptr)
-        return orderAtStart(source.plan, row);
-    const Simulation& simulation = source.mission->simulation();
-    if (!simulation.uav(uav).isPlanned())
+    const PlanPointer last = source.mission ? lastPlanOf(source.mission->plans(), uav) : nullptr;
+    const UavPlan* own = last ? last->of(uav) : source.plan.of(uav);
+    if (own == nullptr || (last && !source.mission->simulation().uav(uav).isPlanned()))
         return {};
-    UavOrder order{.icebergs = plan->order, .clusters = plan->clusters, .legs = plan->legs};
-    if (plan->outlook)
-        order.searches = plan->outlook->searches;
-    if (!order.legs.empty() && simulation.uav(uav).aim)
-        order.legs.front() = *simulation.uav(uav).aim; // the rest of the current turn
-    for (AimedLeg& leg : order.legs) {
+    UavPlan plan = *own;
+    if (!last)
+        return plan;
+    const Simulation& simulation = source.mission->simulation();
+    if (!plan.legs.empty() && simulation.uav(uav).aim)
+        plan.legs.front() = *simulation.uav(uav).aim; // the rest of the current turn
+    for (AimedLeg& leg : plan.legs) {
         leg.sighting_s -= simulation.time_s();
         if (leg.end_s)
             *leg.end_s -= simulation.time_s();
     }
-    return order;
+    return plan;
 }
 
 Scenario presentScene(const ExportSource& source, std::size_t row)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/io/export/content/export_content.h"
-#include "core/mission/flyable_path.h"
 
 #include <vector>
 
@@ -10,16 +9,10 @@ namespace berg {
 // Access to the UAVs of a fleet in plans and recordings, for all exports.
 
 /**
- * Returns the plan with which the mission began, with the members that exports read; nothing is
- * solved again.
+ * Returns what UAV `row` of the scenario flies from now on; its order is empty if the UAV has no
+ * plan. Times of its legs count from now, those of its outlook from the start of the mission.
  */
-[[nodiscard]] PlanAnswer startPlan(const Mission& mission);
-
-/**
- * Returns the order that UAV `row` of the scenario flies from now on; it is empty if the UAV has
- * none. Times of its legs count from now, those of its searches from the start of the mission.
- */
-[[nodiscard]] UavOrder presentOrder(const ExportSource& source, std::size_t row);
+[[nodiscard]] UavPlan presentPlan(const ExportSource& source, std::size_t row);
 
 /**
  * Returns the present estimate as a scenario that starts now, with UAV `row` only: estimates

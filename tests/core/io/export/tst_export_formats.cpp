@@ -82,7 +82,7 @@ private slots:
         const ExportFormat& row = format(id.toLatin1().constData());
         std::vector<int> order(scenario.icebergs.size());
         std::iota(order.begin(), order.end(), 0);
-        const PlanAnswer plan = planOf(order);
+        const Plan plan = planOf(order);
         const std::string text =
             row.text(exportContent({.scenario = scenario, .plan = plan}, options));
         const QString fault = faultOf(id, text);
@@ -115,7 +115,7 @@ private slots:
         QCOMPARE(exportFiles(format("gpx"), content, "x.gpx").size(), std::size_t{1});
         QVERIFY(noteIds(format("plan"), content).contains(QStringLiteral("one-file-each")));
         const Scenario scenario = changed([](Scenario& s) { s.uavs.resize(2, s.uavs[0]); });
-        const PlanAnswer plan = fourIcebergPlan();
+        const Plan plan = fourIcebergPlan();
         const std::optional<Error> error =
             errorOf([&] { (void)format("wpl").write({.scenario = scenario, .plan = plan}); });
         QVERIFY(error && error->code() == ErrorCode::InvalidInput);
@@ -150,7 +150,7 @@ private slots:
     void withoutPainterNothingIsPainted()
     {
         const Scenario scenario = fourIcebergs();
-        const PlanAnswer plan = fourIcebergPlan();
+        const Plan plan = fourIcebergPlan();
         const ExportContent content = planContent(scenario);
         for (const ExportFormat& row : exportFormats()) {
             if (!row.holds.painted)

@@ -56,7 +56,7 @@ private slots:
         const ExportFormat& row = *findExportFormat(id.toStdString());
         const Mission mission = flown(fourIcebergs(), 1500);
         QVERIFY(mission.visits(0) > 0); // otherwise there is nothing to circle over
-        const PlanAnswer plan;
+        const Plan plan;
         const auto contentOf = [&](ExportOptions options) {
             options.what = static_cast<ExportScope>(what);
             return row.content({.scenario = mission.scenario(), .plan = plan, .mission = &mission},
@@ -120,7 +120,7 @@ private slots:
     void formatsOfAWholeFlightIgnoreOptions()
     {
         const Mission mission = flown(fourIcebergs(), 60);
-        const PlanAnswer plan;
+        const Plan plan;
         const ExportSource source{
             .scenario = mission.scenario(), .plan = plan, .mission = &mission};
         const ExportContent content = findExportFormat("log")->content(

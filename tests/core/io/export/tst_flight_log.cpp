@@ -42,7 +42,7 @@ private slots:
         Point from_m = scenario.uavs[0].position_m;
         double length_m = 0;
         const std::vector<Visit> planned =
-            plannedVisits(scenario, startPlan(mission).uavs[0].order, {});
+            plannedVisits(scenario, mission.plans().front()->uavs[0].order, {});
         for (const Visit& visit : planned)
             length_m += (visit.position_m - std::exchange(from_m, visit.position_m)).norm();
         COMPARE_NEAR(uav.plannedLength_m, length_m, 1e-6);
@@ -68,7 +68,7 @@ private slots:
     {
         const Scenario scenario = fourIcebergs();
         const Mission mission = flown(scenario);
-        const PlanAnswer plan = planFromStart(scenario);
+        const Plan plan = planFromStart(scenario);
         const std::string file = wplText(exportContent({.scenario = scenario, .plan = plan}));
         QCOMPARE(flightLog(runContent(mission)).uavs.front().planHash, sha256Text(file));
     }

@@ -16,6 +16,7 @@
 #include "tests/support/files/file_texts.h"
 #include "tests/support/files/geojson_view.h"
 #include "tests/support/flight/cluster_scenes.h"
+#include "tests/support/flight/flown_plans.h"
 
 #include <QTest>
 
@@ -64,10 +65,10 @@ Scenario twoTogether()
     return scenario;
 }
 
-PlanAnswer planOfTwoTogether()
+Plan planOfTwoTogether()
 {
-    PlanAnswer plan = planOf({3, 0, 2, 1});
-    plan.clusters = {{0, 2}};
+    Plan plan = planOf({3, 0, 2, 1});
+    plan.uavs[0].clusters = {{0, 2}};
     return plan;
 }
 
@@ -92,7 +93,7 @@ private slots:
     {
         const RunFile& run = recorded();
         QVERIFY(keyframeWithMembers(run) < run.keyframes.size());
-        QVERIFY(!run.plans.front().clusters.empty());
+        QVERIFY(!run.plans.front()->uavs[0].clusters.empty());
         const std::string text = runToJson(run);
         const RunFile read = runFromJson(text, "text");
         QVERIFY(read == run);
@@ -148,9 +149,9 @@ private slots:
         mission.advance(1500);
         const RunFile run = runFromJson(runToJson(runOf(mission)), "text");
         QVERIFY(compareRun(run, runOf(replay(run))).empty());
-        const std::vector<PlanEvent>& plans = mission.plans();
+        const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
         const auto toCluster = std::ranges::count_if(
-            plans, [](const PlanEvent& plan) { return !clusterOfTarget(plan).empty(); });
+            plans, [](const test::FlownPlan& plan) { return !clusterOfTarget(plan).empty(); });
         QVERIFY2(toCluster >= 5, QByteArray::number(static_cast<qlonglong>(toCluster)));
         QVERIFY2(plans.size() < 300, QByteArray::number(static_cast<qlonglong>(plans.size())));
         for (int i = 0; i < 14; ++i)
@@ -174,7 +175,7 @@ private slots:
         other.keyframes[k].uavs[0].membersBy_s += 1;
         QCOMPARE(compareRun(recorded(), other).front().field, path + "_by_s");
         other = recorded();
-        other.plans[0].clusters.pop_back();
+        test::changePlan(other.plans[0], [](UavPlan& own) { own.clusters.pop_back(); });
         QCOMPARE(compareRun(recorded(), other).front().field, std::string("plans[0].clusters"));
     }
 
@@ -221,7 +222,8 @@ private slots:
     void icebergInTwoClustersIsRejected()
     {
         RunFile run = recorded();
-        run.plans[0].clusters.push_back(run.plans[0].clusters.front());
+        test::changePlan(run.plans[0],
+                         [](UavPlan& own) { own.clusters.push_back(own.clusters.front()); });
         const std::optional<Error> error =
             errorOf([&] { (void)runFromJson(runToJson(run), "text"); });
         QVERIFY(error && error->issues().front().message() == "must not repeat an iceberg");
@@ -274,7 +276,7 @@ private slots:
     void clusterHasOneWaypoint()
     {
         const Scenario scenario = twoTogether();
-        const PlanAnswer plan = planOfTwoTogether();
+        const Plan plan = planOfTwoTogether();
         const std::vector<Visit> visits = plannedVisits(scenario, plan);
         const MavMission mission = mavMission(planContent(scenario, plan));
         std::vector<MavItem> waypoints;

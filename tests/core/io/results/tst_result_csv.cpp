@@ -253,7 +253,7 @@ private slots:
     void planTableHasTheOrder()
     {
         const Scenario scenario = fourIcebergs();
-        const PlanAnswer plan = fourIcebergPlan();
+        const Plan plan = fourIcebergPlan();
         const QList<Record> records = csvRecords(planCsv(planContent(scenario, plan)));
         QCOMPARE(records[0].join(','),
                  QByteArray("sequence,iceberg,name,leg_m,arrival_s,latitude_deg,longitude_deg,"
@@ -285,7 +285,7 @@ private slots:
     {
         const Scenario scenario = fourIcebergs();
         const Mission mission = flown(scenario);
-        const PlanAnswer plan = fourIcebergPlan();
+        const Plan plan = fourIcebergPlan();
         const ExportFormat* csv = findExportFormat("csv");
         QVERIFY(csv != nullptr);
         QCOMPARE(csv->write({.scenario = scenario, .plan = plan}),

@@ -29,7 +29,7 @@ public:
     }
     explicit Flown(PolicyKind kind) : Flown(PlannerSettings{.policy = kind}) {}
 
-    PlanAnswer plan(const PlanRequest& request, const SolveOptions& options = {})
+    Plan plan(const PlanRequest& request, const SolveOptions& options = {})
     {
         return m_policy->plan(request, options);
     }
@@ -39,10 +39,10 @@ private:
     std::unique_ptr<Policy> m_policy;
 };
 
-Orders ordersOf(const PlanAnswer& answer)
+Orders ordersOf(const Plan& answer)
 {
     Orders orders;
-    for (const UavAnswer& uav : answer.uavs)
+    for (const UavPlan& uav : answer.uavs)
         orders.push_back(uav.order);
     return orders;
 }
@@ -59,7 +59,7 @@ double lengthOf(const PlanRequest& request, const Orders& orders)
  * Returns the fault of an answer of any policy; empty if there is none. With `round`, orders may
  * share icebergs, but not their first ones.
  */
-QString faultOf(const PlanRequest& request, const PlanAnswer& answer, bool round)
+QString faultOf(const PlanRequest& request, const Plan& answer, bool round)
 {
     if (answer.uavs.size() != request.uavs.size())
         return QStringLiteral("not one answer for each UAV");
@@ -165,7 +165,7 @@ private slots:
         Random random(4);
         PlanRequest request = all;
         for (int k = 0; k < 40; ++k) {
-            const PlanAnswer answer = flown.plan(request);
+            const Plan answer = flown.plan(request);
             const bool part = kind == PolicyKind::Path || kind == PolicyKind::Tour;
             const QString fault = faultOf(request, answer, part);
             QVERIFY2(fault.isEmpty() || (part && fault == QStringLiteral("one left out")),
@@ -184,8 +184,8 @@ private slots:
     {
         QFETCH(PolicyKind, kind);
         const PlanRequest request = randomFleetRequest(9, 3, 16, true);
-        const PlanAnswer first = Flown(kind).plan(request);
-        const PlanAnswer second = Flown(kind).plan(request);
+        const Plan first = Flown(kind).plan(request);
+        const Plan second = Flown(kind).plan(request);
         QVERIFY(ordersOf(first) == ordersOf(second));
         QCOMPARE(first.outcome.objective, second.outcome.objective);
         QCOMPARE(first.outcome.work, second.outcome.work);
@@ -197,9 +197,9 @@ private slots:
         QFETCH(PolicyKind, kind);
         for (const std::size_t out : {0U, 1U}) {
             const PlanRequest two = withoutUav(randomFleetRequest(10, 2, 7), out);
-            const PlanAnswer answer = Flown(kind).plan(two);
+            const Plan answer = Flown(kind).plan(two);
             QVERIFY(answer.uavs[out].order.empty());
-            const PlanAnswer alone = Flown(kind).plan(aloneOf(two, 1 - out));
+            const Plan alone = Flown(kind).plan(aloneOf(two, 1 - out));
             QVERIFY(answer.uavs[1 - out].order == alone.uavs[0].order);
             COMPARE_NEAR(answer.outcome.objective, alone.outcome.objective,
                          1e-9 * std::abs(alone.outcome.objective));
@@ -215,7 +215,7 @@ private slots:
         stop.request_stop();
         const PlanRequest request = randomFleetRequest(11, 2, 6);
         Flown flown(kind);
-        const PlanAnswer answer = flown.plan(request, {.stop = stop.get_token()});
+        const Plan answer = flown.plan(request, {.stop = stop.get_token()});
         QCOMPARE(answer.uavs.size(), std::size_t{2});
         if (kind == PolicyKind::Nearest || kind == PolicyKind::Uncertainty)
             return; // the solve ended before the stop
@@ -236,7 +236,7 @@ private slots:
     {
         QFETCH(PolicyKind, kind);
         const PlanRequest request = randomFleetRequest(12, 3, 25);
-        const PlanAnswer answer = Flown(kind).plan(request, {.workLimit = 1000});
+        const Plan answer = Flown(kind).plan(request, {.workLimit = 1000});
         QCOMPARE(faultOf(request, answer, false), QString());
         QVERIFY(answer.outcome.status == SolveStatus::Feasible);
         QVERIFY(answer.outcome.reason == StopReason::WorkLimit);
@@ -246,8 +246,7 @@ private slots:
     {
         const PlanRequest request = randomFleetRequest(13, 2, 6);
         for (const Route route : {Route::Open, Route::Closed}) {
-            const PlanAnswer answer =
-                Flown(PlannerSettings{.tau = 0.7, .route = route}).plan(request);
+            const Plan answer = Flown(PlannerSettings{.tau = 0.7, .route = route}).plan(request);
             FleetProblem problem{
                 .distance_m = {request.uavs[0].distance_m, request.uavs[1].distance_m},
                 .sigma_m2 = request.sigma_m2,
@@ -269,8 +268,8 @@ private slots:
         two.uavs.erase(two.uavs.begin() + 1);
         two.betweenUavs_m = Eigen::MatrixXd(three.betweenUavs_m(Eigen::seq(0, 2, 2), //
                                                                 Eigen::seq(0, 2, 2)));
-        const PlanAnswer answer = Flown(PolicyKind::Visitation).plan(three);
-        const PlanAnswer expected = Flown(PolicyKind::Visitation).plan(two);
+        const Plan answer = Flown(PolicyKind::Visitation).plan(three);
+        const Plan expected = Flown(PolicyKind::Visitation).plan(two);
         QCOMPARE(answer.outcome.objective, expected.outcome.objective);
         QVERIFY(answer.uavs[2].order == expected.uavs[1].order);
     }
@@ -279,7 +278,7 @@ private slots:
     void latencyIsInSquareMetreSeconds()
     {
         const PlanRequest request = randomFleetRequest(15, 2, 7);
-        const PlanAnswer answer = Flown(PolicyKind::Latency).plan(request);
+        const Plan answer = Flown(PolicyKind::Latency).plan(request);
         double sum = 0;
         for (std::size_t k = 0; k < 2; ++k)
             for (std::size_t i = 0; i < answer.uavs[k].order.size(); ++i) {
@@ -317,7 +316,7 @@ private slots:
         QVERIFY((ordersOf(path.plan(withoutIceberg(all, 1))) == Orders{{2}, {9, 8}}));
         QVERIFY((ordersOf(path.plan(withoutIceberg(all, 2))) == Orders{{}, {9, 8}}));
         QVERIFY((ordersOf(path.plan(withoutIceberg(all, 9))) == Orders{{}, {8}}));
-        const PlanAnswer again = path.plan(withoutIceberg(all, 8));
+        const Plan again = path.plan(withoutIceberg(all, 8));
         QVERIFY((ordersOf(again) == Orders{{1, 2}, {9}}));
         QVERIFY(again.outcome.status == SolveStatus::Optimal);
     }
@@ -356,19 +355,19 @@ private slots:
     {
         PlanRequest request = randomFleetRequest(16, 3, 30);
         Flown flown(PolicyKind::Visitation);
-        const PlanAnswer best = flown.plan(request);
+        const Plan best = flown.plan(request);
         QVERIFY(!best.outcome.hintUsed);
         const Orders orders = ordersOf(best);
         for (std::size_t k = 0; k < 3; ++k)
             request.uavs[k].lastRest = orders[k];
-        const PlanAnswer same = flown.plan(request, {.workLimit = 1});
+        const Plan same = flown.plan(request, {.workLimit = 1});
         QVERIFY(same.outcome.hintUsed);
         QVERIFY(ordersOf(same) == orders);
 
         const int handed = orders[0].back();
         request.uavs[0].available[static_cast<std::size_t>(nodeOf(request, handed) - 1)] = false;
         request.uavs[1].lastRest.insert(request.uavs[1].lastRest.begin(), 4711);
-        const PlanAnswer repaired = flown.plan(request, {.workLimit = 1});
+        const Plan repaired = flown.plan(request, {.workLimit = 1});
         QVERIFY(repaired.outcome.hintUsed);
         QCOMPARE(faultOf(request, repaired, false), QString());
         Orders rest = ordersOf(repaired);
@@ -387,10 +386,10 @@ private slots:
             std::vector<SolveProgress> reports;
             SolveOptions options;
             options.onProgress = [&](const SolveProgress& report) { reports.push_back(report); };
-            const PlanAnswer answer = Flown(PolicyKind::Visitation).plan(asked, options);
+            const Plan answer = Flown(PolicyKind::Visitation).plan(asked, options);
             QVERIFY(!reports.empty());
             for (const SolveProgress& report : reports) {
-                PlanAnswer told = answer;
+                Plan told = answer;
                 for (std::size_t k = 0; k < 3; ++k)
                     told.uavs[k].order = report.plan.at(k);
                 told.distance_m = lengthOf(asked, report.plan);

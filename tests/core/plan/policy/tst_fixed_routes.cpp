@@ -70,7 +70,7 @@ private slots:
         others.uavs[1].available = {false, false, false, true, true};
         QVERIFY(path->plan(others, {}).uavs[0].order.empty()); // the first UAV returns to it later
         others.uavs[0].assigned = {2};
-        const PlanAnswer answer = path->plan(others, {});
+        const Plan answer = path->plan(others, {});
         QCOMPARE(answer.uavs[0].order, Ids{2});
         QCOMPARE(answer.uavs[1].order, (Ids{4, 5}));
     }
@@ -90,7 +90,7 @@ private slots:
         now = all;
         now.uavs[0].available = {true, true, true, false};
         now.uavs[1].available = {false, false, false, true};
-        const PlanAnswer answer = path->plan(now, {});
+        const Plan answer = path->plan(now, {});
         QVERIFY(!answer.uavs[0].order.empty());
         QCOMPARE(answer.uavs[1].order, std::vector<int>{4});
         QCOMPARE(path->plan(now, {}).uavs[1].order, std::vector<int>{4});
@@ -121,7 +121,7 @@ private slots:
             PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs));
             for (double& sigma_m2 : request.sigma_m2)
                 sigma_m2 *= 1000; // as large as the distances, but without influence
-            const PlanAnswer answer = policy(PolicyKind::Path)->plan(request, {});
+            const Plan answer = policy(PolicyKind::Path)->plan(request, {});
             double shortest_m = 1e300;
             forEachOrder(request, [&](const Ids& ids) {
                 shortest_m = std::min(shortest_m, pathLength_m(request, ids));
@@ -146,7 +146,7 @@ private slots:
             QVERIFY(path->plan(without(request, {reached}), {}).uavs[0].order == rest);
             QCOMPARE(m_script.problems.size(), std::size_t{1});
         }
-        const PlanAnswer again = path->plan(without(five(), {rest.front()}), {});
+        const Plan again = path->plan(without(five(), {rest.front()}), {});
         QCOMPARE(m_script.problems.size(), std::size_t{2});
         QCOMPARE(again.uavs[0].order.size(), std::size_t{4}); // all but the one in view
     }
@@ -156,10 +156,10 @@ private slots:
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
         const Ids order = path->plan(five(), {}).uavs[0].order;
-        const PlanAnswer answer = path->plan(without(five(), {order[0], order[1]}), {});
+        const Plan answer = path->plan(without(five(), {order[0], order[1]}), {});
         QVERIFY((answer.uavs[0].order == Ids{order[2], order[3], order[4]}));
         // It stays passed over when it is out of view again.
-        const PlanAnswer next = path->plan(without(five(), {order[2]}), {});
+        const Plan next = path->plan(without(five(), {order[2]}), {});
         QVERIFY((next.uavs[0].order == Ids{order[3], order[4]}));
     }
 
@@ -168,7 +168,7 @@ private slots:
     {
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
         const Ids order = path->plan(five(), {}).uavs[0].order;
-        const PlanAnswer answer = path->plan(without(five(), {order[0], order[2]}), {});
+        const Plan answer = path->plan(without(five(), {order[0], order[2]}), {});
         QVERIFY((answer.uavs[0].order == Ids{order[1], order[2], order[3], order[4]}));
         QCOMPARE(path->plan(without(five(), {order[1]}), {}).uavs[0].order.front(), order[2]);
     }
@@ -190,9 +190,9 @@ private slots:
         std::vector<Place> six = kFive;
         six.push_back({77, {2000, 2000}, 5});
         const PlanRequest request = requestOf({1000, 1000}, six);
-        const PlanAnswer answer = route->plan(request, {});
+        const Plan answer = route->plan(request, {});
         QCOMPARE(m_script.problems.size(), std::size_t{2});
-        const PlanAnswer fresh = policy(kind)->plan(request, {});
+        const Plan fresh = policy(kind)->plan(request, {});
         QVERIFY(answer.uavs[0].order == fresh.uavs[0].order);
         QCOMPARE(answer.uavs[0].order.size(), std::size_t{6});
     }
@@ -246,7 +246,7 @@ private slots:
         const Ids cycle = tour->plan(five(), {}).uavs[0].order;
         std::vector<int> flown{cycle.front()};
         for (int leg = 0; leg < 12; ++leg) {
-            const PlanAnswer answer = tour->plan(without(five(), {flown.back()}), {});
+            const Plan answer = tour->plan(without(five(), {flown.back()}), {});
             flown.push_back(answer.uavs[0].order.front());
         }
         for (std::size_t i = 0; i < flown.size(); ++i)
@@ -258,7 +258,7 @@ private slots:
     void tourReportsWhatWasSolved()
     {
         const PlanRequest request = five();
-        const PlanAnswer answer = policy(PolicyKind::Tour)->plan(request, {});
+        const Plan answer = policy(PolicyKind::Tour)->plan(request, {});
         QCOMPARE(answer.problem.route, Route::Closed);
         QCOMPARE(answer.problem.icebergCount(), 4);
         QCOMPARE(answer.outcome.status, SolveStatus::Optimal);

@@ -97,7 +97,7 @@ private slots:
             scenario.planner.tau = 0.3 * static_cast<double>(seed);
             const PlanRequest request = planRequest(Simulation(scenario));
             const FleetTask task = visitationTask(request, Route::Open);
-            const PlanAnswer plan = planFromStart(scenario);
+            const Plan plan = planFromStart(scenario);
             const TauCurve curve = tauCurve(task.problem, task.betweenStarts_m, {});
             const auto at =
                 static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau).value());

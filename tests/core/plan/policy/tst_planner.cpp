@@ -32,7 +32,7 @@ auto answering(const SolveOutcome& outcome)
  */
 struct PolicyScript
 {
-    std::function<PlanAnswer(const PlanRequest&)> answer;
+    std::function<Plan(const PlanRequest&)> answer;
     std::vector<PlanRequest> requests;
 };
 PolicyScript g_script;
@@ -40,7 +40,7 @@ PolicyScript g_script;
 class ScriptedPolicy final : public Policy
 {
 public:
-    PlanAnswer plan(const PlanRequest& request, const SolveOptions&) override
+    Plan plan(const PlanRequest& request, const SolveOptions&) override
     {
         g_script.requests.push_back(request);
         return g_script.answer(request);
@@ -58,10 +58,10 @@ PlanRequest twoForFive()
     return fleetRequestOf({{0, 0}, {4000, 0}}, kFive);
 }
 
-std::vector<Ids> ordersOf(const PlanAnswer& answer)
+std::vector<Ids> ordersOf(const Plan& answer)
 {
     std::vector<Ids> orders;
-    for (const UavAnswer& uav : answer.uavs)
+    for (const UavPlan& uav : answer.uavs)
         orders.push_back(uav.order);
     return orders;
 }
@@ -69,7 +69,7 @@ std::vector<Ids> ordersOf(const PlanAnswer& answer)
 auto answeringFleet(const std::vector<Ids>& orders)
 {
     return [orders](const PlanRequest&) {
-        PlanAnswer answer{.outcome = {.status = SolveStatus::Feasible}};
+        Plan answer{.outcome = {.status = SolveStatus::Feasible}};
         for (const Ids& order : orders)
             answer.uavs.push_back({.order = order, .legs = {}, .outlook = {}});
         return answer;
@@ -91,7 +91,7 @@ private:
         auto planner =
             std::make_unique<Planner>(settings, std::make_unique<ScriptedSolver>(m_script));
         m_script.answer = answering(inOrder({4, 1, 3, 5, 2}));
-        const PlanAnswer answer = planner->plan(five(), {});
+        const Plan answer = planner->plan(five(), {});
         require(answer.uavs[0].order == Ids{3, 10, 42, 5, 7}, "the script's order is flown");
         m_script = {};
         return planner;
@@ -108,7 +108,7 @@ private slots:
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         m_script.answer = answering(inOrder({2, 1, 4, 3})); // nodes of 10, 7, 42, 5
-        const PlanAnswer answer = planner->plan(without(five(), {3}), {});
+        const Plan answer = planner->plan(without(five(), {3}), {});
         QVERIFY((answer.uavs[0].order == Ids{7, 10, 5, 42}));
         QVERIFY(!answer.fellBack);
     }
@@ -152,12 +152,12 @@ private slots:
         QFETCH(StopReason, reason);
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         m_script.answer = answering(noOrder(reason));
-        const PlanAnswer first = planner->plan(without(five(), {3}), {});
+        const Plan first = planner->plan(without(five(), {3}), {});
         QVERIFY((first.uavs[0].order == Ids{10, 42, 5, 7}));
         QVERIFY(first.fellBack);
         QCOMPARE(first.outcome.reason, reason);
         // The next fallback starts from there: 10 is reached, 42 was seen meanwhile.
-        const PlanAnswer second = planner->plan(without(five(), {10, 42}), {});
+        const Plan second = planner->plan(without(five(), {10, 42}), {});
         QVERIFY((second.uavs[0].order == Ids{5, 7}));
         QVERIFY(second.fellBack);
     }
@@ -166,11 +166,11 @@ private slots:
     {
         Planner planner({}, std::make_unique<ScriptedSolver>(m_script));
         m_script.answer = answering(noOrder(StopReason::TimeLimit));
-        const PlanAnswer answer = planner.plan(five(), {});
+        const Plan answer = planner.plan(five(), {});
         QVERIFY(answer.uavs[0].order == Ids{10});
         QVERIFY(answer.fellBack);
         // No iceberg of the last plan is left, so the nearest is next again, now 7.
-        const PlanAnswer next = planner.plan(without(five(), {10}), {});
+        const Plan next = planner.plan(without(five(), {10}), {});
         QVERIFY(next.uavs[0].order == Ids{7});
         QVERIFY(next.fellBack);
     }
@@ -187,7 +187,7 @@ private slots:
     void nothingAvailableIsNoFallBack()
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder();
-        const PlanAnswer answer = planner->plan(without(five(), {10, 7, 42, 3, 5}), {});
+        const Plan answer = planner->plan(without(five(), {10, 7, 42, 3, 5}), {});
         QVERIFY(answer.uavs[0].order.empty());
         QVERIFY(!answer.fellBack);
     }
@@ -215,7 +215,7 @@ private slots:
         SolveOutcome cancelled = withOrder ? inOrder({3, 4, 2, 1}) : noOrder(StopReason::Cancelled);
         cancelled.reason = StopReason::Cancelled;
         m_script.answer = answering(cancelled);
-        const PlanAnswer answer = planner->plan(without(five(), {3}), {});
+        const Plan answer = planner->plan(without(five(), {3}), {});
         QCOMPARE(answer.outcome.reason, StopReason::Cancelled);
         QVERIFY(!answer.fellBack);
 
@@ -261,7 +261,7 @@ private slots:
     {
         const std::unique_ptr<Planner> planner = plannerWithOrder();
         m_script.answer = answering(noOrder(StopReason::WorkLimit));
-        const PlanAnswer answer = planner->plan(without(five(), {3}), {}, false);
+        const Plan answer = planner->plan(without(five(), {3}), {}, false);
         QVERIFY(m_script.options.at(0).hint.empty());
         QVERIFY((answer.uavs[0].order == Ids{10, 42, 5, 7}));
         QVERIFY(answer.fellBack);
@@ -318,13 +318,13 @@ private slots:
     void ownBackEndOfTheSettings()
     {
         Planner planner({.backend = Backend::Exact});
-        const PlanAnswer answer = planner.plan(five(), {});
+        const Plan answer = planner.plan(five(), {});
         QCOMPARE(answer.outcome.status, SolveStatus::Optimal);
         QCOMPARE(answer.outcome.source, AnswerSource::Exact);
         COMPARE_NEAR(answer.outcome.objective,
                      bruteForce(problemOfUav(answer.problem, 0)).objective, 1e-9);
         planner.setSettings({.tau = 0.2, .backend = Backend::Auto});
-        const PlanAnswer changed = planner.plan(five(), {});
+        const Plan changed = planner.plan(five(), {});
         COMPARE_NEAR(changed.outcome.objective,
                      bruteForce(problemOfUav(changed.problem, 0)).objective, 1e-9);
         COMPARE_NEAR(changed.problem.mu, 0.2 * answer.problem.mu, 1e-12);
@@ -334,7 +334,7 @@ private slots:
     {
         Planner planner({}, nullptr, makeScriptedPolicy);
         g_script.answer = answeringFleet({{10, 7, 5}, {42, 3}});
-        const PlanAnswer first = planner.plan(twoForFive(), {});
+        const Plan first = planner.plan(twoForFive(), {});
         QVERIFY((ordersOf(first) == std::vector<Ids>{{10, 7, 5}, {42, 3}}));
         QVERIFY(!first.fellBack);
         QVERIFY(g_script.requests[0].uavs[0].lastRest.empty());
@@ -365,13 +365,13 @@ private slots:
     {
         QFETCH(bool, throws);
         Planner planner({}, nullptr, makeScriptedPolicy);
-        const auto fail = [throws](const PlanRequest&) -> PlanAnswer {
+        const auto fail = [throws](const PlanRequest&) -> Plan {
             if (throws)
                 throw std::runtime_error("out of order");
             return {.outcome = {.status = SolveStatus::None, .reason = StopReason::TimeLimit}};
         };
         g_script.answer = fail;
-        const PlanAnswer first = planner.plan(twoForFive(), {});
+        const Plan first = planner.plan(twoForFive(), {});
         QVERIFY((ordersOf(first) == std::vector<Ids>{{10}, {42}}));
         QVERIFY(first.fellBack);
         QCOMPARE(first.failure.empty(), !throws);
@@ -379,13 +379,13 @@ private slots:
         g_script.answer = answeringFleet({{7, 10, 3}, {}});
         QVERIFY((ordersOf(planner.plan(twoForFive(), {})) == std::vector<Ids>{{7, 10, 3}, {}}));
         g_script.answer = fail;
-        const PlanAnswer second = planner.plan(withoutIceberg(twoForFive(), 7), {});
+        const Plan second = planner.plan(withoutIceberg(twoForFive(), 7), {});
         QVERIFY((ordersOf(second) == std::vector<Ids>{{10, 3}, {42}}));
         // The second UAV has nothing left to visit.
         PlanRequest busy = withoutUav(twoForFive(), 1);
         QVERIFY((ordersOf(planner.plan(busy, {})) == std::vector<Ids>{{10, 3}, {}}));
         busy = withoutUav(busy, 0);
-        const PlanAnswer none = planner.plan(busy, {});
+        const Plan none = planner.plan(busy, {});
         QVERIFY((ordersOf(none) == std::vector<Ids>{{}, {}}));
         QVERIFY(!none.fellBack);
     }
@@ -396,7 +396,7 @@ private slots:
         g_script.answer = answeringFleet({{7, 10}, {42, 3, 5}});
         (void)planner.plan(twoForFive(), {});
         g_script.answer = [](const PlanRequest&) {
-            return PlanAnswer{.outcome = {.reason = StopReason::Cancelled}};
+            return Plan{.outcome = {.reason = StopReason::Cancelled}};
         };
         QVERIFY(!planner.plan(twoForFive(), {}).fellBack);
         (void)planner.plan(twoForFive(), {});
@@ -419,9 +419,9 @@ private slots:
         PlanRequest request = twoForFive();
         request.clusters = {{10, 98, 99}, {42, 97}};
         g_script.answer = answeringFleet({{7, 10}, {3}});
-        const PlanAnswer answer = planner.plan(request, {});
+        const Plan answer = planner.plan(request, {});
         QVERIFY((ordersOf(answer) == std::vector<Ids>{{7, 10, 98, 99}, {3}}));
-        QVERIFY((answer.clusters == std::vector<Ids>{{10, 98, 99}}));
+        QVERIFY((answer.uavs[0].clusters == std::vector<Ids>{{10, 98, 99}}));
         (void)planner.plan(request, {});
         QVERIFY((g_script.requests.back().uavs[0].lastRest == Ids{7, 10}));
     }
@@ -431,10 +431,10 @@ private slots:
     {
         Planner planner({});
         const PlanRequest all = randomFleetRequest(5, 3, 20);
-        PlanAnswer answer = planner.plan(all, {});
+        Plan answer = planner.plan(all, {});
         QVERIFY(!answer.outcome.hintUsed);
         const PlanRequest next = withoutIceberg(all, answer.uavs[1].order.front());
-        const PlanAnswer warm = planner.plan(next, {});
+        const Plan warm = planner.plan(next, {});
         QVERIFY(warm.outcome.hintUsed);
         QVERIFY(warm.outcome.status == SolveStatus::Optimal);
         COMPARE_NEAR(warm.outcome.objective, Planner({}).plan(next, {}).outcome.objective, 1e-9);

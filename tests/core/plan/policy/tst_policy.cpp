@@ -78,7 +78,7 @@ private slots:
     /** 10 is nearest; from there 7 (1803 m), 5 (2236 m), 42 (5000 m), 3. */
     void nearestByHand()
     {
-        const PlanAnswer answer = policy(PolicyKind::Nearest)->plan(five(), {});
+        const Plan answer = policy(PolicyKind::Nearest)->plan(five(), {});
         QVERIFY((answer.uavs[0].order == Ids{10, 7, 5, 42, 3}));
         QVERIFY(m_script.problems.empty()); // no solver was called
         // Distances 1000, 1803, 2236, 5000, 1500 m; mu = 0 in the request: the reward alone.
@@ -90,7 +90,7 @@ private slots:
 
     void uncertaintyByHand()
     {
-        const PlanAnswer answer = policy(PolicyKind::Uncertainty)->plan(five(), {});
+        const Plan answer = policy(PolicyKind::Uncertainty)->plan(five(), {});
         // 7 and 3 both have 9: the smaller node comes first (7, first in the request), not the
         // smaller id.
         QVERIFY((answer.uavs[0].order == Ids{7, 3, 42, 10, 5}));
@@ -128,7 +128,7 @@ private slots:
             // One more iceberg is in view and must not affect the plan, not even mu.
             PlanRequest request = requestOf({-500, 500}, randomPlaces(random, icebergs + 1));
             request = without(request, {request.ids[static_cast<std::size_t>(k % icebergs)]});
-            const PlanAnswer answer = policy->plan(request, {});
+            const Plan answer = policy->plan(request, {});
 
             TvpProblem expected = subProblem(request);
             expected.mu = muByHand(expected, tau);
@@ -174,8 +174,8 @@ private slots:
         for (int i = 0; i < all_m.rows(); ++i)
             for (int j = 0; j < all_m.cols(); ++j)
                 all_m(i, j) -= kPerPlace_m * (j - i);
-        const PlanAnswer expected = policy->plan(calm, {});
-        const PlanAnswer answer = policy->plan(windy, {});
+        const Plan expected = policy->plan(calm, {});
+        const Plan answer = policy->plan(windy, {});
         QVERIFY(answer.uavs[0].order == expected.uavs[0].order);
         COMPARE_NEAR(answer.problem.mu, expected.problem.mu, 1e-12);
         COMPARE_NEAR(answer.outcome.objective, expected.outcome.objective, 1e-9);
@@ -209,7 +209,7 @@ private slots:
         for (Place& place : places)
             place.sigma_m2 = 0;
         const PlanRequest request = requestOf({0, 0}, places);
-        const PlanAnswer answer = policy(PolicyKind::Visitation)->plan(request, {});
+        const Plan answer = policy(PolicyKind::Visitation)->plan(request, {});
         QCOMPARE(answer.problem.mu, 1.0);
         forEachOrder(request, [&](const Ids& other) {
             QVERIFY(pathLength_m(request, answer.uavs[0].order) <=
@@ -223,7 +223,7 @@ private slots:
         for (Place& place : places)
             place.sigma_m2 = 0;
         const PlanRequest request = requestOf({0, 0}, places);
-        const PlanAnswer answer = policy(PolicyKind::Latency)->plan(request, {});
+        const Plan answer = policy(PolicyKind::Latency)->plan(request, {});
         QCOMPARE(answer.problem.mu, 1.0);
         forEachOrder(request, [&](const Ids& other) {
             QVERIFY(pathLength_m(request, answer.uavs[0].order) <=
@@ -253,7 +253,7 @@ private slots:
         for (const PlannerSettings& settings :
              {PlannerSettings{.policy = PolicyKind::Latency, .tau = 0},
               PlannerSettings{.policy = PolicyKind::Latency, .tau = 5, .route = Route::Closed}}) {
-            const PlanAnswer answer = makePolicy(settings, *m_solver)->plan(request, {});
+            const Plan answer = makePolicy(settings, *m_solver)->plan(request, {});
             QCOMPARE(answer.uavs[0].order.size(), std::size_t{4});
             COMPARE_NEAR(answer.outcome.objective, waiting_m2s(answer.uavs[0].order), 1e-9);
             forEachOrder(request, [&](Ids other) {
@@ -298,7 +298,7 @@ private slots:
                 for (unsigned k = 0; k < 5; ++k)
                     request.uavs[0].available[k] = (bits >> k & 1U) != 0;
                 const std::unique_ptr<Policy> fresh = policy(kind);
-                const PlanAnswer answer = (remembers ? *lasting : *fresh).plan(request, {});
+                const Plan answer = (remembers ? *lasting : *fresh).plan(request, {});
                 QCOMPARE(answer.uavs[0].order.empty(), bits == 0);
                 if (bits == 0)
                     continue;
@@ -324,7 +324,7 @@ private slots:
     {
         QFETCH(PolicyKind, kind);
         const PlanRequest request = test::fleetRequestOf({{0, 0}, {-5000, 0}}, kFive);
-        const PlanAnswer answer = policy(kind)->plan(request, {});
+        const Plan answer = policy(kind)->plan(request, {});
         QVERIFY(!answer.uavs[0].order.empty());
         QVERIFY(!answer.uavs[1].order.empty());
     }
@@ -354,7 +354,7 @@ private slots:
         QFETCH(PolicyKind, kind);
         for (const std::set<int>& available :
              {std::set<int>{10, 7, 42, 3, 5}, {7, 3}, {5}, {42, 10, 5}}) {
-            const PlanAnswer answer = policy(kind)->plan(withAvailable(five(), available), {});
+            const Plan answer = policy(kind)->plan(withAvailable(five(), available), {});
             QVERIFY(std::set<int>(answer.uavs[0].order.begin(), answer.uavs[0].order.end()) ==
                     available);
             QCOMPARE(answer.uavs[0].order.size(), available.size());
@@ -401,11 +401,11 @@ private slots:
         QFETCH(PolicyKind, kind);
         const std::unique_ptr<Policy> tried = policy(kind);
         m_script.answer = [](const TvpProblem&) { return noOrder(StopReason::TimeLimit); };
-        const PlanAnswer nothing = tried->plan(five(), {});
+        const Plan nothing = tried->plan(five(), {});
         QVERIFY(nothing.uavs[0].order.empty());
         QCOMPARE(nothing.outcome.reason, StopReason::TimeLimit);
         m_script.answer = triedAll;
-        const PlanAnswer answer = tried->plan(five(), {});
+        const Plan answer = tried->plan(five(), {});
         QVERIFY(answer.uavs[0].order == policy(kind)->plan(five(), {}).uavs[0].order);
     }
 
@@ -430,7 +430,7 @@ private slots:
         };
         QCOMPARE(cancelled->plan(five(), {}).outcome.reason, StopReason::Cancelled);
         m_script.answer = triedAll;
-        const PlanAnswer answer = cancelled->plan(five(), {});
+        const Plan answer = cancelled->plan(five(), {});
         QVERIFY(answer.uavs[0].order == policy(kind)->plan(five(), {}).uavs[0].order);
         QCOMPARE(answer.outcome.reason, StopReason::Finished);
     }

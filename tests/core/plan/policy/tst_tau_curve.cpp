@@ -417,7 +417,7 @@ private slots:
             if (windy)
                 scenario.wind_mps = {6, -3};
             const FleetTask task = visitationTask(planRequest(Simulation(scenario)), route);
-            const PlanAnswer plan = planFromStart(scenario);
+            const Plan plan = planFromStart(scenario);
             QCOMPARE(task.ids, plan.solvedIds);
             QVERIFY(task.problem.distance_m == plan.problem.distance_m);
             QCOMPARE(task.problem.sigma_m2, plan.problem.sigma_m2);

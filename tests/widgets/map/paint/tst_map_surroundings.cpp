@@ -367,8 +367,8 @@ private slots:
     void clustersFollowTheIcebergs()
     {
         FlightRecord record = recordOfStart(fourIcebergs());
-        record.now.plans[0].order = {2, 0, 3, 1};
-        record.now.plans[0].clusters = {{0, 3}};
+        record.now.plans[0] = std::make_shared<const Plan>(
+            Plan{.uavs = {{.order = {2, 0, 3, 1}, .clusters = {{0, 3}}}}});
         MapPicture picture = missionPicture(record, kLocale);
         QCOMPARE(picture.clusters, (std::vector<std::vector<int>>{{0, 3}}));
         QVERIFY(legendOf(picture).contains(u"Planned as one point"_s));

@@ -92,7 +92,7 @@ private slots:
     {
         const Mission mission = fiveIcebergs(300);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
-        QCOMPARE(picture.routes[0].plan, mission.plans().back().order);
+        QCOMPARE(picture.routes[0].plan, mission.plans().back()->uavs[0].order);
         const std::set<int> once(picture.routes[0].plan.begin(), picture.routes[0].plan.end());
         QCOMPARE(once.size(), picture.routes[0].plan.size());
     }

@@ -57,7 +57,7 @@ private slots:
                                           .toString()
                                           .section(u'\n', 0, 0);
                 QCOMPARE(order.split(u", "_s).size(),
-                         qsizetype(record.history.plans[plans].order.size()));
+                         qsizetype(record.history.plans[plans]->uavs[0].order.size()));
                 ++plans;
             }
         }
@@ -72,14 +72,14 @@ private slots:
         MissionHistory& history = record.history;
         const auto add = [&](double time_s, int iceberg, PlanReason reason) {
             history.events.push_back({.time_s = time_s, .iceberg = iceberg, .uav = 0});
-            history.plans.push_back(
-                {.time_s = time_s, .reason = reason, .target = iceberg, .order = {iceberg}});
+            history.plans.push_back(std::make_shared<const Plan>(
+                Plan{.time_s = time_s, .uavs = {{.order = {iceberg}, .reason = reason}}}));
         };
         EventModel model{QLocale::c()};
         const QAbstractItemModelTester tester(&model);
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);
         const int rows = model.rowCount();
-        const int next = history.plans.back().target.value();
+        const int next = history.plans.back()->uavs[0].target().value();
         add(400.1, next, PlanReason::HoldFlown);
         add(400.2, next, PlanReason::HoldFlown);
         add(400.3, next == 0 ? 1 : 0, PlanReason::HoldFlown);
@@ -99,10 +99,8 @@ private slots:
         MissionHistory& history = record.history;
         const auto add = [&](double time_s, std::optional<int> iceberg) {
             history.events.push_back({.time_s = time_s, .iceberg = iceberg, .uav = 0});
-            history.plans.push_back({.time_s = time_s,
-                                     .reason = PlanReason::OutOfView,
-                                     .target = iceberg,
-                                     .order = {}});
+            history.plans.push_back(std::make_shared<const Plan>(
+                Plan{.time_s = time_s, .uavs = {{.reason = PlanReason::OutOfView}}}));
         };
         EventModel model{QLocale::c()};
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);

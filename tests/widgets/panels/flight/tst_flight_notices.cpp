@@ -2,6 +2,7 @@
 #include "tests/support/flight/scenario_builder.h"
 #include "tests/support/plan/test_solvers.h"
 #include "tests/support/window/panel_test.h"
+#include "widgets/document/selection.h"
 #include "widgets/panels/flight/flight_notices.h"
 
 #include <stdexcept>
@@ -110,15 +111,15 @@ private slots:
         Mission mission(scenario, {}, std::make_unique<test::ScriptedSolver>(script));
         mission.advance(600);
         QVERIFY(calls >= 3);
-        const std::vector<PlanEvent>& plans = mission.plans();
-        QVERIFY(plans[1].fellBack);
+        const std::vector<PlanPointer>& plans = mission.plans();
+        QVERIFY(plans[1]->fellBack);
         const QString words = u"The planner failed: continuing with the previous plan"_s;
-        QVERIFY(!textsOf(recordAt(mission, plans[1].time_s - 1)).contains(words));
-        QVERIFY(textsOf(recordAt(mission, plans[1].time_s)).contains(words));
-        QVERIFY(textsOf(recordAt(mission, plans[2].time_s - 1)).contains(words));
-        QVERIFY(!textsOf(recordAt(mission, plans[2].time_s)).contains(words));
+        QVERIFY(!textsOf(recordAt(mission, plans[1]->time_s - 1)).contains(words));
+        QVERIFY(textsOf(recordAt(mission, plans[1]->time_s)).contains(words));
+        QVERIFY(textsOf(recordAt(mission, plans[2]->time_s - 1)).contains(words));
+        QVERIFY(!textsOf(recordAt(mission, plans[2]->time_s)).contains(words));
         const std::vector<FlightNotice> notices =
-            flightNotices(recordAt(mission, plans[1].time_s), kLocale);
+            flightNotices(recordAt(mission, plans[1]->time_s), kLocale);
         QVERIFY(notices.front().kind == NoticeKind::PlannerFailed);
     }
 

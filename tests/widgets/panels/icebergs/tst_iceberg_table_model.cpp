@@ -150,17 +150,18 @@ private slots:
         f.model.showRecord(recordAt(test::flown(test::fourIcebergs(), 5), 5));
         QVERIFY(!hasUavs());
         f.model.showRecord(record);
-        for (const PlanEvent& plan : record.shown().plans)
-            for (std::size_t k = 0; k < plan.order.size(); ++k) {
-                const IcebergTableRow& row = rows[static_cast<std::size_t>(plan.order[k])];
-                const QString uav = plan.uav == 0 ? u"uav-1"_s : u"East"_s;
+        const OrdersByUav orders = ordersOf(record.shown());
+        for (const std::vector<int>& order : orders)
+            for (std::size_t k = 0; k < order.size(); ++k) {
+                const IcebergTableRow& row = rows[static_cast<std::size_t>(order[k])];
+                const QString uav = &order == &orders.front() ? u"uav-1"_s : u"East"_s;
                 QCOMPARE(stateText(row), k == 0 ? u"target of %1"_s.arg(uav)
                                                 : u"number %1 of %2"_s.arg(k + 1).arg(uav));
-                QCOMPARE(f.cell(plan.order[k], IcebergColumn::Uav), uav);
+                QCOMPARE(f.cell(order[k], IcebergColumn::Uav), uav);
                 QVERIFY(*row.value(IcebergColumn::Arrival) > 0);
             }
-        QCOMPARE(record.shown().plans.size(), std::size_t{2});
-        QVERIFY(!record.shown().plans[1].order.empty());
+        QCOMPARE(orders.size(), std::size_t{2});
+        QVERIFY(!orders[1].empty());
     }
 
     /** Compared with the recorded rows: since the last sample in view, or since it became known. */
@@ -205,7 +206,7 @@ private slots:
         const FlightRecord record = recordAt(test::flown(test::fourIcebergs(), 20), 20);
         TableFixture f;
         f.model.showRecord(record);
-        const std::vector<int>& order = record.shown().plan->order;
+        const std::vector<int>& order = record.shown().plan->uavs[0].order;
         QVERIFY(order.size() >= 3);
         QCOMPARE(f.cell(order[0], IcebergColumn::State), u"target"_s);
         QCOMPARE(f.cell(order[2], IcebergColumn::State), u"number 3 in the order"_s);

@@ -133,7 +133,7 @@ private slots:
     {
         Desk desk;
         desk.open(aimed());
-        const PlanEvent plan = *desk.record().now.plan;
+        const UavPlan plan = desk.record().now.plan->uavs[0];
         const std::vector<PlanRow> rows =
             planSections(desk.record().now, desk.record().scenario).front().rows;
         QCOMPARE(rows.size(), plan.order.size());
@@ -167,7 +167,7 @@ private slots:
             iceberg.velocitySd_mps = 0.8;
         Desk desk;
         desk.open(scenario);
-        const auto searches = [&] { return desk.record().now.plan->outlook->searches; };
+        const auto searches = [&] { return desk.record().now.plan->uavs[0].outlook->searches; };
         QVERIFY(searches().empty() && desk.picture().routes[0].searchPlaces.empty());
         for (int time_s = 20; searches().empty() && time_s < 1000; time_s += 20)
             desk.flyTo(time_s);
@@ -359,7 +359,7 @@ private slots:
         desk.flyTo(530); // past the first three of the row, the last is still to be seen
         QCOMPARE(desk.former(), kShortest);
         desk.flyTo(560); // the last is reached: the return has another order, as re-planned
-        QCOMPARE(desk.record().shown().plan->order.front(), 0);
+        QCOMPARE(desk.record().shown().plan->uavs[0].order.front(), 0);
         QCOMPARE(desk.former(), (std::vector<int>{2, 1, 0}));
         COMPARE_NEAR(planOutlook(desk.record())->changed_s, desk.record().shown().plan->time_s,
                      1e-9);

@@ -351,8 +351,7 @@ private slots:
         COMPARE_NEAR(rows[0].chance.value(), 0.6826894921 * 0.6826894921, 1e-3); // it grows by q
         QVERIFY(rows[1].chance.value() < rows[0].chance.value());
         // From the middle between the two, each is at the edge of the view or outside.
-        now.plan->clusters = {{0, 1}};
-        now.plans = {*now.plan};
+        setPlan(now, {.uavs = {{.order = {0, 1}, .clusters = {{0, 1}}}}});
         QVERIFY(planSections(now, scenario).front().rows[0].chance.value() <
                 rows[0].chance.value() / 1.5);
     }

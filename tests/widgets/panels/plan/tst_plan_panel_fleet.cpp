@@ -31,8 +31,7 @@ private slots:
         scenario.uavs[1].spec.airspeed_mps = 10;
         MissionSnapshot now = twoIcebergs(scenario);
         now.world.tracks[1] = {.anchor_m = Point(300, 1000), .sigma_m2 = 7, .q_m2ps = 0.1};
-        now.plan->order = {0};
-        now.plans = {*now.plan, {.uav = 1, .sameSolve = true, .order = {1}}};
+        setPlan(now, {.uavs = {{.order = {0}}, {.uav = 1, .order = {1}}}});
         now.assigned = {std::nullopt, 1};
         const std::vector<PlanSection> sections = planSections(now, scenario);
         QCOMPARE(sections.size(), std::size_t{2});

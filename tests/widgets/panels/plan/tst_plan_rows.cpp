@@ -50,17 +50,17 @@ private slots:
         now.world.tracks.clear();
         now.active.assign(500, true);
         now.assigned.assign(500, std::nullopt);
-        now.plan->order.clear();
+        std::vector<int> order;
         for (int i = 0; i < 500; ++i) {
             const double side = i % 2 == 0 ? 1 : -1;
             test::addIceberg(scenario, 0, 0);
             now.world.tracks.push_back({.anchor_m = Point(side * 1000, 10.0 * i),
                                         .anchor_s = now.time_s,
                                         .velocity_mps = Point(side * 0.5, 0)});
-            now.plan->order.push_back(i);
+            order.push_back(i);
         }
         now.icebergs = scenario.icebergs;
-        now.plans = {*now.plan};
+        setPlan(now, {.uavs = {{.order = order}}});
         const std::vector<PlanSection> sections = planSections(now, scenario);
         const double left_s = scenario.duration_s - now.time_s;
         COMPARE_NEAR(planLength_m(sections), 20 * left_s, 1e-6);
@@ -119,12 +119,13 @@ private slots:
     {
         Scenario scenario = twoIcebergScenario();
         MissionSnapshot now = standing(twoIcebergs(scenario));
-        PlanEvent& plan = now.plans.front();
+        Plan next = *now.plan;
+        UavPlan& plan = next.uavs.front();
         const int first = plan.order.at(0);
         const int second = plan.order.at(1);
         plan.outlook = AimedOutlook{.sightings_s = {now.time_s + 50}};
         plan.laterVisits = {{second, now.time_s + 120}, {first, now.time_s + 300}};
-        now.plan = plan;
+        setPlan(now, next);
         const std::vector<PlanRow> rows = planSections(now, scenario).front().rows;
         QCOMPARE(rows.size(), std::size_t{2});
         QVERIFY(rows[0].isSeen);

@@ -47,35 +47,45 @@ struct TradeoffFixture
     }
 };
 
-PlanEvent provenPlan()
+/** Returns a plan that is proven optimal, changed by `change`. */
+PlanPointer planWith(const std::function<void(Plan&)>& change)
 {
-    return {.target = 1,
-            .order = {1, 0},
-            .status = SolveStatus::Optimal,
-            .source = AnswerSource::Exact,
-            .mu = 0.02,
-            .objective = -130,
-            .bound = -130.0,
-            .gap = 0.0,
-            .distance_m = 14200,
-            .elapsed_s = 0.004};
+    Plan plan{.uavs = {{.order = {1, 0}}},
+              .outcome = {.status = SolveStatus::Optimal,
+                          .objective = -130,
+                          .bound = -130.0,
+                          .elapsed_s = 0.004,
+                          .source = AnswerSource::Exact},
+              .problem = {.distance_m = {}, .sigma_m2 = {}, .mu = 0.02},
+              .gap = 0.0,
+              .distance_m = 14200};
+    change(plan);
+    return std::make_shared<const Plan>(std::move(plan));
 }
 
-PlanEvent planWith(const std::function<void(PlanEvent&)>& change)
+PlanPointer provenPlan()
 {
-    PlanEvent plan = provenPlan();
-    change(plan);
-    return plan;
+    return planWith([](Plan&) {});
 }
 
 /** Returns an unproven plan with this gap. */
-PlanEvent goodPlan(std::optional<double> gap)
+PlanPointer goodPlan(std::optional<double> gap)
 {
-    return planWith([gap](PlanEvent& plan) {
-        plan.status = SolveStatus::Feasible;
-        plan.source = AnswerSource::Heuristic;
-        plan.elapsed_s = 0.012;
+    return planWith([gap](Plan& plan) {
+        plan.outcome.status = SolveStatus::Feasible;
+        plan.outcome.source = AnswerSource::Heuristic;
+        plan.outcome.elapsed_s = 0.012;
         plan.gap = gap;
+    });
+}
+
+/** Returns a proven plan for several UAVs. */
+PlanPointer fleetPlan(const OrdersByUav& orders)
+{
+    return planWith([&orders](Plan& plan) {
+        plan.uavs.clear();
+        for (const std::vector<int>& order : orders)
+            plan.uavs.push_back({.uav = static_cast<int>(plan.uavs.size()), .order = order});
     });
 }
 
@@ -301,41 +311,38 @@ private slots:
             u"Best order found, under 0.1 s"_s);
         row("while solving", {.plan = goodPlan(std::nullopt), .solving = true},
             PlanVerdict::Estimate, u"Best order so far"_s);
-        row("limit", {.plan = planWith([](PlanEvent& plan) {
-                          plan.status = SolveStatus::None;
-                          plan.stop = StopReason::TimeLimit;
-                          plan.reason = PlanReason::TargetReached;
+        row("limit", {.plan = planWith([](Plan& plan) {
+                          plan.outcome.status = SolveStatus::None;
+                          plan.outcome.reason = StopReason::TimeLimit;
+                          plan.uavs[0].reason = PlanReason::TargetReached;
                           plan.fellBack = true;
                       })},
             PlanVerdict::Warning, u"Solver limit reached; previous plan kept"_s);
-        row("limit at the start", {.plan = planWith([](PlanEvent& plan) {
-                                       plan.status = SolveStatus::None;
-                                       plan.reason = PlanReason::Start;
+        row("limit at the start", {.plan = planWith([](Plan& plan) {
+                                       plan.outcome.status = SolveStatus::None;
+                                       plan.uavs[0].reason = PlanReason::Start;
                                        plan.fellBack = true;
                                    })},
             PlanVerdict::Warning, u"Solver limit reached; flying to the nearest iceberg"_s);
-        row("too large", {.plan = planWith([](PlanEvent& plan) {
-                              plan.status = SolveStatus::None;
-                              plan.stop = StopReason::Unable;
+        row("too large", {.plan = planWith([](Plan& plan) {
+                              plan.outcome.status = SolveStatus::None;
+                              plan.outcome.reason = StopReason::Unable;
                               plan.fellBack = true;
                           })},
             PlanVerdict::Warning,
             u"This solver cannot plan so many icebergs: choose Automatic (auto)"_s);
         row("fault", {.plan = provenPlan(), .fault = u"Too windy."_s}, PlanVerdict::Fault,
             u"Too windy."_s);
-        row("all in view", {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); })},
+        row("all in view", {.plan = planWith([](Plan& plan) { plan.uavs[0].order.clear(); })},
             PlanVerdict::None, u"Nothing to visit now"_s);
-        row("fleet", {.plan = provenPlan(), .others = {{7, 8}, {}}}, PlanVerdict::Proven,
-            u"Proven optimal, under 0.1 s (exact) · 3 UAVs, %1 icebergs"_s.arg(
-                provenPlan().order.size() + 2));
-        row("first of a fleet has nothing",
-            {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); }), .others = {{3, 1}}},
-            PlanVerdict::Proven, u"Proven optimal, under 0.1 s (exact) · 2 UAVs, 2 icebergs"_s);
-        row("fleet with nothing",
-            {.plan = planWith([](PlanEvent& plan) { plan.order.clear(); }), .others = {{}}},
-            PlanVerdict::None, u"Nothing to visit now"_s);
+        row("fleet", {.plan = fleetPlan({{1, 0}, {7, 8}, {}})}, PlanVerdict::Proven,
+            u"Proven optimal, under 0.1 s (exact) · 3 UAVs, 4 icebergs"_s);
+        row("first of a fleet has nothing", {.plan = fleetPlan({{}, {3, 1}})}, PlanVerdict::Proven,
+            u"Proven optimal, under 0.1 s (exact) · 2 UAVs, 2 icebergs"_s);
+        row("fleet with nothing", {.plan = fleetPlan({{}, {}})}, PlanVerdict::None,
+            u"Nothing to visit now"_s);
         row("greedy",
-            {.plan = planWith([](PlanEvent& plan) { plan.source = AnswerSource::OneByOne; })},
+            {.plan = planWith([](Plan& plan) { plan.outcome.source = AnswerSource::OneByOne; })},
             PlanVerdict::None, u"Chosen one iceberg at a time"_s);
     }
 
@@ -388,14 +395,14 @@ private slots:
     {
         const PlanFigures path = planFigures({.plan = provenPlan()}, PolicyKind::Path);
         QVERIFY(path.distance_m && !path.reward_m2 && !path.objective_m2 && !path.mu_m);
-        const PlanFigures none = planFigures({.plan = planWith([](PlanEvent& plan) {
-                                                  plan.status = SolveStatus::None;
+        const PlanFigures none = planFigures({.plan = planWith([](Plan& plan) {
+                                                  plan.outcome.status = SolveStatus::None;
                                                   plan.fellBack = true;
                                               })},
                                              PolicyKind::Visitation);
         QVERIFY(!none.distance_m && !none.reward_m2);
         const PlanFigures fleet =
-            planFigures({.plan = provenPlan(), .others = {{1}}}, PolicyKind::Visitation);
+            planFigures({.plan = fleetPlan({{1, 0}, {1}})}, PolicyKind::Visitation);
         const PlanFigures one = planFigures({.plan = provenPlan()}, PolicyKind::Visitation);
         QVERIFY(fleet.reward_m2 && fleet.reward_m2 == one.reward_m2);
         QVERIFY(fleet.mu_m && fleet.mu_m == one.mu_m);

@@ -1,5 +1,6 @@
 #include "core/base/angles.h"
 #include "core/io/export/content/export_content.h"
+#include "core/io/export/content/export_flight.h"
 #include "core/io/export/missions/plan_csv.h"
 #include "core/presets/presets.h"
 #include "tests/support/approx.h"
@@ -125,7 +126,7 @@ private slots:
     {
         const Scenario scenario =
             changed([](Scenario& s) { s.planner.policy = PolicyKind::Coverage; });
-        const PlanAnswer plan = planFromStart(scenario);
+        const Plan plan = planFromStart(scenario);
         for (const ExportScope what : {ExportScope::Order, ExportScope::Path}) {
             const ExportContent content = planContent(scenario, plan, {.what = what});
             const ExportUav uav = only(content);
@@ -147,14 +148,14 @@ private slots:
             iceberg.velocitySd_mps = 0.8;
         Mission mission(scenario, {.workLimit = 20'000});
         const auto searches = [&] {
-            const PlanEvent* plan = lastPlanOf(mission.plans(), 0);
-            return plan != nullptr && plan->outlook ? plan->outlook->searches
-                                                    : std::vector<PlannedSearch>{};
+            const PlanPointer plan = lastPlanOf(mission.plans(), 0);
+            return plan && plan->uavs[0].outlook ? plan->uavs[0].outlook->searches
+                                                 : std::vector<PlannedSearch>{};
         };
         for (int time_s = 20; searches().empty() && time_s < 1000; time_s += 20)
             mission.advance(time_s);
         QVERIFY(!searches().empty());
-        const PlanAnswer none;
+        const Plan none;
         const ExportContent content = exportContent(
             {.scenario = scenario, .plan = none, .mission = &mission}, {.what = ExportScope::Path});
         const ExportUav uav = only(content);
@@ -207,7 +208,7 @@ private slots:
         const Mission mission = flown(fourIcebergs(), 100);
         const ExportContent content = runContent(mission, {.what = ExportScope::Order});
         const ExportUav uav = only(content);
-        QVERIFY(visited(uav) == mission.plans().back().order);
+        QVERIFY(visited(uav) == mission.plans().back()->uavs[0].order);
         QVERIFY(uav.uav.position_m == mission.simulation().uav(0).pose.position_m);
         QCOMPARE(uav.start_s, 100.0);
         QVERIFY(uav.visits.front().time_s > 100);
@@ -218,7 +219,7 @@ private slots:
         const ExportUav path = only(runContent(mission, {.what = ExportScope::Path}));
         QCOMPARE(path.track.front().time_s, 100.0);
         QVERIFY(path.track.front().state.position_m == uav.uav.position_m);
-        QVERIFY(visited(path) == mission.plans().back().order);
+        QVERIFY(visited(path) == mission.plans().back()->uavs[0].order);
     }
 
     void optionsOverrideTheScenario()
@@ -248,7 +249,7 @@ private slots:
     {
         Scenario scenario = twoUavs();
         scenario.planner.policy = PolicyKind::Visitation;
-        const PlanAnswer plan = planFromStart(scenario);
+        const Plan plan = planFromStart(scenario);
         QCOMPARE(plan.uavs.size(), std::size_t{2});
         const ExportContent order = planContent(scenario, plan);
         const ExportContent path = planContent(scenario, plan, {.what = ExportScope::Path});
@@ -269,7 +270,9 @@ private slots:
         QVERIFY(findExportFormat("csv")->text(run) == trajectoryCsv(mission));
         const ExportContent now = runContent(mission, {.what = ExportScope::Order});
         for (const ExportUav& uav : now.uavs)
-            QVERIFY(visited(uav) == lastPlanOf(mission.plans(), static_cast<int>(uav.row))->order);
+            QVERIFY(visited(uav) ==
+                    presentPlan({.scenario = scenario, .plan = plan, .mission = &mission}, uav.row)
+                        .order);
     }
 
     void directionsAreTrueOverTheEarth_data()

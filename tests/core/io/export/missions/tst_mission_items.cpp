@@ -77,7 +77,7 @@ private slots:
         scenario.uavs[0].spec.endurance_s = 1e6;
         scenario.uavs[0].home_m = Point(500, -700);
         scenario.uavs[0].aircraft.end = MissionEnd::Loiter;
-        const PlanAnswer plan = planFromStart(scenario);
+        const Plan plan = planFromStart(scenario);
         const MavMission mission = mavMission(planContent(scenario, plan));
         QCOMPARE(mission.items.size(), plan.uavs[0].order.size() + 3);
         QCOMPARE(mission.items.back().command, LinkCommandId::kLoiterUnlimited);

@@ -60,7 +60,7 @@ Scenario withoutIcebergs()
     return scenario;
 }
 
-QByteArray planFileText(const Scenario& scenario, const PlanAnswer& plan = fourIcebergPlan())
+QByteArray planFileText(const Scenario& scenario, const Plan& plan = fourIcebergPlan())
 {
     return bytes(qgcPlan(planContent(scenario, plan)));
 }
@@ -219,7 +219,7 @@ private slots:
     void itemsFlyThePlan()
     {
         const Scenario scenario = fourIcebergs();
-        const PlanAnswer plan = fourIcebergPlan();
+        const Plan plan = fourIcebergPlan();
         const QJsonArray items = itemsOf(planFileText(scenario, plan));
         const std::vector<Visit> visits = plannedVisits(scenario, plan);
         QCOMPARE(items.size(), 7);

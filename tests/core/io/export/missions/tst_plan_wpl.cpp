@@ -12,7 +12,7 @@ using namespace berg::test;
 
 namespace {
 
-QByteArray planText(const Scenario& scenario, const PlanAnswer& plan = fourIcebergPlan())
+QByteArray planText(const Scenario& scenario, const Plan& plan = fourIcebergPlan())
 {
     return bytes(wplText(planContent(scenario, plan)));
 }

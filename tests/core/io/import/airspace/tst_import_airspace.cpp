@@ -289,7 +289,7 @@ private slots:
         scenario.operation = Operation{};
         scenario.airspace[0].kind.clear();
         addIceberg(scenario, 1000, 500);
-        const PlanAnswer plan = planFromStart(scenario);
+        const Plan plan = planFromStart(scenario);
         const std::string text = geoJson(exportContent({.scenario = scenario, .plan = plan}));
         Scenario bare = scenario;
         bare.airspace.clear();

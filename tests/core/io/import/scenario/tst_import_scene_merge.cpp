@@ -49,7 +49,7 @@ private slots:
         Scenario used = fourIcebergs();
         used.area_m.clear();
         const Scenario sent = twoUavsAndAsset();
-        const PlanAnswer plan = planFromStart(sent);
+        const Plan plan = planFromStart(sent);
         for (const std::string& text :
              {geoJson(planContent(sent, plan)), gpxText(planContent(sent, plan)),
               qgcPlan(planContent(sent, plan, {.uav = "ravn"}))}) {
