@@ -29,17 +29,17 @@ void certifyByRelaxation(const TvpProblem& problem, const VisitOrder& order,
                          const std::stop_token& stop, Proof& proof)
 {
     const Costs costs(problem);
-    LayeredBoundOptions options;
-    options.gap = costs.icebergs > kMostCertifiedExactly ? kCertifiedGap : 0.0;
-    options.workLimit = kMostWork;
-    options.isStopped = [&stop] { return stop.stop_requested(); };
-    options.onStep = [&proof](const ProofStep& step) { proof.steps.push_back(step); };
-    const BoundResult result = improveBound(costs, order, options);
+    const BoundResult result =
+        improveBound(costs, order,
+                     {.gap = costs.icebergs > kMostCertifiedExactly ? kCertifiedGap : 0.0,
+                      .workLimit = kMostWork,
+                      .isStopped = [&stop] { return stop.stop_requested(); }},
+                     {.onStep = [&proof](const ProofStep& step) { proof.steps.push_back(step); }});
     proof.bound = result.bound;
     if (!result.reached) { // the steps prove nothing, so the bound without memory is used
-        proof.steps = {{.lambda = result.lambda}};
+        proof.steps = {result.step};
         LayeredPaths<Costs> paths(costs);
-        const Multipliers multipliers = certifiedMultipliers(result.lambda, proof.cost);
+        const Multipliers multipliers = certifiedMultipliers(result.step.lambda, proof.cost);
         proof.bound = multipliers.certified(paths.sweep(multipliers, {}));
     }
     if constexpr (Costs::kWeighted)
@@ -85,11 +85,9 @@ Proof certify(const FleetProblem& problem, const FleetPlan& plan, const std::sto
     } else {
         proof.method = ProofMethod::Relaxation;
         if (isBounded(costs)) {
-            const FleetBoundResult result = improveFleetBound(costs, plan,
-                                                              {.workLimit = kMostWork,
-                                                               .memoryLimit_bytes = 1'500'000'000,
-                                                               .isStopped = isStopped,
-                                                               .relaxationOnly = true});
+            const BoundResult result =
+                improveFleetBound(costs, plan, {.workLimit = kMostWork, .isStopped = isStopped},
+                                  {.relaxationOnly = true});
             proof.bound = result.bound;
             proof.steps.push_back(result.step);
         }

@@ -17,23 +17,12 @@ namespace berg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/**
- * Steps of the multipliers: before the first suggestion, without memory, on the first graphs with
- * memory, on later ones.
- */
-constexpr int kFirstSteps = 10;
-constexpr int kPlainSteps = 120;
-constexpr int kFirstGraphSteps = 150;
-constexpr int kLaterSteps = 100;
+constexpr BoundSteps kSteps{.plain = 120, .firstGraph = 150, .later = 100};
 /** Least rise of the bound, as a fraction of the cost, that is worth more memory. */
 constexpr double kLeastRise = 1e-4;
-/** Work counts the arcs of a sweep as 1; the other weights were measured. */
-constexpr std::int64_t kWorkOfNode = 3;
-constexpr std::int64_t kWorkOfRefining = 10;
+/** `kWorkOfRefining` for a state and an order examined. */
 constexpr std::int64_t kWorkOfState = 500;
 constexpr std::int64_t kWorkOfCandidate = 3;
-/** Number of last steps whose relaxed paths make the memory grow where they have cycles. */
-constexpr std::size_t kRecentSteps = 20;
 constexpr int kNearest = 3;
 /** States of the first attempt to combine orders, and the maximum; each attempt doubles them. */
 constexpr std::size_t kFirstStates = 50'000;
@@ -61,21 +50,19 @@ struct FleetGraphs
 };
 
 /** Runs `improveFleetBound`. */
-class FleetBoundSearch
+class FleetBoundSearch final : BoundLoop
 {
 public:
-    FleetBoundSearch(const FleetCosts& costs, const FleetPlan& plan,
-                     const FleetBoundOptions& options)
-        : m_costs(costs)
-        , m_options(options)
-        , m_cost(costs.total(plan))
-        , m_ascent(savings(costs, plan))
-        , m_stopCheck([this] { return isStopped(); })
+    FleetBoundSearch(const FleetCosts& costs, const FleetPlan& plan, const BoundOptions& options,
+                     const FleetBoundOptions& fleet)
+        : BoundLoop(options, plan, costs.total(plan), savings(costs, plan), kSteps)
+        , m_costs(costs)
+        , m_fleet(fleet)
     {
-        m_result.plan = plan;
+        m_mayEnd = false; // until the first suggestion
     }
 
-    FleetBoundResult run()
+    BoundResult improve()
     {
         if (!isBounded(m_costs)) {
             while (!finished() && acceptSuggestion() > 0) {
@@ -95,101 +82,31 @@ public:
             if (!isStopped())
                 m_graphs->all.emplace_back(m_costs, std::move(uavs), m_stopCheck);
         m_sets = nearestSets(m_costs.of(0).shared(), kNearest);
-        if (m_options.relaxationOnly) {
-            relax();
-            return std::move(m_result);
-        }
-        ascend(kFirstSteps);
-        acceptSuggestion();
-        m_suggested = true;
-        acceptBound(m_result.bound);
-        ascend(kPlainSteps - kFirstSteps);
-        for (int cap = kNearest; !finished(); ++cap) {
-            if (cap > kNearest)
-                forbidCycles(m_sets, m_costs.of(0).shared(), m_recent, cap);
-            const bool finer = refine(0);
-            if (finished())
-                break;
-            ascend(cap == kNearest ? kFirstGraphSteps : kLaterSteps);
-            combineOrders();
-            acceptSuggestion();
-            report();
-            // A memory that holds all icebergs cannot grow.
-            const bool isFinest = !finer || cap > m_costs.icebergs();
-            m_result.memoryOut = m_result.memoryOut || (isFinest && m_statesOut);
-        }
+        if (!m_fleet.relaxationOnly)
+            return run();
+        relaxOnly();
         return std::move(m_result);
     }
 
 private:
-    void relax()
+    void relaxOnly()
     {
-        ascend(2 * kPlainSteps);
+        ascend(2 * kSteps.plain);
         double before = -1;
-        for (int cap = kNearest; !finished() && m_result.bound > before + kLeastRise * m_cost;
-             ++cap) {
+        while (!finished() && m_result.bound > before + kLeastRise * m_cost) {
             before = m_result.bound;
-            if (cap > kNearest)
-                forbidCycles(m_sets, m_costs.of(0).shared(), m_recent, cap);
-            if (!refine(kInfinity))
+            if (!makeFiner(kInfinity))
                 break;
             m_result.step.sets = std::make_shared<const NgSets>(m_sets);
-            ascend(kFirstGraphSteps);
+            ascend(kSteps.firstGraph);
+            addMemory();
         }
         m_result.step.lambda = m_ascent.best();
     }
 
-    /** Returns the cost from which plans are of no interest. */
-    [[nodiscard]] double cutoff() const
+    [[nodiscard]] double costOf(const FleetPlan& plan) const override
     {
-        return cutoffBelow(m_cost, m_suggested ? m_options.gap : 0.0);
-    }
-    bool isStopped()
-    {
-        m_stopped = m_stopped || (m_options.isStopped && m_options.isStopped());
-        return m_stopped;
-    }
-    bool finished()
-    {
-        return m_result.reached || m_result.memoryOut || m_result.work >= m_options.workLimit ||
-               isStopped();
-    }
-    /** Accepts a certified bound. */
-    void acceptBound(double bound)
-    {
-        bound = std::max(bound, 0.0); // no cost is negative
-        if (bound >= cutoff()) {
-            m_result.bound = std::max(m_result.bound, cutoff());
-            m_result.reached = m_suggested;
-        } else {
-            m_result.bound = std::max(m_result.bound, bound);
-        }
-    }
-    bool acceptPlan(const FleetPlan& plan)
-    {
-        const double cost = m_costs.total(plan);
-        if (!replaces(cost, m_cost))
-            return false;
-        m_cost = cost;
-        m_result.plan = plan;
-        report();
-        return true;
-    }
-    /** Returns the work of the suggestion. */
-    std::int64_t acceptSuggestion()
-    {
-        if (!m_options.suggest || finished())
-            return 0;
-        const FleetSuggestion found =
-            m_options.suggest(m_result.work, m_options.workLimit - m_result.work);
-        m_result.work += found.work;
-        acceptPlan(found.plan);
-        return found.work;
-    }
-    void report() const
-    {
-        if (m_options.onImproved)
-            m_options.onImproved(m_result.plan, m_result.bound);
+        return m_costs.total(plan);
     }
 
     /** Result of a sweep. */
@@ -220,65 +137,32 @@ private:
         return roundingMargin(m_costs.icebergs() + m_costs.uavs(),
                               m_cost + lambda.lpNorm<1>() + lengths);
     }
-    [[nodiscard]] static std::int64_t workOfSweep(const FleetGraph& graph)
-    {
-        return graph.arcCount() + kWorkOfNode * graph.nodeCount();
-    }
 
-    /**
-     * Returns the visits of the shortest paths of the last sweep. Accepts the paths if they form a
-     * plan.
-     */
-    std::vector<int> acceptPaths()
+    std::optional<MultiplierAscent::Relaxed> sweepHere() override
     {
-        std::vector<int> visits;
-        FleetPlan plan(static_cast<std::size_t>(m_costs.uavs()));
+        const std::optional<Sweep> swept = sweep(m_ascent.here());
+        if (!swept)
+            return std::nullopt;
+        FleetPlan paths(m_result.plan.size());
         for (const FleetGraph& graph : m_graphs->all)
             for (int root = 0; root < graph.rootCount(); ++root) {
-                const VisitOrder path = graph.shortestPath(root);
-                visits.insert(visits.end(), path.begin(), path.end());
-                plan[static_cast<std::size_t>(graph.uavs()[static_cast<std::size_t>(root)])] = path;
-                m_recent.push_back(path);
+                const int uav = graph.uavs()[static_cast<std::size_t>(root)];
+                paths[static_cast<std::size_t>(uav)] = graph.shortestPath(root);
+                remember(paths[static_cast<std::size_t>(uav)]);
             }
-        const std::size_t most = kRecentSteps * static_cast<std::size_t>(m_costs.uavs());
-        if (m_recent.size() > most)
-            m_recent.erase(m_recent.begin(), m_recent.end() - static_cast<std::ptrdiff_t>(most));
-        if (m_costs.isPlan(plan))
-            acceptPlan(plan);
-        return visits;
+        return MultiplierAscent::Relaxed{std::move(paths), swept->bound, swept->margin};
     }
 
-    /** After a poor plan the multipliers may be so large that rounding hides the cost. */
-    void renewMultipliers()
+    void renewMultipliers() override
     {
         if (!allowsProof(marginOf(m_ascent.best(), 0), m_cost))
             m_ascent = MultiplierAscent(savings(m_costs, m_result.plan));
     }
 
-    void ascend(int steps)
+    void trim() override
     {
-        renewMultipliers();
-        m_ascent.restart();
-        m_recent.clear();
-        for (int k = 0; k < steps && !finished(); ++k) {
-            const std::optional<Sweep> swept = sweep(m_ascent.here());
-            if (!swept)
-                return;
-            const bool climbs = m_ascent.step(
-                {.visits = acceptPaths(), .bound = swept->bound, .margin = swept->margin}, m_cost);
-            acceptBound(m_ascent.bound());
-            if (!climbs)
-                break;
-            if (k % 20 == 6 && m_suggested)
-                trim();
-        }
-        if (m_suggested && !finished())
-            trim();
-        report();
-    }
-
-    void trim()
-    {
+        if (!m_mayEnd)
+            return;
         const std::optional<Sweep> swept = sweep(m_ascent.best());
         if (!swept)
             return;
@@ -289,11 +173,16 @@ private:
         }
     }
 
+    bool refine() override
+    {
+        m_isFinest = !makeFiner(0) || m_cap > m_costs.icebergs();
+        return !finished();
+    }
     /**
      * Refines the graphs; parts less than `allowance` above the cutoff stay too. Returns false if
      * stopped, or if the refined graphs would exceed the limits.
      */
-    bool refine(double allowance)
+    bool makeFiner(double allowance)
     {
         const std::optional<Sweep> swept = sweep(m_ascent.best());
         if (!swept)
@@ -301,7 +190,7 @@ private:
         for (FleetGraph& graph : m_graphs->all) {
             constexpr std::int64_t kGrowth = 3; // growth of vectors and labels
             const GraphLimits limits{.arcs = std::min((m_options.workLimit - m_result.work) /
-                                                          (kWorkOfRefining + kLaterSteps),
+                                                          (kWorkOfRefining + kSteps.later),
                                                       kMostArcs),
                                      .bytes = (m_options.memoryLimit_bytes - m_graphs->bytes()) /
                                               kGrowth};
@@ -317,13 +206,16 @@ private:
         return true;
     }
 
+    void addMemory() { forbidCycles(m_sets, m_costs.of(0).shared(), m_recent, ++m_cap); }
+
     /**
      * Combines the remaining orders into the best plan, beginning with the few that beat the plan
      * by much.
      */
-    void combineOrders()
+    void searchOrders() override
     {
-        const std::optional<Sweep> swept = finished() ? std::nullopt : sweep(m_ascent.best());
+        report();
+        const std::optional<Sweep> swept = sweep(m_ascent.best());
         if (!swept)
             return;
         for (const double gap : kStages)
@@ -357,7 +249,7 @@ private:
         }
         const std::int64_t left = (m_options.workLimit - m_result.work) / kWorkOfCandidate;
         const FleetCover found =
-            m_options.cover(orders, slack, std::min(left, m_coverWork), m_stopCheck);
+            m_fleet.cover(orders, slack, std::min(left, m_coverWork), m_stopCheck);
         m_result.work += kWorkOfCandidate * found.work;
         // No plan is cheaper than the one found, as far as rounding lets both be known.
         const double least = found.plan ? m_costs.total(*found.plan) - 2 * swept.margin : kInfinity;
@@ -370,20 +262,23 @@ private:
         return !better;
     }
 
+    void endRound() override
+    {
+        // A memory that holds all icebergs cannot grow.
+        m_result.memoryOut = m_result.memoryOut || (m_isFinest && m_statesOut);
+        if (!finished())
+            addMemory();
+    }
+
     const FleetCosts& m_costs;
-    const FleetBoundOptions& m_options;
-    FleetBoundResult m_result;
-    double m_cost; ///< cost of `m_result.plan`
-    MultiplierAscent m_ascent;
+    const FleetBoundOptions& m_fleet;
     NgSets m_sets{0};
-    StopCheck m_stopCheck;
+    int m_cap = kNearest; ///< largest number of icebergs in a memory
     std::unique_ptr<FleetGraphs, DeferredDeleter> m_graphs{new FleetGraphs};
-    std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
     std::size_t m_states = kFirstStates;
     std::int64_t m_coverWork = 20'000'000;
-    bool m_suggested = false; ///< the gap is not checked before the first suggestion
+    bool m_isFinest = false;  ///< whether the graphs cannot be refined any more
     bool m_statesOut = false; ///< whether there are more states than allowed
-    bool m_stopped = false;
 };
 
 } // namespace
@@ -393,10 +288,10 @@ bool isBounded(const FleetCosts& costs)
     return costs.icebergs() < NodeSet::kCapacity && !costs.weighted();
 }
 
-FleetBoundResult improveFleetBound(const FleetCosts& costs, const FleetPlan& plan,
-                                   const FleetBoundOptions& options)
+BoundResult improveFleetBound(const FleetCosts& costs, const FleetPlan& plan,
+                              const BoundOptions& options, const FleetBoundOptions& fleet)
 {
-    return FleetBoundSearch(costs, plan, options).run();
+    return FleetBoundSearch(costs, plan, options, fleet).improve();
 }
 
 } // namespace berg

@@ -2,49 +2,19 @@
 
 #include "core/plan/fleet/fleet_costs.h"
 #include "core/plan/fleet/fleet_cover.h"
-#include "core/plan/proof/proof_step.h"
-
-#include <cstdint>
-#include <functional>
+#include "core/plan/proof/bound_loop.h"
 
 namespace berg {
 
-/** A plan from another search, and the work spent on it. */
-struct FleetSuggestion
-{
-    FleetPlan plan;
-    std::int64_t work = 0;
-};
-
-/**
- * Limits, callbacks and options of `improveFleetBound`; the members mean the same as in
- * `LayeredBoundOptions`.
- */
+/** Options of `improveFleetBound` beside `BoundOptions`. */
 struct FleetBoundOptions
 {
-    double gap = 0;
-    std::int64_t workLimit = 0;
-    std::int64_t memoryLimit_bytes = 0;
     CoverFunction cover = bestCover; ///< combines orders into a plan
-    std::function<bool()> isStopped;
-    std::function<void(const FleetPlan& plan, double bound)> onImproved = {};
-    std::function<FleetSuggestion(std::int64_t work, std::int64_t most)> suggest = {};
     /**
      * Deletes nothing from the graphs and combines no orders, so that the bound follows from
      * multipliers and memory alone.
      */
     bool relaxationOnly = false;
-};
-
-/** Result of `improveFleetBound`; the members mean the same as in `BoundResult`. */
-struct FleetBoundResult
-{
-    double bound = 0;
-    FleetPlan plan;
-    bool reached = false;
-    bool memoryOut = false;
-    std::int64_t work = 0;
-    ProofStep step{}; ///< with `relaxationOnly`: the best multipliers and the memory of the graphs
 };
 
 /**
@@ -55,8 +25,9 @@ struct FleetBoundResult
  * they are not too many. If not `isBounded`, only suggestions improve the plan, and the bound is 0.
  * If the complete graphs exceed the memory limit, the bound is 0 too, and `memoryOut` is true.
  */
-[[nodiscard]] FleetBoundResult improveFleetBound(const FleetCosts& costs, const FleetPlan& plan,
-                                                 const FleetBoundOptions& options);
+[[nodiscard]] BoundResult improveFleetBound(const FleetCosts& costs, const FleetPlan& plan,
+                                            const BoundOptions& options,
+                                            const FleetBoundOptions& fleet = {});
 
 /**
  * Returns whether `improveFleetBound` gives a bound: up to 127 icebergs, and not for latency,

@@ -6,26 +6,21 @@
 #include "core/plan/fleet/fleet_ranks.h"
 #include "core/plan/fleet/fleet_search.h"
 #include "core/plan/fleet/fleet_subsets.h"
-#include "core/plan/proof/certified.h"
 #include "core/plan/solve/engine.h"
+#include "core/plan/solve/engine_loop.h"
 #include "core/plan/solve/names.h"
-#include "core/plan/solve/solve_watch.h"
 #ifdef BERG_WITH_CBC
 #include "core/plan/fleet/cbc_cover.h"
 #endif
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace berg {
 
 namespace {
 
-/**
- * Fraction (1 / this) of all work that goes into more local search while the proof is in progress.
- */
-constexpr std::int64_t kSearchShare = 4;
+constexpr std::int64_t kSearchShare = 4; ///< see `EngineLoop`
 /** Least length of an annealing. */
 constexpr std::int64_t kLeastTimes = 2000;
 /** Work of a removal and insertion, per iceberg. */
@@ -34,31 +29,23 @@ constexpr std::int64_t kWorkOfTime = 50;
 constexpr std::int64_t kFirstTimes = 600;
 constexpr std::int64_t kFirstTimesFromHint = 100;
 
-constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max() / 4;
-
 std::int64_t firstTimes(const SolveOptions& options)
 {
     return options.hint.empty() ? kFirstTimes : kFirstTimesFromHint;
 }
 
-/** Runs one solve, in which local search and bound alternate. */
-class FleetEngine
+class FleetEngine final : EngineLoop
 {
 public:
-    FleetEngine(const FleetProblem& problem, const SolveOptions& options,
+    FleetEngine(const FleetProblem& problem, const SolveOptions& options, CoverFunction cover,
                 std::optional<std::int64_t> effort)
-        : m_problem(problem)
-        , m_options(options)
-        , m_account(options, objectiveShift(problem), problem.icebergCount())
+        : EngineLoop(options, problem.icebergCount(), objectiveShift(problem), effort, kSearchShare)
         , m_costs(problem)
-        , m_backendLimit(effort.value_or(kNoLimit))
-        , m_limit(std::min(m_backendLimit, options.workLimit.value_or(kNoLimit)))
+        , m_cover(cover)
         , m_search(m_costs, m_effort)
     {
-        m_effort.isStopped = [this] { return m_account.isStopped(); };
-        m_effort.limit = m_limit;
-        m_search.onImproved = [this](const FleetPlan& plan) {
-            m_account.acceptPlan(plan, fleetObjective(m_problem, plan));
+        m_search.onImproved = [this, &problem](const FleetPlan& plan) {
+            storePlan(plan, fleetObjective(problem, plan));
         };
     }
 
@@ -76,7 +63,7 @@ public:
     {
         const std::optional<FleetPlan> plan = bestFleetPlan(m_costs, m_effort.isStopped);
         if (!plan)
-            return {.reason = *m_account.reason(), .plan = {}};
+            return {.reason = *m_reason, .plan = {}};
         m_search.accept(*plan);
         return {.status = SolveStatus::Optimal,
                 .plan = *plan,
@@ -84,102 +71,55 @@ public:
                 .source = AnswerSource::Exact};
     }
 
-    SolveOutcome byEngine(CoverFunction cover)
+    using EngineLoop::run;
+
+private:
+    void start() override
     {
         if (m_options.hint.empty())
             m_search.startGreedily();
         else
             m_search.complete(m_options.hint);
         m_search.descend();
+    }
+    void searchFirst() override
+    {
+        std::int64_t times = firstTimes(m_options) * m_icebergs;
+        if (m_options.inFlight) // so that it has cooled down before the work is used up
+            times = std::min(times, (m_limit - m_effort.work) / 2 / (kWorkOfTime * m_icebergs));
+        m_search.disturb(times);
+    }
+    void searchMore(std::int64_t work) override
+    {
+        // Without a bound, only the search can improve the plan.
+        const std::int64_t times = isBounded(m_costs) ? work / (kWorkOfTime * m_icebergs)
+                                                      : firstTimes(m_options) * m_icebergs;
+        if (times >= kLeastTimes)
+            m_search.disturb(times);
+    }
+    void accept(const FleetPlan& plan) override { m_search.accept(plan); }
+    [[nodiscard]] double costOf(const FleetPlan& plan) const override
+    {
+        return m_costs.total(plan);
+    }
 
-        const std::int64_t before = m_effort.work;
-        FleetBoundResult result;
+    [[nodiscard]] BoundResult improve(const BoundOptions& options) override
+    {
+        BoundOptions left = options;
+        left.memoryLimit_bytes -= m_costs.bytes();
         try {
-            result = bound(cover, before);
-            m_search.accept(result.plan);
-            m_account.acceptBound(result.bound);
+            return improveFleetBound(m_costs, m_plan, left, {.cover = m_cover});
         } catch (const Error& error) { // the program of the cover failed: plan and bound stay
             if (error.code() != ErrorCode::SolverFailed)
                 throw;
             m_failure = error.what();
+            return {.plan = m_plan};
         }
-        return outcome(result, before + result.work);
     }
 
-private:
-    FleetBoundResult bound(CoverFunction cover, std::int64_t before)
-    {
-        return improveFleetBound(
-            m_costs, m_search.best(),
-            {.gap = m_options.gap,
-             .workLimit = m_limit - before,
-             .memoryLimit_bytes = m_options.memoryLimit_bytes.value_or(kNoLimit) - m_costs.bytes(),
-             .cover = cover,
-             .isStopped = m_effort.isStopped,
-             .onImproved =
-                 [this](const FleetPlan& plan, double bound) {
-                     m_search.accept(plan);
-                     m_account.acceptBound(bound);
-                 },
-             .suggest = [this](std::int64_t work,
-                               std::int64_t most) { return suggest(work, most); }});
-    }
-
-    FleetSuggestion suggest(std::int64_t work, std::int64_t most)
-    {
-        const std::int64_t before = m_effort.work;
-        m_effort.limit = before + most;
-        const std::int64_t n = m_costs.icebergs();
-        std::int64_t times = firstTimes(m_options) * n;
-        if (m_searched) {
-            times = (work / kSearchShare - (before - *m_searched)) / (kWorkOfTime * n);
-            // Without a bound, only the search can improve the plan.
-            if (!isBounded(m_costs))
-                times = firstTimes(m_options) * n;
-        } else if (m_options.inFlight) { // so that it has cooled down before the work is used up
-            times = std::min(times, (m_limit - before) / 2 / (kWorkOfTime * n));
-        }
-        if (times >= kLeastTimes || !m_searched)
-            m_search.disturb(times);
-        if (!m_searched)
-            m_searched = m_effort.work;
-        return {.plan = m_search.best(), .work = m_effort.work - before};
-    }
-
-    SolveOutcome outcome(const FleetBoundResult& result, std::int64_t work)
-    {
-        SolveOutcome outcome{.status = SolveStatus::Feasible,
-                             .plan = m_search.best(),
-                             .bound = m_account.bound(),
-                             .work = work,
-                             .hintUsed = !m_options.hint.empty(),
-                             .detail = m_failure};
-        const double cost = m_costs.total(outcome.plan);
-        if (result.reached && isProven(cost, result.bound))
-            outcome.status = SolveStatus::Optimal;
-        else if (result.reached)
-            outcome.reason = StopReason::GapReached;
-        else if (m_account.reason())
-            outcome.reason = *m_account.reason();
-        else if (!m_failure.empty())
-            outcome.reason = StopReason::Unable;
-        else if (result.memoryOut)
-            outcome.reason = StopReason::MemoryLimit;
-        else if (m_options.workLimit && *m_options.workLimit <= m_backendLimit)
-            outcome.reason = StopReason::WorkLimit;
-        return outcome;
-    }
-
-    const FleetProblem& m_problem;
-    const SolveOptions& m_options;
-    SolveAccount m_account;
     FleetCosts m_costs;
-    std::int64_t m_backendLimit; ///< work limit of the back end itself
-    std::int64_t m_limit;        ///< the smaller of that and the caller's limit
-    SearchEffort m_effort;
+    CoverFunction m_cover;
     FleetSearch m_search;
-    std::optional<std::int64_t> m_searched; ///< work of the first annealing, once it is done
-    std::string m_failure;                  ///< message of a failed cover
 };
 
 /**
@@ -260,11 +200,9 @@ SolveOutcome solveValid(const FleetProblem& problem, Backend backend, const Solv
     std::optional<std::int64_t> effort;
     if (!mustProve)
         effort = ownEffort(problem, options);
-    FleetEngine engine(problem, options, effort);
+    FleetEngine engine(problem, options, coverOf(backend), effort);
     const bool subsets = backend == Backend::Exact || backend == Backend::Auto;
-    if (subsets && engine.subsetsSuffice())
-        return engine.bySubsets();
-    return engine.byEngine(coverOf(backend));
+    return subsets && engine.subsetsSuffice() ? engine.bySubsets() : engine.run();
 }
 
 /** Returns the valid part of a hint; empty if it has none. */

@@ -263,20 +263,20 @@ private:
 
     std::optional<Knowledge> prove(const Crossing& crossing)
     {
-        LayeredBoundOptions options;
+        BoundOptions options;
         options.memoryLimit_bytes = kMostMemory_bytes;
         options.workLimit = std::min(kMostWorkOfProof, m_options.workLimit - m_work);
         if (options.workLimit <= 0 || m_problem.icebergCount() > kLargestProven)
             return Knowledge::GivenUp;
         options.isStopped = [this] { return m_options.stop.stop_requested(); };
-        options.lambda = multipliersNear(crossing.tau);
-        const BoundResult result = improveBound(VisitCosts(problemOfUav(m_problem, 0)),
-                                                line(crossing.left).plan.front(), options);
+        const BoundResult result =
+            improveBound(VisitCosts(problemOfUav(m_problem, 0)), line(crossing.left).plan.front(),
+                         options, {.lambda = multipliersNear(crossing.tau)});
         m_work += result.work;
         if (m_options.stop.stop_requested())
             return std::nullopt;
-        m_multipliers[crossing.tau] = result.lambda;
-        offer({result.order}, crossing);
+        m_multipliers[crossing.tau] = result.step.lambda;
+        offer(result.plan, crossing);
         return result.reached ? Knowledge::Proven : Knowledge::GivenUp;
     }
 

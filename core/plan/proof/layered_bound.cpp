@@ -20,22 +20,12 @@ namespace berg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/**
- * Steps of the multipliers: before the first suggestion, at least in total without a graph, on the
- * first graph, on later graphs.
- */
-constexpr std::int64_t kFirstSteps = 10;
-constexpr std::int64_t kPlainSteps = 80;
-constexpr int kFirstGraphSteps = 60;
-constexpr int kLaterSteps = 20;
-/** Work counts the arcs of a sweep as 1; the other weights were measured. */
-constexpr std::int64_t kWorkOfNode = 3;
-constexpr std::int64_t kWorkOfRefining = 10;
+/** Steps of the multipliers; without memory at least. */
+constexpr BoundSteps kSteps{.plain = 80, .firstGraph = 60, .later = 20, .trimsAtOnce = true};
+/** `kWorkOfRefining` for a state of the exact search. */
 constexpr std::int64_t kWorkOfSearching = 25;
-/** Number of last relaxed paths whose cycles make the memory grow. */
-constexpr std::size_t kRecentPaths = 20;
-/** Largest width of the exact search, relative to the usual one. */
-constexpr int kWidest = 1024;
+/** The exact search is twice as wide after each ascent to the top, at most this many times. */
+constexpr int kMostDoublings = 10;
 /**
  * Gaps certified first when the graph gets large: few orders can beat the order by that much, and
  * they are soon deleted.
@@ -75,74 +65,70 @@ struct Stage
     MultiplierAscent ascent;
 };
 
-/** Runs `improveBound`: an incumbent, a bound, and a graph of the orders that may lie between. */
 template <class Costs>
-class LayeredBoundSearch
+BoundSteps stepsFor(const Costs& costs, const LayeredBoundOptions& layered)
+{
+    BoundSteps steps = kSteps;
+    // The order of magnitude of a bound matters more than its last tenth.
+    steps.plain = layered.lambda ? layered.warmSteps : std::max(steps.plain, 2 * costs.icebergs);
+    return steps;
+}
+
+/** Runs `improveBound`. */
+template <class Costs>
+class LayeredBoundSearch final : BoundLoop
 {
 public:
-    LayeredBoundSearch(const Costs& costs, const VisitOrder& order,
-                       const LayeredBoundOptions& options)
-        : m_costs(costs)
-        , m_options(options)
-        , m_cost(costs.total(order))
-        , m_ascent(options.lambda ? *options.lambda : firstMultipliers(costs, order))
+    LayeredBoundSearch(const Costs& costs, const VisitOrder& order, const BoundOptions& options,
+                       const LayeredBoundOptions& layered)
+        : BoundLoop(options, {order}, costs.total(order),
+                    layered.lambda ? *layered.lambda : firstMultipliers(costs, order),
+                    stepsFor(costs, layered))
+        , m_costs(costs)
+        , m_layered(layered)
+        , m_paths(costs)
     {
-        require(!options.lambda || options.lambda->size() == costs.icebergs + 1,
+        require(!layered.lambda || layered.lambda->size() == costs.icebergs + 1,
                 "improveBound: needs one multiplier for each node");
-        m_result.order = order;
     }
 
-    BoundResult run()
+    BoundResult improve()
     {
-        LayeredPaths<Costs> paths(m_costs);
-        relax(paths, kFirstSteps);
-        acceptSuggestion();
-        m_gap = m_options.gap;
-        acceptBound(m_result.bound);
-        relax(paths, plainSteps() - kFirstSteps);
-        if (!finished() && m_costs.icebergs < NodeSet::kCapacity)
-            tighten(paths);
+        BoundResult result = run();
         reportStep();
-        m_result.lambda = m_ascent.best();
-        return std::move(m_result);
+        return result;
     }
 
     std::vector<MilpArc> arcs()
     {
         m_keepEqual = true;
-        LayeredPaths<Costs> paths(m_costs);
-        relax(paths, plainSteps());
-        Stage<Costs> stage = firstStage(paths);
+        relax(m_steps.plain);
+        m_stage = firstStage();
         if (isStopped())
             return allPositionArcs(m_costs.icebergs);
-        std::vector<MilpArc> arcs = arcsOf(*stage.graph);
-        if (m_costs.icebergs >= NodeSet::kCapacity)
-            return arcs;
+        std::vector<MilpArc> arcs = arcsOf(*m_stage->graph);
         constexpr double kPays = 0.98;
-        for (bool pays = true; pays && !finished() && refine(stage, 0);) {
-            ascend(*stage.graph);
+        for (bool pays = true; pays && !finished() && climbOnNextGraph();) {
             if (m_stopped)
                 break;
-            std::vector<MilpArc> fewer = arcsOf(*stage.graph);
-            pays = m_graphs == 1 ||
+            std::vector<MilpArc> fewer = arcsOf(*m_stage->graph);
+            pays = m_rounds == 1 ||
                    static_cast<double>(fewer.size()) < kPays * static_cast<double>(arcs.size());
             arcs = std::move(fewer);
-            forbidCycles(stage.sets, m_costs, m_recent, ++stage.cap);
+            addMemory();
         }
         return arcs;
     }
 
 private:
-    /** After a poor order the multipliers may be so large that rounding hides the cost. */
-    void renewMultipliers()
+    [[nodiscard]] double costOf(const FleetPlan& plan) const override
+    {
+        return m_costs.total(plan.front());
+    }
+    void renewMultipliers() override
     {
         if (!allowsProof(best().margin, m_cost))
-            m_ascent = MultiplierAscent(firstMultipliers(m_costs, m_result.order));
-    }
-    /** Returns the cost from which orders are of no interest. */
-    [[nodiscard]] double cutoff() const
-    {
-        return m_keepEqual ? cutoffAbove(m_cost) : cutoffBelow(m_cost, m_gap);
+            m_ascent = MultiplierAscent(firstMultipliers(m_costs, m_result.plan.front()));
     }
     [[nodiscard]] Multipliers here() const
     {
@@ -152,121 +138,33 @@ private:
     {
         return certifiedMultipliers(m_ascent.best(), cutoff());
     }
-    bool isStopped()
-    {
-        m_stopped = m_stopped || (m_options.isStopped && m_options.isStopped());
-        return m_stopped;
-    }
-    bool finished()
-    {
-        return m_result.reached || m_result.memoryOut || m_workOut ||
-               m_result.work >= m_options.workLimit || isStopped();
-    }
-    [[nodiscard]] StopCheck stopCheck()
-    {
-        return [this] { return isStopped(); };
-    }
-    [[nodiscard]] std::int64_t plainSteps() const
-    {
-        // The order of magnitude of a bound matters more than its last tenth.
-        return m_options.lambda ? m_options.warmSteps
-                                : std::max<std::int64_t>(kPlainSteps, 2 * m_costs.icebergs);
-    }
-
-    [[nodiscard]] static std::int64_t workOfSweep(const LayeredGraph<Costs>& graph)
-    {
-        return graph.arcCount() + kWorkOfNode * graph.nodeCount();
-    }
-
-    /** Accepts a certified lower bound on all orders below the cutoff. */
-    void acceptBound(double bound)
-    {
-        bound = std::max(bound, 0.0); // no cost is negative
-        if (bound >= cutoff()) {
-            m_result.bound = std::max(m_result.bound, cutoff());
-            m_stageDone = true;
-            m_result.reached = m_gap <= m_options.gap;
-        } else {
-            m_result.bound = std::max(m_result.bound, bound);
-        }
-    }
-    /** Accepts an order; returns whether it is better. */
-    bool acceptOrder(const VisitOrder& order)
-    {
-        const double cost = m_costs.total(order);
-        if (m_keepEqual || !replaces(cost, m_cost))
-            return false;
-        m_cost = cost;
-        m_result.order = order;
-        return true;
-    }
-    void acceptPath(const std::vector<int>& path)
-    {
-        NodeSet visited;
-        for (const int i : path) {
-            if (i >= NodeSet::kCapacity || visited.contains(i))
-                return;
-            visited.insert(i);
-        }
-        if (acceptOrder(path))
-            report();
-    }
-    void acceptSuggestion()
-    {
-        if (!m_options.suggest || finished())
-            return;
-        const OrderSuggestion found =
-            m_options.suggest(m_result.work, m_options.workLimit - m_result.work);
-        m_result.work += found.work;
-        if (!found.order.empty() && acceptOrder(found.order))
-            report();
-    }
-    void report() const
-    {
-        if (m_options.onImproved && !m_keepEqual)
-            m_options.onImproved(m_result.order, m_result.bound);
-    }
-
-    void relax(LayeredPaths<Costs>& paths, std::int64_t steps)
+    void relax(int steps) override
     {
         renewMultipliers();
-        for (std::int64_t k = 0; k < steps && !finished(); ++k) {
+        for (int k = 0; k < steps && !finished(); ++k) {
             const Multipliers multipliers = here();
-            const double bound = paths.sweep(multipliers, stopCheck());
-            m_result.work += paths.workOfSweep();
+            const double bound = m_paths.sweep(multipliers, m_stopCheck);
+            m_result.work += m_paths.workOfSweep();
             if (!std::isfinite(bound))
                 return;
-            if (!climb(paths.shortestPath(), bound, multipliers.margin))
+            if (!climb({{m_paths.shortestPath()}, bound, multipliers.margin}))
                 break;
-            if (k % kFirstSteps == 0)
+            if (k % 10 == 0)
                 report();
         }
         report();
     }
 
-    /**
-     * Accepts the result of a sweep at the multipliers `here`; returns false if there are no better
-     * ones.
-     */
-    bool climb(std::vector<int> path, double bound, double margin)
-    {
-        acceptPath(path);
-        const bool steps =
-            m_ascent.step({.visits = std::move(path), .bound = bound, .margin = margin}, m_cost);
-        acceptBound(m_ascent.bound());
-        return steps;
-    }
-
     /** Returns the graph without memory, and the memory to begin with. */
-    Stage<Costs> firstStage(LayeredPaths<Costs>& paths)
+    Stage<Costs> firstStage()
     {
         const std::int64_t n = m_costs.icebergs;
         const int nearest = n <= 50 ? 3 : 2; // large graphs must grow slowly
         const Multipliers multipliers = best();
-        paths.sweep(multipliers, stopCheck());
-        m_result.work += 4 * paths.workOfSweep();
+        m_paths.sweep(multipliers, m_stopCheck);
+        m_result.work += 4 * m_paths.workOfSweep();
         reportStep();
-        return {.graph = shared(LayeredGraph(m_costs, paths, multipliers, stopCheck())),
+        return {.graph = shared(LayeredGraph(m_costs, m_paths, multipliers, m_stopCheck)),
                 .sets = nearestSets(m_costs, nearest),
                 .cap = nearest,
                 .ascent = m_ascent};
@@ -278,8 +176,8 @@ private:
      */
     void reportStep(const NgSets* sets = nullptr) const
     {
-        if (m_options.onStep)
-            m_options.onStep({.lambda = m_ascent.best(),
+        if (m_layered.onStep)
+            m_layered.onStep({.lambda = m_ascent.best(),
                               .sets = sets ? std::make_shared<const NgSets>(*sets) : nullptr});
     }
 
@@ -288,49 +186,11 @@ private:
         return {new LayeredGraph<Costs>(std::move(graph)), DeferredDeleter()};
     }
 
-    /** Repeats refining, ascent, exact search and memory growth. */
-    void tighten(LayeredPaths<Costs>& paths)
-    {
-        Stage<Costs> stage = firstStage(paths);
-        std::optional<Stage<Costs>> saved; // stage from which the next gap is certified
-        bool staged = false;
-        while (!finished()) {
-            if (!staged && !m_options.onStep && isLarge(*stage.graph)) {
-                staged = true;
-                m_gap = nextGap();
-                if (m_gap > m_options.gap) {
-                    stage.ascent = m_ascent;
-                    saved = stage;
-                }
-            }
-            const std::int64_t saved_bytes = saved ? saved->graph->bytes() : 0;
-            if (!refine(stage, saved && saved->graph != stage.graph ? saved_bytes : 0))
-                return;
-            ascend(*stage.graph);
-            if (!finished() && !m_stageDone)
-                searchIn(*stage.graph, saved_bytes);
-            report();
-            acceptSuggestion();
-            if (finished())
-                return;
-            if (m_stageDone) {
-                m_stageDone = false;
-                m_gap = nextGap();
-                stage = *saved;
-                m_ascent = stage.ascent;
-                if (m_gap == m_options.gap)
-                    saved.reset();
-            } else {
-                forbidCycles(stage.sets, m_costs, m_recent, ++stage.cap);
-            }
-        }
-    }
-
     /** Returns whether the graph is so large that other gaps are certified first. */
     [[nodiscard]] bool isLarge(const LayeredGraph<Costs>& graph) const
     {
         constexpr std::int64_t kMemoryShare = 20;
-        return graph.arcCount() > m_options.manyArcs ||
+        return graph.arcCount() > m_layered.manyArcs ||
                graph.bytes() > m_options.memoryLimit_bytes / kMemoryShare;
     }
 
@@ -343,129 +203,141 @@ private:
         return m_options.gap;
     }
 
-    /**
-     * Refines the graph of a stage. Returns false if stopped, or if the refined graph would exceed
-     * the limits.
-     */
-    bool refine(Stage<Costs>& stage, std::int64_t otherBytes)
+    bool refine() override
     {
+        if (m_costs.icebergs >= NodeSet::kCapacity)
+            return false;
+        if (!m_stage) {
+            m_stage = firstStage();
+            if (finished())
+                return false;
+        }
+        if (!m_isStaged && !m_layered.onStep && !m_keepEqual && isLarge(*m_stage->graph)) {
+            m_isStaged = true;
+            m_gap = nextGap();
+            if (m_gap > m_options.gap) {
+                m_stage->ascent = m_ascent;
+                m_saved = m_stage;
+            }
+        }
         constexpr std::int64_t kGrowth = 3; // growth of vectors, and memory of the search
         const Multipliers multipliers = best();
-        stage.graph->sweep(multipliers, stopCheck());
+        m_stage->graph->sweep(multipliers, m_stopCheck);
         if (isStopped())
             return false;
         const std::int64_t left = m_options.workLimit - m_result.work;
-        const std::int64_t left_bytes =
-            m_options.memoryLimit_bytes - stage.graph->bytes() - otherBytes;
-        Refinement<Costs> refined = stage.graph->refined(
-            stage.sets, multipliers,
-            {.arcs = left / (kWorkOfRefining + kLaterSteps), .bytes = left_bytes / kGrowth},
-            stopCheck());
+        Refinement<Costs> refined = m_stage->graph->refined(
+            m_stage->sets, multipliers,
+            {.arcs = left / (kWorkOfRefining + kSteps.later), .bytes = left_bytes() / kGrowth},
+            m_stopCheck);
         m_result.memoryOut = refined.memoryOut;
-        m_workOut = !refined.graph;
         if (!refined.graph)
             return false;
-        stage.graph = shared(std::move(*refined.graph));
-        reportStep(&stage.sets);
-        m_result.work += kWorkOfRefining * workOfSweep(*stage.graph);
-        ++m_graphs;
+        m_stage->graph = shared(std::move(*refined.graph));
+        reportStep(&m_stage->sets);
+        m_result.work += kWorkOfRefining * workOfSweep(*m_stage->graph);
         return true;
     }
 
-    void ascend(LayeredGraph<Costs>& graph)
+    /** Returns the memory that the graphs leave. */
+    [[nodiscard]] std::int64_t left_bytes() const
     {
-        const int steps = m_graphs == 1 ? kFirstGraphSteps : kLaterSteps;
-        renewMultipliers();
-        m_ascent.restart();
-        m_recent.clear();
-        for (int k = 0; k < steps && !finished() && !m_stageDone; ++k) {
-            const Multipliers multipliers = here();
-            const double bound = graph.sweep(multipliers, stopCheck());
-            m_result.work += workOfSweep(graph);
-            if (isStopped())
-                return;
-            std::vector<int> path = graph.shortestPath();
-            if (path.empty()) {
-                acceptBound(kInfinity); // nothing below the cutoff is left
-                return;
-            }
-            m_recent.push_back(path);
-            if (m_recent.size() > kRecentPaths)
-                m_recent.erase(m_recent.begin());
-            if (!climb(std::move(path), bound, multipliers.margin)) {
-                // Only the exact search can close the remaining gap.
-                m_width = std::min(2 * m_width, kWidest);
-                break;
-            }
-            // Early steps gain most, so the graph is trimmed sooner after them.
-            if (k == 0 || k % 20 == 6)
-                trim(graph);
-        }
-        if (!finished())
-            trim(graph);
+        const bool isOther = m_saved && m_saved->graph != m_stage->graph;
+        return m_options.memoryLimit_bytes - m_stage->graph->bytes() -
+               (isOther ? m_saved->graph->bytes() : 0);
     }
 
-    void trim(LayeredGraph<Costs>& graph)
+    std::optional<MultiplierAscent::Relaxed> sweepHere() override
     {
+        LayeredGraph<Costs>& graph = *m_stage->graph;
+        const Multipliers multipliers = here();
+        const double bound = graph.sweep(multipliers, m_stopCheck);
+        m_result.work += workOfSweep(graph);
+        if (isStopped())
+            return std::nullopt;
+        std::vector<int> path = graph.shortestPath();
+        if (path.empty()) {
+            acceptBound(kInfinity); // nothing below the cutoff is left
+            return std::nullopt;
+        }
+        remember(path);
+        return MultiplierAscent::Relaxed{{std::move(path)}, bound, multipliers.margin};
+    }
+
+    void trim() override
+    {
+        LayeredGraph<Costs>& graph = *m_stage->graph;
         const Multipliers multipliers = best();
-        graph.sweep(multipliers, stopCheck());
-        if (!isStopped() && !graph.trim(multipliers, stopCheck()))
+        graph.sweep(multipliers, m_stopCheck);
+        if (!isStopped() && !graph.trim(multipliers, m_stopCheck))
             m_stopped = true;
         reportStep();
         m_result.work += 3 * workOfSweep(graph);
     }
 
-    void searchIn(LayeredGraph<Costs>& graph, std::int64_t otherBytes)
+    void searchOrders() override
     {
+        LayeredGraph<Costs>& graph = *m_stage->graph;
         const Multipliers multipliers = best();
-        graph.sweep(multipliers, stopCheck());
+        graph.sweep(multipliers, m_stopCheck);
         if (isStopped())
             return;
-        // Half the mean width of the graph takes the work of a few sweeps.
-        const int states = m_width * std::max(100, graph.nodeCount() / (2 * m_costs.icebergs));
-        const GraphSearchResult found =
-            searchGraph(graph, multipliers,
-                        {.mostStates = states,
-                         .memory_bytes = m_options.memoryLimit_bytes - graph.bytes() - otherBytes,
-                         .isStopped = stopCheck()});
+        // Half the mean width of the graph takes the work of a few sweeps. At the top only a wider
+        // search can close the remaining gap.
+        const int width = 1 << std::min(m_tops, kMostDoublings);
+        const int states = width * std::max(100, graph.nodeCount() / (2 * m_costs.icebergs));
+        const GraphSearchResult found = searchGraph(
+            graph, multipliers,
+            {.mostStates = states, .memory_bytes = left_bytes(), .isStopped = m_stopCheck});
         m_result.work += kWorkOfSearching * found.work;
         if (!found.order.empty())
-            acceptOrder(found.order);
+            acceptPlan({found.order});
         acceptBound(multipliers.certified(found.bound));
     }
 
+    void endRound() override
+    {
+        if (finished())
+            return;
+        if (!m_gapReached) {
+            addMemory();
+            return;
+        }
+        m_gapReached = false;
+        m_gap = nextGap();
+        m_stage = m_saved;
+        m_ascent = m_stage->ascent;
+        if (m_gap == m_options.gap)
+            m_saved.reset();
+    }
+    void addMemory() { forbidCycles(m_stage->sets, m_costs, m_recent, ++m_stage->cap); }
+
     const Costs& m_costs;
-    const LayeredBoundOptions& m_options;
-    BoundResult m_result;
-    double m_cost; ///< cost of `m_result.order`
-    MultiplierAscent m_ascent;
-    std::vector<std::vector<int>> m_recent; ///< relaxed paths of the last steps
-    double m_gap = 0;                       ///< gap that is being certified
-    int m_graphs = 0;                       ///< number of graphs refined so far
-    int m_width = 1;                        ///< width of the exact search, in usual widths
-    bool m_stageDone = false;               ///< whether `m_gap` has been certified
-    bool m_keepEqual = false; ///< whether arcs of orders as good as the given one stay
-    bool m_workOut = false;   ///< whether the remaining work does not suffice for a refined graph
-    bool m_stopped = false;
+    const LayeredBoundOptions& m_layered;
+    LayeredPaths<Costs> m_paths;
+    std::optional<Stage<Costs>> m_stage; ///< once there is a graph
+    std::optional<Stage<Costs>> m_saved; ///< stage from which the next gap is certified
+    bool m_isStaged = false;             ///< whether other gaps are certified first
 };
 
 } // namespace
 
 template <class Costs>
-BoundResult improveBound(const Costs& costs, const VisitOrder& order,
-                         const LayeredBoundOptions& options)
+BoundResult improveBound(const Costs& costs, const VisitOrder& order, const BoundOptions& options,
+                         const LayeredBoundOptions& layered)
 {
-    return LayeredBoundSearch(costs, order, options).run();
+    return LayeredBoundSearch(costs, order, options, layered).improve();
 }
 
-template BoundResult improveBound(const VisitCosts&, const VisitOrder&, const LayeredBoundOptions&);
-template BoundResult improveBound(const LatencyCosts&, const VisitOrder&,
+template BoundResult improveBound(const VisitCosts&, const VisitOrder&, const BoundOptions&,
+                                  const LayeredBoundOptions&);
+template BoundResult improveBound(const LatencyCosts&, const VisitOrder&, const BoundOptions&,
                                   const LayeredBoundOptions&);
 
 std::vector<MilpArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
-                                   const LayeredBoundOptions& options)
+                                   const BoundOptions& options)
 {
-    return LayeredBoundSearch(costs, order, options).arcs();
+    return LayeredBoundSearch(costs, order, options, {}).arcs();
 }
 
 } // namespace berg

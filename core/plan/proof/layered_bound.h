@@ -2,7 +2,7 @@
 
 #include "core/plan/problem/formulation.h"
 #include "core/plan/problem/order_costs.h"
-#include "core/plan/proof/proof_step.h"
+#include "core/plan/proof/bound_loop.h"
 
 #include <Eigen/Core>
 
@@ -13,20 +13,9 @@
 
 namespace berg {
 
-/** An order from another search, and the work spent on it; the order may be empty. */
-struct OrderSuggestion
-{
-    VisitOrder order;
-    std::int64_t work = 0;
-};
-
-/** Limits, inputs and callbacks of `improveBound`. */
+/** Inputs and callbacks of `improveBound` beside `BoundOptions`. */
 struct LayeredBoundOptions
 {
-    double gap = 0;                  ///< stop at this gap relative to the order's cost
-    std::int64_t workLimit = 0;      ///< arcs examined, roughly 2 ns each; checked now and then
-    std::function<bool()> isStopped; ///< called at least every 10 ms; true ends the work
-    std::function<void(const VisitOrder& order, double bound)> onImproved; ///< may be empty
     /**
      * Called with each step of the proof in order; may be empty. If set, no intermediate gaps are
      * certified.
@@ -38,30 +27,9 @@ struct LayeredBoundOptions
      * mu between two solved ones, interpolated multipliers give a good one.
      */
     std::optional<Eigen::VectorXd> lambda;
-    std::int64_t warmSteps = 20; ///< steps of the first relaxation, with `lambda`
-    /**
-     * Larger graphs are not built. The limit is approximate; n^3 / 250 kB at least are used in
-     * addition.
-     */
-    std::int64_t memoryLimit_bytes = 1'500'000'000;
+    int warmSteps = 20; ///< steps of the first relaxation, with `lambda`
     /** With more arcs than this, gaps of 0.5 % and 0.2 % are certified before the requested one. */
     std::int64_t manyArcs = 2'000'000;
-    /**
-     * Called for a better order right after the first bound (the gap is not checked before) and
-     * then after every round; `work` is the work done, `most` the work left. May be empty.
-     */
-    std::function<OrderSuggestion(std::int64_t work, std::int64_t most)> suggest;
-};
-
-/** Result of `improveBound`. */
-struct BoundResult
-{
-    double bound = 0;     ///< lower bound on the cost of every order, at most the order's cost
-    VisitOrder order;     ///< the best order known, at least as good as the given one
-    bool reached = false; ///< whether bound and cost are as close as requested (`kProofTolerance`)
-    bool memoryOut = false; ///< whether the memory limit ended the work
-    std::int64_t work = 0;  ///< arcs examined, with the work of the suggestions
-    Eigen::VectorXd lambda; ///< the best multipliers, one per node, [0] is 0
 };
 
 /**
@@ -77,7 +45,8 @@ struct BoundResult
  */
 template <class Costs>
 [[nodiscard]] BoundResult improveBound(const Costs& costs, const VisitOrder& order,
-                                       const LayeredBoundOptions& options);
+                                       const BoundOptions& options,
+                                       const LayeredBoundOptions& layered = {});
 
 /**
  * Returns the arcs of the position-indexed MILP that remain after deleting all arcs that no order
@@ -85,10 +54,10 @@ template <class Costs>
  * itself included, uses only the arcs returned. Sorted by position, from, to; the return leg of a
  * closed route is not an arc. Deletion continues until it no longer pays or the work limit is
  * reached; a stop leaves more arcs, all n (n - 1)^2 + n of them if it comes at once. `gap`,
- * `onImproved`, `onStep` and `suggest` should be left at their defaults. With the optimum as
+ * `onImproved` and `suggest` should be left at their defaults. With the optimum as
  * `order` about 2 n arcs remain at 20 icebergs.
  */
 [[nodiscard]] std::vector<MilpArc> survivingArcs(const VisitCosts& costs, const VisitOrder& order,
-                                                 const LayeredBoundOptions& options);
+                                                 const BoundOptions& options);
 
 } // namespace berg

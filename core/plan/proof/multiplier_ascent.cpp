@@ -51,8 +51,9 @@ bool MultiplierAscent::step(const Relaxed& relaxed, double target)
     }
     Eigen::VectorXd gradient = Eigen::VectorXd::Ones(m_lambda.size());
     gradient(0) = 0;
-    for (const int i : relaxed.visits)
-        gradient(i) -= 1;
+    for (const VisitOrder& path : relaxed.paths)
+        for (const int i : path)
+            gradient(i) -= 1;
     if (gradient.isZero(0)) {
         m_direction.setZero();
         return false;

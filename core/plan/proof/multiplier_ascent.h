@@ -32,9 +32,9 @@ public:
     /** Result of the relaxation at the multipliers `here`. */
     struct Relaxed
     {
-        std::vector<int> visits; ///< visits of the shortest path, or of the paths of all routes
-        double bound = 0;        ///< sum lambda + length
-        double margin = 0;       ///< rounding margin of the bound
+        FleetPlan paths;   ///< shortest path of each UAV; may visit an iceberg twice or never
+        double bound = 0;  ///< sum lambda + lengths
+        double margin = 0; ///< rounding margin of the bound
     };
     /**
      * Makes a step; `target` is the incumbent's cost. Returns false, and makes no step, if every

@@ -50,8 +50,8 @@ ReducedModel reducedModel(const TvpProblem& problem, const SolveOptions& options
 
     constexpr std::int64_t kMostWork = 900'000'000; // seldom used up
     const VisitCosts costs(problem);
-    const LayeredBoundOptions bound{
-        .workLimit = kMostWork, .isStopped = [&watch] { return watch.stopReason().has_value(); }};
+    const BoundOptions bound{.workLimit = kMostWork,
+                             .isStopped = [&watch] { return watch.stopReason().has_value(); }};
     std::vector<MilpArc> arcs =
         survivingArcs(costs, cheapestNeighbour(costs, reduced.incumbent), bound);
     if (!watch.stopReason())

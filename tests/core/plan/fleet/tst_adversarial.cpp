@@ -91,27 +91,29 @@ QString faultOfBound(const TvpProblem& problem, const VisitOrder& start, test::N
 {
     const Costs costs(problem);
     const long double optimum = test::referenceOptimum(problem).cost;
-    LayeredBoundOptions options{.workLimit = draw.oneIn(8) ? draw.below(20'000) : kPlenty};
+    BoundOptions options{.workLimit = draw.oneIn(8) ? draw.below(20'000) : kPlenty};
     const bool plenty = options.workLimit == kPlenty;
+    LayeredBoundOptions layered;
     if (draw.oneIn(4))
-        options.manyArcs = 0;
+        layered.manyArcs = 0;
     if (draw.oneIn(8)) {
-        options.lambda = Eigen::VectorXd::Zero(problem.nodeCount());
+        layered.lambda = Eigen::VectorXd::Zero(problem.nodeCount());
         for (int i = 1; i < problem.nodeCount(); ++i)
-            (*options.lambda)(i) = (draw.below(3) - 1) * costs.total(start) * draw.magnitude(-3, 3);
+            (*layered.lambda)(i) = (draw.below(3) - 1) * costs.total(start) * draw.magnitude(-3, 3);
     }
     QString fault;
-    options.onImproved = [&](const VisitOrder& order, double bound) {
+    options.onImproved = [&](const FleetPlan& plan, double bound) {
         if (fault.isEmpty())
-            fault = faultOf(bound, costOf(problem, order), false, optimum);
+            fault = faultOf(bound, costOf(problem, plan.front()), false, optimum);
     };
-    const BoundResult result = improveBound(costs, start, options);
-    if (!isVisitOrder(problem, result.order))
+    const BoundResult result = improveBound(costs, start, options, layered);
+    const VisitOrder& order = result.plan.front();
+    if (!isVisitOrder(problem, order))
         return QStringLiteral("no order");
     if (fault.isEmpty())
-        fault = faultOf(result.bound, costOf(problem, result.order), result.reached, optimum);
+        fault = faultOf(result.bound, costOf(problem, order), result.reached, optimum);
     // With a dozen icebergs, multipliers of another problem may take longer.
-    const bool mustProve = plenty && (!options.lambda || problem.icebergCount() <= 10);
+    const bool mustProve = plenty && (!layered.lambda || problem.icebergCount() <= 10);
     if (fault.isEmpty() && mustProve && !result.reached)
         fault = QStringLiteral("not proven");
     return fault;
@@ -173,13 +175,13 @@ QString faultOfFleetBound(const FleetProblem& problem, test::NastyDraw draw)
     const long double optimum = test::referenceFleetCost(problem);
     const FleetPlan start = poorPlan(problem, draw);
     QString fault;
-    FleetBoundOptions options{.workLimit = draw.oneIn(8) ? draw.below(20'000) : kPlenty,
-                              .memoryLimit_bytes = 100'000'000};
+    BoundOptions options{.workLimit = draw.oneIn(8) ? draw.below(20'000) : kPlenty,
+                         .memoryLimit_bytes = 100'000'000};
     options.onImproved = [&](const FleetPlan& plan, double bound) {
         if (fault.isEmpty())
             fault = faultOf(bound, costOf(problem, plan), false, optimum);
     };
-    const FleetBoundResult result = improveFleetBound(costs, start, options);
+    const BoundResult result = improveFleetBound(costs, start, options);
     if (!isFleetPlan(problem, result.plan))
         return QStringLiteral("no plan");
     if (fault.isEmpty())

@@ -95,7 +95,7 @@ private slots:
     void noRoomForTheStates()
     {
         const FleetProblem problem = test::randomFleet(47, 5, 2, 1, test::FleetKind::Assigned);
-        const FleetBoundResult result =
+        const BoundResult result =
             improveFleetBound(FleetCosts(problem), roundRobinPlan(problem),
                               {.workLimit = 10'000'000, .memoryLimit_bytes = 2000});
         QVERIFY(result.memoryOut && !result.reached);

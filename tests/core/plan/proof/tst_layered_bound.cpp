@@ -30,17 +30,18 @@ QString faultOfProof(const TvpProblem& problem, double optimum, int number)
 {
     const VisitCosts costs(problem);
     const VisitOrder start = shuffled(problem.icebergCount(), static_cast<std::uint64_t>(number));
-    LayeredBoundOptions options{.workLimit = kPlenty};
+    BoundOptions options{.workLimit = kPlenty};
+    LayeredBoundOptions layered;
     if (number % 2 == 1)
-        options.manyArcs = 0; // so that intermediate gaps are certified first
+        layered.manyArcs = 0; // so that intermediate gaps are certified first
     double last = 0;
     bool monotone = true;
-    options.onImproved = [&](const VisitOrder&, double bound) {
+    options.onImproved = [&](const FleetPlan&, double bound) {
         monotone = monotone && bound >= last && bound <= optimum * (1 + 1e-12);
         last = bound;
     };
-    const BoundResult result = improveBound(costs, start, options);
-    if (!isVisitOrder(problem, result.order))
+    const BoundResult result = improveBound(costs, start, options, layered);
+    if (!isVisitOrder(problem, result.plan.front()))
         return QStringLiteral("no order");
     if (!result.reached)
         return QStringLiteral("not proven");
@@ -48,7 +49,7 @@ QString faultOfProof(const TvpProblem& problem, double optimum, int number)
         return QStringLiteral("a bound that gets worse or is none");
     if (result.bound > optimum * (1 + 1e-12)) // rounding of sums in another order
         return QStringLiteral("bound above the optimum");
-    if (std::abs(costs.total(result.order) - optimum) > 2e-9 * optimum)
+    if (std::abs(costs.total(result.plan.front()) - optimum) > 2e-9 * optimum)
         return QStringLiteral("not the optimum");
     if (result.bound < optimum * (1 - 3e-9))
         return QStringLiteral("reached, but the bound is not there");
@@ -131,19 +132,20 @@ private slots:
         const VisitCosts costs(problem);
         const BoundResult cold = improveBound(costs, ascending(15), {.workLimit = kPlenty});
         QVERIFY(cold.reached);
-        QCOMPARE(cold.lambda.size(), Eigen::Index{16});
-        QCOMPARE(cold.lambda(0), 0.0);
-        LayeredBoundOptions options{.workLimit = kPlenty};
-        options.lambda = cold.lambda;
-        const BoundResult warm = improveBound(costs, cold.order, options);
+        QCOMPARE(cold.step.lambda.size(), Eigen::Index{16});
+        QCOMPARE(cold.step.lambda(0), 0.0);
+        LayeredBoundOptions layered{.lambda = cold.step.lambda};
+        const BoundResult warm =
+            improveBound(costs, cold.plan.front(), {.workLimit = kPlenty}, layered);
         QVERIFY(warm.reached);
-        QVERIFY(warm.order == cold.order);
+        QVERIFY(warm.plan.front() == cold.plan.front());
         QVERIFY(warm.work < cold.work);
 
         Random random(7);
-        for (double& value : *options.lambda)
+        for (double& value : *layered.lambda)
             value = random.uniform(-1, 1) * 1e4;
-        const BoundResult rough = improveBound(costs, ascending(15), options);
+        const BoundResult rough =
+            improveBound(costs, ascending(15), {.workLimit = kPlenty}, layered);
         QVERIFY(rough.reached);
         COMPARE_NEAR(rough.bound, cold.bound, 3e-9 * cold.bound);
     }
@@ -157,14 +159,14 @@ private slots:
         const VisitCosts costs(problem);
         const VisitOrder best = SubsetSolver().solve(problem, {}).order();
         int asked = 0;
-        LayeredBoundOptions options{.gap = 1, .workLimit = kPlenty};
+        BoundOptions options{.gap = 1, .workLimit = kPlenty};
         options.suggest = [&](std::int64_t work, std::int64_t most) {
             ++asked;
-            return OrderSuggestion{work + most == kPlenty ? best : VisitOrder{}, 1000};
+            return Suggestion{{work + most == kPlenty ? best : ascending(13)}, 1000};
         };
         const BoundResult result = improveBound(costs, ascending(13), options);
         QCOMPARE(asked, 1); // before the gap is checked
-        QVERIFY(result.order == best);
+        QVERIFY(result.plan.front() == best);
         QVERIFY(result.work > 1000);
     }
 
@@ -225,7 +227,7 @@ private slots:
         for (const double gap : {0.3, 0.05, 0.01}) {
             const BoundResult result =
                 improveBound(costs, ascending(14), {.gap = gap, .workLimit = kPlenty});
-            const double cost = costs.total(result.order);
+            const double cost = costs.total(result.plan.front());
             QVERIFY(result.reached);
             QVERIFY(result.bound >= cost * (1 - gap) * (1 - 1e-12));
             QVERIFY(result.bound <= optimum * (1 + 1e-12));
@@ -241,7 +243,7 @@ private slots:
         double last = 0;
         for (const std::int64_t limit : {0, 1, 10'000, 100'000, 200'000, 1'000'000, 50'000'000}) {
             const BoundResult result = improveBound(costs, ascending(14), {.workLimit = limit});
-            QVERIFY(isVisitOrder(problem, result.order));
+            QVERIFY(isVisitOrder(problem, result.plan.front()));
             QVERIFY(result.bound >= last);
             QVERIFY(result.bound <= optimum * (1 + 1e-12));
             QVERIFY(result.work >= std::min<std::int64_t>(limit, 1) || result.reached);
@@ -261,7 +263,7 @@ private slots:
             const BoundResult result = improveBound(
                 costs, ascending(14),
                 {.workLimit = kPlenty, .isStopped = [&] { return asked++ >= allowed; }});
-            QVERIFY(isVisitOrder(problem, result.order));
+            QVERIFY(isVisitOrder(problem, result.plan.front()));
             QVERIFY(result.bound <= optimum * (1 + 1e-12));
             reached = result.reached;
             QVERIFY(reached || asked > allowed);
@@ -276,8 +278,9 @@ private slots:
         double cost = costs.total(ascending(16));
         double bound = 0;
         int reports = 0;
-        LayeredBoundOptions options{.workLimit = kPlenty};
-        options.onImproved = [&](const VisitOrder& order, double newBound) {
+        BoundOptions options{.workLimit = kPlenty};
+        options.onImproved = [&](const FleetPlan& plan, double newBound) {
+            const VisitOrder& order = plan.front();
             ++reports;
             if (costs.total(order) > cost || newBound < bound)
                 reports = -1000;
@@ -286,7 +289,7 @@ private slots:
         };
         const BoundResult result = improveBound(costs, ascending(16), options);
         QVERIFY(reports > 0);
-        QVERIFY(costs.total(result.order) <= cost);
+        QVERIFY(costs.total(result.plan.front()) <= cost);
         QVERIFY(result.bound >= bound);
     }
 

@@ -158,17 +158,17 @@ private slots:
         for (int k = 0; k < 144; k += 5) {
             const TvpProblem problem = test::variedLatencyProblem(icebergs, k);
             const double optimum = SubsetSolver().solve(problem, {}).objective;
-            LayeredBoundOptions options;
+            BoundOptions options;
             options.workLimit = 3'000'000'000;
-            options.onImproved = [&](const VisitOrder& order, double bound) {
-                QVERIFY(objective(problem, order) >= optimum * (1 - kRounding));
+            options.onImproved = [&](const FleetPlan& plan, double bound) {
+                QVERIFY(objective(problem, plan.front()) >= optimum * (1 - kRounding));
                 QVERIFY(bound <= optimum * (1 + kRounding));
             };
             const LatencyCosts costs(problem);
             const BoundResult result = improveBound(costs, ascending(icebergs), options);
             QVERIFY2(result.reached, qPrintable(QString::number(k)));
             QVERIFY(result.bound <= optimum * (1 + kRounding));
-            QVERIFY(costs.total(result.order) <= optimum * (1 + kProof));
+            QVERIFY(costs.total(result.plan.front()) <= optimum * (1 + kProof));
         }
     }
 
