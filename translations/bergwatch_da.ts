@@ -6348,26 +6348,6 @@ Tilstødende område %4</translation>
 <context>
     <name>Report</name>
     <message>
-        <source>predicted before take-off %1 m² s, until the end of the run</source>
-        <translation>forudsagt før start %1 m² s, til flyvningens slutning</translation>
-    </message>
-    <message>
-        <source>changed in flight, so that the prediction was for another flight</source>
-        <translation>ændret under flyvningen, så forudsigelsen gjaldt en anden flyvning</translation>
-    </message>
-    <message>
-        <source>Flown</source>
-        <translation>Fløjet</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
-    <message>
-        <source>Visits, plans</source>
-        <translation>Besøg, planer</translation>
-    </message>
-    <message>
         <source>Policy</source>
         <translation>Strategi</translation>
     </message>
@@ -6392,14 +6372,6 @@ Tilstødende område %4</translation>
         <translation>fløjet</translation>
     </message>
     <message>
-        <source>Distance planned, km</source>
-        <translation>Planlagt afstand, km</translation>
-    </message>
-    <message>
-        <source>flown, km</source>
-        <translation>fløjet, km</translation>
-    </message>
-    <message>
         <source>Time planned</source>
         <translation>Tid planlagt</translation>
     </message>
@@ -6422,14 +6394,6 @@ Tilstødende område %4</translation>
     <message>
         <source>Zeta over time</source>
         <translation>Zeta over tid</translation>
-    </message>
-    <message>
-        <source>s since the start</source>
-        <translation>s siden start</translation>
-    </message>
-    <message>
-        <source>Zeta over time, in the end %1 square metres times seconds.</source>
-        <translation>Zeta over tid, til sidst %1 kvadratmeter gange sekunder.</translation>
     </message>
     <message>
         <source>ζ over time</source>
@@ -6844,10 +6808,6 @@ Tilstødende område %4</translation>
         <translation>Planlagt: planens første togt før start, over grunden i lige etaper. Fløjne afstande er gennem luften.</translation>
     </message>
     <message>
-        <source>95 % within, m</source>
-        <translation>95 % inden for, m</translation>
-    </message>
-    <message>
         <source>%1 and %2 more</source>
         <translation>%1 og %2 mere</translation>
     </message>
@@ -6868,16 +6828,8 @@ Tilstødende område %4</translation>
         <translation>Landet</translation>
     </message>
     <message>
-        <source>Start, UTC</source>
-        <translation>Start, UTC</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Start</translation>
-    </message>
-    <message>
-        <source>Until, UTC</source>
-        <translation>Til, UTC</translation>
     </message>
     <message>
         <source>Until</source>
@@ -6912,12 +6864,24 @@ Tilstødende område %4</translation>
         <translation>Noget blev ændret under flyvningen: forudsigelsen gjaldt en anden flyvning.</translation>
     </message>
     <message>
-        <source>and %1 more; all of them: export log-html</source>
-        <translation>og %1 til; eksportér log-html for at få alle</translation>
-    </message>
-    <message>
         <source>Nothing was flown</source>
         <translation>Intet blev fløjet</translation>
+    </message>
+    <message>
+        <source>Sum of σ, m²</source>
+        <translation>Sum af σ, m²</translation>
+    </message>
+    <message>
+        <source>iceberg reached</source>
+        <translation>isbjerg nået</translation>
+    </message>
+    <message>
+        <source>Time since the start</source>
+        <translation>Tid siden start</translation>
+    </message>
+    <message>
+        <source>Zeta over time, in the end %1.</source>
+        <translation>Zeta over tid, til sidst %1.</translation>
     </message>
 </context>
 <context>

@@ -6348,26 +6348,6 @@ Zone adjacente %4</translation>
 <context>
     <name>Report</name>
     <message>
-        <source>predicted before take-off %1 m² s, until the end of the run</source>
-        <translation>prévu avant le décollage %1 m² s, jusqu&apos;à la fin du vol</translation>
-    </message>
-    <message>
-        <source>changed in flight, so that the prediction was for another flight</source>
-        <translation>modifié en vol : la prévision concernait un autre vol</translation>
-    </message>
-    <message>
-        <source>Flown</source>
-        <translation>Parcouru</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
-        <source>Visits, plans</source>
-        <translation>Visites, plans</translation>
-    </message>
-    <message>
         <source>Policy</source>
         <translation>Stratégie</translation>
     </message>
@@ -6392,14 +6372,6 @@ Zone adjacente %4</translation>
         <translation>effectué</translation>
     </message>
     <message>
-        <source>Distance planned, km</source>
-        <translation>Distance prévue, km</translation>
-    </message>
-    <message>
-        <source>flown, km</source>
-        <translation>parcourue, km</translation>
-    </message>
-    <message>
         <source>Time planned</source>
         <translation>Temps planifié</translation>
     </message>
@@ -6422,14 +6394,6 @@ Zone adjacente %4</translation>
     <message>
         <source>Zeta over time</source>
         <translation>Zêta dans le temps</translation>
-    </message>
-    <message>
-        <source>s since the start</source>
-        <translation>s depuis le départ</translation>
-    </message>
-    <message>
-        <source>Zeta over time, in the end %1 square metres times seconds.</source>
-        <translation>Zêta dans le temps, à la fin %1 mètres carrés fois secondes.</translation>
     </message>
     <message>
         <source>ζ over time</source>
@@ -6844,10 +6808,6 @@ Zone adjacente %4</translation>
         <translation>Prévu : la première sortie du plan avant le décollage, sur le fond en segments droits. Les distances parcourues sont dans l&apos;air.</translation>
     </message>
     <message>
-        <source>95 % within, m</source>
-        <translation>95 % dans un rayon de, m</translation>
-    </message>
-    <message>
         <source>%1 and %2 more</source>
         <translation>%1 et %2 de plus</translation>
     </message>
@@ -6868,16 +6828,8 @@ Zone adjacente %4</translation>
         <translation>Atterrissage</translation>
     </message>
     <message>
-        <source>Start, UTC</source>
-        <translation>Début, UTC</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Début</translation>
-    </message>
-    <message>
-        <source>Until, UTC</source>
-        <translation>Fin, UTC</translation>
     </message>
     <message>
         <source>Until</source>
@@ -6912,12 +6864,24 @@ Zone adjacente %4</translation>
         <translation>Quelque chose a été modifié en vol : la prévision portait sur un autre vol.</translation>
     </message>
     <message>
-        <source>and %1 more; all of them: export log-html</source>
-        <translation>et %1 de plus ; exportez en log-html pour les avoir tous</translation>
-    </message>
-    <message>
         <source>Nothing was flown</source>
         <translation>Aucun vol effectué</translation>
+    </message>
+    <message>
+        <source>Sum of σ, m²</source>
+        <translation>Somme des σ, m²</translation>
+    </message>
+    <message>
+        <source>iceberg reached</source>
+        <translation>iceberg atteint</translation>
+    </message>
+    <message>
+        <source>Time since the start</source>
+        <translation>Temps depuis le début</translation>
+    </message>
+    <message>
+        <source>Zeta over time, in the end %1.</source>
+        <translation>Zêta dans le temps, à la fin %1.</translation>
     </message>
 </context>
 <context>

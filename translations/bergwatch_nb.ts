@@ -6348,26 +6348,6 @@ Tilstøtende område %4</translation>
 <context>
     <name>Report</name>
     <message>
-        <source>predicted before take-off %1 m² s, until the end of the run</source>
-        <translation>forutsagt før avgang %1 m² s, til slutten av flygingen</translation>
-    </message>
-    <message>
-        <source>changed in flight, so that the prediction was for another flight</source>
-        <translation>endret under flygingen, slik at forutsigelsen gjaldt en annen flyging</translation>
-    </message>
-    <message>
-        <source>Flown</source>
-        <translation>Fløyet</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
-    <message>
-        <source>Visits, plans</source>
-        <translation>Besøk, planer</translation>
-    </message>
-    <message>
         <source>Policy</source>
         <translation>Strategi</translation>
     </message>
@@ -6392,14 +6372,6 @@ Tilstøtende område %4</translation>
         <translation>fløyet</translation>
     </message>
     <message>
-        <source>Distance planned, km</source>
-        <translation>Planlagt avstand, km</translation>
-    </message>
-    <message>
-        <source>flown, km</source>
-        <translation>fløyet, km</translation>
-    </message>
-    <message>
         <source>Time planned</source>
         <translation>Tid planlagt</translation>
     </message>
@@ -6422,14 +6394,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>Zeta over time</source>
         <translation>Zeta over tid</translation>
-    </message>
-    <message>
-        <source>s since the start</source>
-        <translation>s siden start</translation>
-    </message>
-    <message>
-        <source>Zeta over time, in the end %1 square metres times seconds.</source>
-        <translation>Zeta over tid, til slutt %1 kvadratmeter ganger sekunder.</translation>
     </message>
     <message>
         <source>ζ over time</source>
@@ -6844,10 +6808,6 @@ Tilstøtende område %4</translation>
         <translation>Planlagt: det første toktet i planen før avgang, over grunnen i rette etapper. Fløyne avstander er gjennom luften.</translation>
     </message>
     <message>
-        <source>95 % within, m</source>
-        <translation>95 % innenfor, m</translation>
-    </message>
-    <message>
         <source>%1 and %2 more</source>
         <translation>%1 og %2 til</translation>
     </message>
@@ -6868,16 +6828,8 @@ Tilstøtende område %4</translation>
         <translation>Landet</translation>
     </message>
     <message>
-        <source>Start, UTC</source>
-        <translation>Start, UTC</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Start</translation>
-    </message>
-    <message>
-        <source>Until, UTC</source>
-        <translation>Til, UTC</translation>
     </message>
     <message>
         <source>Until</source>
@@ -6912,12 +6864,24 @@ Tilstøtende område %4</translation>
         <translation>Noe ble endret under flygingen: forutsigelsen gjaldt en annen flyging.</translation>
     </message>
     <message>
-        <source>and %1 more; all of them: export log-html</source>
-        <translation>og %1 til; eksporter log-html for alle</translation>
-    </message>
-    <message>
         <source>Nothing was flown</source>
         <translation>Ingenting ble fløyet</translation>
+    </message>
+    <message>
+        <source>Sum of σ, m²</source>
+        <translation>Sum av σ, m²</translation>
+    </message>
+    <message>
+        <source>iceberg reached</source>
+        <translation>isfjell nådd</translation>
+    </message>
+    <message>
+        <source>Time since the start</source>
+        <translation>Tid siden start</translation>
+    </message>
+    <message>
+        <source>Zeta over time, in the end %1.</source>
+        <translation>Zeta over tid, til slutt %1.</translation>
     </message>
 </context>
 <context>

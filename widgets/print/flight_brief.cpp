@@ -1,14 +1,14 @@
 #include "widgets/print/flight_brief.h"
 
-#include "widgets/map/paint/map_painter.h"
-#include "widgets/map/picture/route_colours.h"
-#include "widgets/map/picture/scenario_picture.h"
-#include "widgets/print/brief_layout.h"
-#include "widgets/print/export_picture.h"
+#include "widgets/print/brief_html.h"
 #include "widgets/print/operation_page.h"
-#include "widgets/theme/painter_state.h"
+#include "widgets/print/page_text.h"
+#include "widgets/print/printed_map.h"
 
+#include <array>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 using namespace Qt::StringLiterals;
 
@@ -19,90 +19,108 @@ namespace {
 constexpr QSize kA4_px{794, 1123};
 constexpr QSize kLetter_px{816, 1056};
 
-// Scales of the map, because its fonts and symbols are made for the screen.
-constexpr double kMapScale = 0.78;
-constexpr double kDenseMapScale = 0.67; // ids get the smallest permitted size
-constexpr std::size_t kDense = 24;      // number of icebergs from which the map is dense
+constexpr int kSmallest_px = 9; // font size: 6.75 pt
 
-constexpr qsizetype kLongestLabel = 28;
+/** The most generous first. */
+constexpr std::array<BriefFit, 10> kFits{{{.size_px = 12},
+                                          {.size_px = 11},
+                                          {.size_px = 10},
+                                          {.size_px = 10, .columns = 2},
+                                          {.size_px = kSmallest_px, .columns = 2},
+                                          {.size_px = kSmallest_px},
+                                          {kSmallest_px, 2, 7, 3, 300},
+                                          {kSmallest_px, 1, 7, 3, 300},
+                                          {kSmallest_px, 2, 5, 1, 240},
+                                          {kSmallest_px, 1, 5, 1, 240}}};
 
-constexpr int kTextFlags = Qt::TextSingleLine | Qt::TextDontClip;
-constexpr QColor kMuted(0x4a, 0x4a, 0x4a);
-constexpr QColor kFaint(0xc8, 0xc8, 0xc8);
-
-/** Data that the page is painted from. */
-struct Brief
+/** Finds how a brief fits on one page. */
+class BriefFitter
 {
-    Theme theme = Theme::light();
-    QLocale locale;
-    MapPicture picture;
-    BriefLayout layout;
-    MapLayout map; ///< in map pixels, which are smaller than those of the page
-    double mapScale = kMapScale;
+public:
+    BriefFitter(PrintedDocument& document, const BriefContent& content,
+                const std::vector<QColor>& colours)
+        : m_document(document), m_content(content), m_colours(colours)
+    {
+    }
 
-    [[nodiscard]] MapStyle style() const { return {.theme = theme, .locale = locale}; }
+    /** Writes the brief into the document and returns how it fits. */
+    BriefFit fitted()
+    {
+        for (const BriefFit& fit : kFits)
+            if (const auto spare = spare_px(fit))
+                return grown(fit, *spare);
+        BriefFit fit = kFits.back();
+        fit.columns = 2;
+        fit.rows = fit.routes = 1;
+        if (!spare_px(fit)) // too wide
+            fit.columns = 1;
+        fit.routes = BriefFit::kAll;
+        setMost(fit, fit.rows, mostLines(fit));
+        if (!spare_px(fit))
+            setMost(fit, fit.routes, m_content.routes.size());
+        return grown(fit, spare_px(fit).value_or(0));
+    }
+
+private:
+    /** Lines of routes that a page has room for at most. */
+    [[nodiscard]] std::size_t mostLines(const BriefFit& fit) const
+    {
+        return fit.columns * static_cast<std::size_t>(m_document.room_px().height() / fit.size_px);
+    }
+
+    [[nodiscard]] std::size_t linesWith(std::size_t rows) const
+    {
+        std::size_t lines = 0;
+        for (const BriefRoute& route : m_content.routes)
+            lines += std::min(rows, route.rows.size());
+        return lines;
+    }
+
+    /** Sets `part` of `fit` to the largest value up to `most` that fits, at least 1. */
+    void setMost(BriefFit& fit, std::size_t& part, std::size_t most)
+    {
+        std::size_t least = 1;
+        while (least < most) {
+            part = (least + most + 1) / 2;
+            if (spare_px(fit))
+                least = part;
+            else
+                most = part - 1;
+        }
+        part = least;
+    }
+
+    void write(const BriefFit& fit)
+    {
+        m_document.html = briefHtml(m_content, fit, m_colours, m_document.room_px().width());
+    }
+
+    /** Returns the height left on the page, nullopt if the brief does not fit. */
+    std::optional<double> spare_px(const BriefFit& fit)
+    {
+        if (fit.routes >= m_content.routes.size() && linesWith(fit.rows) > mostLines(fit))
+            return std::nullopt; // without the cost of a layout
+        write(fit);
+        constexpr double kBorders_px = 5; // of tables
+        const PrintedText text(m_document);
+        if (text.size().width() > m_document.room_px().width() + kBorders_px)
+            return std::nullopt;
+        const double spare = text.spare_px();
+        return spare >= 0 ? std::optional(spare) : std::nullopt;
+    }
+
+    /** The map gets the height that is left. */
+    BriefFit grown(BriefFit fit, double spare_px)
+    {
+        fit.map_px += std::floor(spare_px);
+        write(fit);
+        return fit;
+    }
+
+    PrintedDocument& m_document;
+    const BriefContent& m_content;
+    const std::vector<QColor>& m_colours;
 };
-
-QString labelOf(const QString& name)
-{
-    return name.size() <= kLongestLabel ? name : name.left(kLongestLabel - 1) + u'…';
-}
-
-/** Map of the export with wind, and names short enough for labels. */
-MapPicture printedPicture(const ExportContent& content)
-{
-    MapPicture picture = exportPicture(content);
-    for (MapIceberg& iceberg : picture.icebergs)
-        iceberg.id = labelOf(iceberg.id);
-    for (MapUav& uav : picture.uavs)
-        uav.label = labelOf(uav.label);
-    if (picture.asset)
-        picture.asset->name = labelOf(picture.asset->name);
-    picture.air = exportAir(content);
-    return picture;
-}
-
-void paintMapOf(QPainter& painter, const Brief& brief)
-{
-    const PainterState saved(painter);
-    const QRectF& rect = brief.layout.map;
-    painter.setClipRect(rect);
-    painter.translate(rect.topLeft());
-    painter.scale(brief.mapScale, brief.mapScale);
-    paintMap(painter, brief.picture, brief.style(), brief.map);
-}
-
-void paintRules(QPainter& painter, const BriefLayout& layout)
-{
-    for (const BriefRule& rule : layout.rules) {
-        painter.setPen(rule.isStrong ? QPen(Qt::black, 1) : QPen(kFaint, 0.6));
-        painter.drawLine(rule.line);
-    }
-}
-
-void paintLines(QPainter& painter, const Brief& brief)
-{
-    paintRules(painter, brief.layout);
-    painter.setPen(QPen(Qt::black, 0.8));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(brief.layout.map);
-    for (const BriefSign& sign : brief.layout.signs) {
-        painter.setBrush(routeColours(brief.picture, brief.theme, sign.uav).plan);
-        painter.drawRect(sign.rect);
-    }
-}
-
-void paintTexts(QPainter& painter, const BriefLayout& layout)
-{
-    painter.setLayoutDirection(Qt::LeftToRight);
-    for (const BriefText& text : layout.texts) {
-        painter.setFont(briefFont(text.type));
-        painter.setPen(text.type.isMuted ? kMuted : QColor(Qt::black));
-        const Qt::Alignment side = text.type.isRight ? Qt::AlignRight : Qt::AlignLeft;
-        painter.drawText(text.rect, static_cast<int>(side | Qt::AlignVCenter) | kTextFlags,
-                         text.text);
-    }
-}
 
 } // namespace
 
@@ -111,40 +129,32 @@ QSize briefPage_px(const QLocale& locale)
     return locale.measurementSystem() == QLocale::ImperialUSSystem ? kLetter_px : kA4_px;
 }
 
-void paintLayout(QPainter& painter, const BriefLayout& layout)
+PrintedDocument briefDocument(const ExportContent& content, const QLocale& locale)
 {
-    const PainterState saved(painter);
-    paintRules(painter, layout);
-    paintTexts(painter, layout);
+    PrintedDocument document{.paper_px = briefPage_px(locale)};
+    std::vector<QColor> colours;
+    for (std::size_t uav = 0; uav < content.uavs.size(); ++uav)
+        colours.push_back(printedColour(content, uav));
+    const BriefContent words = briefContent(content, locale);
+    const BriefFit fit = BriefFitter(document, words, colours).fitted();
+    document.pictures[u"map"_s] =
+        printedMap(content, {document.room_px().width(), fit.map_px}, locale);
+    return document;
 }
 
 PicturePage flightBrief(const ExportContent& content, const QLocale& locale)
 {
-    const QSize size_px = briefPage_px(locale);
-    const BriefContent words = briefContent(content, locale);
-    auto brief = std::make_shared<Brief>();
-    brief->locale = locale;
-    brief->picture = printedPicture(content);
-    brief->layout = layOutBrief(words, QSizeF(size_px));
-    brief->mapScale = brief->picture.icebergs.size() > kDense ? kDenseMapScale : kMapScale;
-    brief->map = arrangeMap(brief->picture, brief->style(),
-                            QRectF(QPointF(0, 0), brief->layout.map.size() / brief->mapScale));
-    std::vector<std::function<void(QPainter&)>> more;
+    const auto painted = [](PrintedDocument document) {
+        return [document = std::make_shared<const PrintedDocument>(std::move(document))](
+                   QPainter& painter) { PrintedText(*document).paintPage(painter, 0); };
+    };
+    PicturePage page{.size_px = briefPage_px(locale),
+                     .title = FlightBrief::tr("Flight brief: %1").arg(pageTitle(content)),
+                     .description = pathsText(content),
+                     .paint = painted(briefDocument(content, locale))};
     if (content.operation)
-        more.emplace_back([page = std::make_shared<const BriefLayout>(layOutOperation(
-                               operationContent(content, locale), QSizeF(size_px)))](
-                              QPainter& painter) { paintLayout(painter, *page); });
-    return {.size_px = size_px,
-            .title = FlightBrief::tr("Flight brief: %1").arg(words.title),
-            .description = words.about,
-            .paint =
-                [shared = std::shared_ptr<const Brief>(std::move(brief))](QPainter& painter) {
-                    const PainterState saved(painter);
-                    paintMapOf(painter, *shared);
-                    paintLines(painter, *shared);
-                    paintTexts(painter, shared->layout);
-                },
-            .more = std::move(more)};
+        page.more.emplace_back(painted(operationDocument(content, locale)));
+    return page;
 }
 
 } // namespace berg

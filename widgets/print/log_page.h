@@ -8,10 +8,9 @@
 namespace berg {
 
 /**
- * Returns the log of a flight (`flightLog`) on two or three pages: planned and flown values, map of
- * the flight, zeta and its prediction; sightings; deviations, program, seed, plan's hash. The size
- * is that of the flight brief. Throws like `flightLog`. Runs on any thread with a QGuiApplication
- * (fonts).
+ * Returns the log of a flight on paper: the text of `flightLogHtml` in the user's units, with a map
+ * of the flight. The size is that of the flight brief. Throws like `flightLog`. Runs on any thread
+ * with a QGuiApplication (fonts).
  */
 [[nodiscard]] PicturePage logPage(const ExportContent& content, const QLocale& locale);
 

@@ -1,6 +1,8 @@
 #include "widgets/print/operation_page.h"
 
-#include "widgets/print/brief_surroundings.h"
+#include "core/io/text/html_text.h"
+#include "widgets/print/brief_html.h"
+#include "widgets/print/flight_brief.h"
 #include "widgets/print/page_text.h"
 #include "widgets/print/printable_text.h"
 #include "widgets/theme/quantity_text.h"
@@ -20,31 +22,30 @@ struct OperationPage
     Q_DECLARE_TR_FUNCTIONS(OperationPage)
 };
 
-constexpr BriefType kHeading{.size_px = 11, .isBold = true};
-constexpr BriefType kWords{.size_px = 11};
-
-constexpr double kGap_px = 9;
-constexpr double kBlankLine_px = 24; // height of a line for handwriting
-constexpr int kBlankLines = 2;       // lines of an entry filled in by hand
-constexpr int kMostLines = 4;        // lines of a text
-constexpr double kBox_px = 9;
+constexpr int kMostLines = 4;        // of a text
+constexpr int kBlankLines = 2;       // of an entry filled in by hand
+constexpr int kBlankItems = 6;       // of a checklist
+constexpr qsizetype kMostItems = 60; // more do not fit
 
 QString metres(double length_m, const QLocale& locale)
 {
     return distanceText(std::round(length_m), locale, 3, DistanceUnit::Metric);
 }
 
-std::vector<BriefFact> volumeFacts(const OperationVolume& volume, const QLocale& locale)
+std::vector<HtmlFact> volumeFacts(const OperationVolume& volume, const QLocale& locale)
 {
-    return {
-        {OperationPage::tr("Largest speed over ground"), speedText(volume.speed_mps, locale, 3)},
-        {OperationPage::tr("Flight geography, height"),
-         heightText(std::round(volume.height_m), locale)},
-        {OperationPage::tr("Contingency volume, height"),
-         heightText(std::round(volume.ceiling_m), locale)},
-        {OperationPage::tr("Contingency volume, width"), metres(volume.outside_m, locale)},
-        {OperationPage::tr("Ground-risk buffer, width"), metres(volume.buffer_m, locale)},
-        {OperationPage::tr("Adjacent area, width"), metres(volume.adjacent_m, locale)}};
+    const auto fact = [](const QString& caption, const QString& value) {
+        return HtmlFact{html(caption), html(value)};
+    };
+    return {fact(OperationPage::tr("Largest speed over ground"),
+                 speedText(volume.speed_mps, locale, 3)),
+            fact(OperationPage::tr("Flight geography, height"),
+                 heightText(std::round(volume.height_m), locale)),
+            fact(OperationPage::tr("Contingency volume, height"),
+                 heightText(std::round(volume.ceiling_m), locale)),
+            fact(OperationPage::tr("Contingency volume, width"), metres(volume.outside_m, locale)),
+            fact(OperationPage::tr("Ground-risk buffer, width"), metres(volume.buffer_m, locale)),
+            fact(OperationPage::tr("Adjacent area, width"), metres(volume.adjacent_m, locale))};
 }
 
 /** Formulas with values inserted. */
@@ -103,111 +104,16 @@ std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& lo
     return rows;
 }
 
-/** Lays out the blocks of the page from top to bottom. */
-class OperationLayout
+/** Lines for handwriting, each after `mark`. */
+std::string blankHtml(int lines, const std::string& mark)
 {
-public:
-    explicit OperationLayout(const QSizeF& page) : m_composer(page)
-    {
-        m_composer.free.setBottom(m_composer.free.bottom() - linePitch_px(kBriefFoot.size_px) -
-                                  kGap_px);
-    }
+    std::string html = "<table class=\"blank\" width=\"100%\">";
+    for (int i = 0; i < lines; ++i)
+        html += "<tr><td>" + mark + "</td></tr>";
+    return html + "</table>\n";
+}
 
-    BriefLayout laidOut(const OperationContent& content)
-    {
-        QRectF& free = m_composer.free;
-        const double foot_px = linePitch_px(kBriefFoot.size_px);
-        setText(m_composer.layout,
-                QRectF(free.left(), free.bottom() + kGap_px, free.width(), foot_px),
-                OperationPage::tr("Made by Bergwatch from the scenario. It does not imply that "
-                                  "the operation may be flown."),
-                kBriefFoot);
-        for (const QString& text : wrapped(content.title, kBriefTitle, free.width(), kMostLines))
-            m_composer.line(text, kBriefTitle);
-        m_composer.line(content.about, kBriefHead);
-        m_composer.rule(true);
-        m_composer.setFacts(content.volume, 3);
-        m_composer.takeStrip(kGap_px);
-        for (const QString& formula : content.formulas)
-            for (const QString& text : wrapped(formula, kWords, free.width(), kMostLines))
-                m_composer.line(text, kWords);
-        m_composer.takeStrip(kGap_px);
-        m_composer.rule(false);
-        m_composer.setUavTable(content.uavs);
-        m_composer.takeStrip(kGap_px);
-        m_composer.rule(false);
-        for (const BriefFact& paper : content.papers)
-            setPaper(paper);
-        setChecklist(content.checklist);
-        return std::move(m_composer.layout);
-    }
-
-private:
-    void blankLine(double left_px)
-    {
-        const double y = m_composer.takeStrip(kBlankLine_px).bottom();
-        m_composer.layout.rules.push_back({QLineF(left_px, y, m_composer.free.right(), y), false});
-    }
-
-    void setPaper(const BriefFact& paper)
-    {
-        m_composer.line(paper.caption, kBriefCaption);
-        const QStringList words = wrapped(paper.value, kWords, m_composer.free.width(), kMostLines);
-        if (paper.value.isEmpty())
-            for (int i = 0; i < kBlankLines; ++i)
-                blankLine(m_composer.free.left());
-        else
-            for (const QString& text : words)
-                m_composer.line(text, kWords);
-        m_composer.takeStrip(kGap_px);
-    }
-
-    /** Sets a check box before each item, or blank lines if there are no items. */
-    void setChecklist(const QStringList& items)
-    {
-        m_composer.line(OperationPage::tr("Checklist"), kHeading);
-        qsizetype shown = 0;
-        while (shown < items.size() && m_composer.free.height() > 2 * kBlankLine_px)
-            setItem(items[shown++]);
-        if (shown < items.size()) {
-            m_composer.line(OperationPage::tr("and %1 more").arg(items.size() - shown), kWords);
-            return;
-        }
-        constexpr qsizetype kMostBlank = 6;
-        for (qsizetype i = 0;
-             items.isEmpty() && i < kMostBlank && m_composer.free.height() > kBlankLine_px; ++i)
-            setItem({});
-    }
-
-    void setItem(const QString& item)
-    {
-        const QRectF strip = m_composer.takeStrip(kBlankLine_px);
-        const QRectF box(strip.left(), strip.bottom() - kBox_px - 2, kBox_px, kBox_px);
-        for (const QLineF& side :
-             {QLineF(box.topLeft(), box.topRight()), QLineF(box.topRight(), box.bottomRight()),
-              QLineF(box.bottomRight(), box.bottomLeft()), QLineF(box.bottomLeft(), box.topLeft())})
-            m_composer.layout.rules.push_back({side, true});
-        const double left_px = box.right() + kGap_px;
-        if (item.isEmpty())
-            m_composer.layout.rules.push_back(
-                {QLineF(left_px, box.bottom(), strip.right(), box.bottom()), false});
-        const double height_px = linePitch_px(kWords.size_px);
-        QRectF line(left_px, box.center().y() - height_px / 2, strip.right() - left_px, height_px);
-        const QStringList words = wrapped(item, kWords, line.width(), kMostLines);
-        for (const QString& text : words) {
-            setText(m_composer.layout, line, text, kWords);
-            line.translate(0, height_px);
-        }
-        m_composer.takeStrip(height_px *
-                             static_cast<double>(std::max<qsizetype>(words.size(), 1) - 1));
-    }
-
-    PageComposer m_composer;
-};
-
-} // namespace
-
-namespace {
+const std::string kCheckBox = "\u2610";
 
 QStringList linesOf(const std::string& utf8)
 {
@@ -223,28 +129,58 @@ QString oneParagraph(const std::string& utf8)
     return linesOf(utf8).join(u" \u00b7 "_s);
 }
 
-} // namespace
-
-OperationContent operationContent(const ExportContent& content, const QLocale& locale)
+/** Writes the page with so many items of the checklist. */
+std::string operationHtml(const ExportContent& content, const QLocale& locale, double width_px,
+                          qsizetype mostItems)
 {
     const Operation& operation = *content.scenario->operation;
-    return {.title = OperationPage::tr("Operation volume: proposal, to be checked with your "
-                                       "authority"),
-            .about = pageTitle(content),
-            .volume = volumeFacts(*content.operation, locale),
-            .formulas = formulasOf(*content.scenario, *content.operation, locale),
-            .uavs = uavRows(content, locale),
-            .papers = {{OperationPage::tr("Crew"), oneParagraph(operation.crew)},
-                       {OperationPage::tr("Call sign"), printable(operation.callSign)},
-                       {OperationPage::tr("Contacts"), oneParagraph(operation.contacts)},
-                       {OperationPage::tr("Command link"), oneParagraph(operation.link)},
-                       {OperationPage::tr("Date and signatures"), {}}},
-            .checklist = linesOf(operation.checklist)};
+    const auto text = [width_px](const QString& words) {
+        constexpr double kLine = 0.9; // part of a line that words fill at least
+        return htmlWithin(words, kLine * kMostLines * width_px);
+    };
+    std::string page =
+        "<h1>" +
+        html(OperationPage::tr("Operation volume: proposal, to be checked with your authority")) +
+        "</h1>\n<p>" + text(pageTitle(content)) + "</p>\n<hr/>\n" +
+        factsHtml(volumeFacts(*content.operation, locale), 3);
+    for (const QString& formula : formulasOf(*content.scenario, *content.operation, locale))
+        page += "<p>" + text(formula) + "</p>\n";
+    page += "<p></p>\n" + uavTableHtml(uavRows(content, locale), width_px);
+    for (const auto& [caption, words] : std::initializer_list<std::pair<QString, QString>>{
+             {OperationPage::tr("Crew"), oneParagraph(operation.crew)},
+             {OperationPage::tr("Call sign"), printable(operation.callSign)},
+             {OperationPage::tr("Contacts"), oneParagraph(operation.contacts)},
+             {OperationPage::tr("Command link"), oneParagraph(operation.link)},
+             {OperationPage::tr("Date and signatures"), {}}})
+        page +=
+            "<p class=\"item\"><span class=\"muted\">" + html(caption) + "</span></p>\n" +
+            (words.isEmpty() ? blankHtml(kBlankLines, "&#160;") : "<p>" + text(words) + "</p>\n");
+    page += "<h2>" + html(OperationPage::tr("Checklist")) + "</h2>\n";
+    const QStringList items = linesOf(operation.checklist);
+    if (items.isEmpty())
+        page += blankHtml(kBlankItems, kCheckBox);
+    for (const QString& item : items.first(std::min(items.size(), mostItems)))
+        page += "<p class=\"item\">" + kCheckBox + ' ' + text(item) + "</p>\n";
+    if (items.size() > mostItems)
+        page +=
+            "<p>" + html(OperationPage::tr("and %1 more").arg(items.size() - mostItems)) + "</p>\n";
+    return page + "<p class=\"foot\">" +
+           html(OperationPage::tr("Made by Bergwatch from the scenario. It does not imply that the "
+                                  "operation may be flown.")) +
+           "</p>\n";
 }
 
-BriefLayout layOutOperation(const OperationContent& content, const QSizeF& page)
+} // namespace
+
+PrintedDocument operationDocument(const ExportContent& content, const QLocale& locale)
 {
-    return OperationLayout(page).laidOut(content);
+    PrintedDocument document{.paper_px = briefPage_px(locale)};
+    for (qsizetype items = kMostItems; items >= 0; --items) {
+        document.html = operationHtml(content, locale, document.room_px().width(), items);
+        if (PrintedText(document).pageCount() == 1)
+            break;
+    }
+    return document;
 }
 
 } // namespace berg

@@ -33,21 +33,27 @@ bool isRightToLeft(char32_t c)
     return direction == QChar::DirR || direction == QChar::DirAL;
 }
 
-} // namespace
-
-QString printable(const QString& text)
+QList<uint> codesWithFewMarks(const QString& text)
 {
     QList<uint> codes;
     int marks = 0;
     for (const uint c : text.toUcs4()) {
         marks = QChar::isMark(c) ? marks + 1 : 0;
         if (marks <= kMostMarks)
-            codes.push_back(isUnseen(c) ? u' ' : c);
+            codes.push_back(c);
     }
+    return codes;
+}
+
+} // namespace
+
+QString printable(const QString& text)
+{
+    const QList<uint> codes = codesWithFewMarks(text);
     const bool turns = std::any_of(codes.cbegin(), codes.cend(), isRightToLeft);
     QString line;
     for (const uint c : codes)
-        line += QChar::fromUcs4(c);
+        line += QChar::fromUcs4(isUnseen(c) ? u' ' : c);
     line = line.simplified();
     return turns ? kIsolate + line + kEndOfIsolate : line;
 }
@@ -55,6 +61,14 @@ QString printable(const QString& text)
 QString printable(const std::string& utf8)
 {
     return printable(QString::fromStdString(utf8));
+}
+
+std::string withFewMarks(const std::string& utf8)
+{
+    QString text;
+    for (const uint c : codesWithFewMarks(QString::fromStdString(utf8)))
+        text += QChar::fromUcs4(c);
+    return text.toStdString();
 }
 
 } // namespace berg

@@ -14,4 +14,7 @@ namespace berg {
 [[nodiscard]] QString printable(const QString& text);
 [[nodiscard]] QString printable(const std::string& utf8);
 
+/** Returns a text of several names with at most two marks per letter. */
+[[nodiscard]] std::string withFewMarks(const std::string& utf8);
+
 } // namespace berg

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/io/export/content/export_content.h"
+#include "core/io/figure/figure.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,9 +56,38 @@ struct FlightLog
  */
 [[nodiscard]] FlightLog flightLog(const ExportContent& content);
 
+/** How a page of the log writes quantities: as files do, or in the user's units. Texts are HTML. */
+struct LogFormat
+{
+    using Text = std::function<std::string(double)>;
+
+    std::string start; ///< date and time
+    Text time;         ///< of an instant, s
+    Text duration;     ///< of s
+    Text distance;     ///< of m
+    Text zeta;         ///< of m² s
+    Text sigma;        ///< of m², without unit
+    Text radius;       ///< of the 95 % radius, by sigma in m²
+    std::function<std::string(const PlannerSettings&)> planner;
+    std::function<std::string(double value, int decimals)> number;
+    std::function<std::string(const Figure&)> figure;
+};
+
+/** The parts of a page of the log, as HTML. */
+struct LogPage
+{
+    std::string title; ///< plain text
+    std::string summary;
+    std::string figure; ///< empty if nothing was flown
+    std::string details;
+};
+
+/** Writes the log in the language of the content. Throws as `flightLog`. */
+[[nodiscard]] LogPage logPage(const ExportContent& content, const LogFormat& format);
+
 /**
- * Returns the log as a self-contained page: HTML that is well-formed XML, in the language of the
- * content. Throws as `flightLog`.
+ * Returns the log as a self-contained page in the format of files: HTML that is well-formed XML.
+ * Throws as `flightLog`.
  */
 [[nodiscard]] std::string flightLogHtml(const ExportContent& content);
 

@@ -47,6 +47,8 @@ thead th { font-weight: 600; vertical-align: bottom; white-space: normal;
   border-bottom: 1px solid var(--axis); }
 tbody th { font-weight: 400; }
 tbody tr { border-bottom: 1px solid var(--grid); }
+.facts td { text-align: left; padding: .2rem 1rem .2rem 0; white-space: normal; }
+.facts tr { border: 0; }
 tr.marked th, tr.marked td { font-weight: 700; }
 svg { display: block; width: 100%; height: auto; }
 svg .text { --ink: var(--text); }

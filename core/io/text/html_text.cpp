@@ -92,11 +92,27 @@ std::string scriptJson(std::string_view json)
     return text;
 }
 
+std::string factsHtml(const std::vector<HtmlFact>& facts, std::size_t columns)
+{
+    std::string html = "<table class=\"facts\" width=\"100%\">\n";
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+        html += i % columns == 0 ? "<tr>" : "";
+        html += "<td><span class=\"muted\">" + facts[i].caption + "</span><br/><b>" +
+                facts[i].value + "</b></td>";
+        html += i % columns + 1 == columns || i + 1 == facts.size() ? "</tr>\n" : "";
+    }
+    return html + "</table>\n";
+}
+
 HtmlTable::HtmlTable(std::string_view caption, const std::vector<std::string>& header)
 {
-    m_head = "<table>\n<caption>" + std::string(caption) + "</caption>\n<thead><tr>";
-    for (const std::string& cell : header)
-        m_head += "<th scope=\"col\">" + cell + "</th>";
+    m_head = "<table width=\"100%\">\n";
+    if (!caption.empty())
+        m_head += "<caption>" + std::string(caption) + "</caption>\n";
+    m_head += "<thead><tr>";
+    for (std::size_t i = 0; i < header.size(); ++i)
+        m_head += (i == 0 ? "<th scope=\"col\" class=\"text\">" : "<th scope=\"col\">") +
+                  header[i] + "</th>";
     m_head += "</tr></thead>\n<tbody>\n";
 }
 

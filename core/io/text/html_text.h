@@ -27,7 +27,18 @@ namespace berg {
  */
 [[nodiscard]] std::string scriptJson(std::string_view json);
 
-/** HTML table whose first column is a row header. Caption and cells must be HTML already. */
+/** A value with its caption, as HTML. */
+struct HtmlFact
+{
+    std::string caption;
+    std::string value;
+};
+
+/** Returns a table of facts, so many side by side. */
+[[nodiscard]] std::string factsHtml(const std::vector<HtmlFact>& facts, std::size_t columns);
+
+/** HTML table whose first column is a row header. Caption (may be empty) and cells must be HTML
+ * already. */
 class HtmlTable
 {
 public:

@@ -158,6 +158,19 @@ check_map flown flight/run.bergrun
 run "$cli" export flight/run.bergrun --format brief --output flown-brief.pdf
 check_pdf flown-brief
 
+# The log is one text on paper and in HTML.
+for form in log log-html; do
+    run "$cli" export flight/run.bergrun --format $form --output flown-$form
+done
+run "$pdftotext" -layout flown-log flown-log.txt
+run "$xmllint" --noout --nonet flown-log-html
+same "log: pages" 2 "$(pages flown-log)"
+hash=$(grep -o '[0-9a-f]\{64\}' flown-log-html)
+for part in "$hash" berg-1 berg-2 berg-3 berg-4 Sightings Deviations; do
+    same "log: $part on paper" yes "$(says flown-log "$part")"
+    same "log: $part in HTML" yes "$(grep -qF -- "$part" flown-log-html && echo yes)"
+done
+
 # Numbers as a German reads them; Qt needs no locale of the system for that.
 run env -u LC_ALL LANG=de_DE.UTF-8 LC_CTYPE=C.UTF-8 "$cli" export windy.berg --format brief --output german-brief.pdf
 run "$pdftotext" -layout german-brief.pdf german.txt
