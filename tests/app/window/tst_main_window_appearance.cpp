@@ -1,4 +1,5 @@
 #include "app/settings/run_settings.h"
+#include "app/window/window_parts.h"
 #include "tests/support/window/map_fixture.h"
 #include "tests/support/window/widget_names.h"
 #include "tests/support/window/window_fixture.h"
@@ -156,7 +157,7 @@ private slots:
     void firstStartPlans()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
-        w.window().showFirstLayout();
+        w.window().parts().docks.begin(Layout::Plan);
         QVERIFY(w.action(u"planLayoutAction"_s).isChecked());
         const auto share = [&] {
             return double(w.map().width()) * w.map().height() /

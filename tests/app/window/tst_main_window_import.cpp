@@ -1,3 +1,4 @@
+#include "app/window/window_parts.h"
 #include "core/presets/presets.h"
 #include "tests/support/window/import_dialog_test.h"
 #include "tests/support/window/window_fixture.h"
@@ -292,15 +293,15 @@ private slots:
     void startPageImports()
     {
         WindowFixture w(randomScenario(31, {.icebergs = 3}));
-        w.window().showStartPage();
+        w.window().parts().start.showPage();
         w.interaction.path = fixturePath("metno.geojson");
         auto& button = test::child<QPushButton>(w.window(), u"startImportButton"_s);
         button.click();
-        QVERIFY(w.window().startPageIsShown()); // cancelled
+        QVERIFY(w.window().parts().start.pageIsShown()); // cancelled
         QVERIFY(w.interaction.importOffers.front().intoNew);
         w.interaction.importAnswer = accepts();
         button.click();
-        QVERIFY(!w.window().startPageIsShown());
+        QVERIFY(!w.window().parts().start.pageIsShown());
         QCOMPARE(w.scenario().name, std::string("metno"));
         QCOMPARE(w.scenario().icebergs.size(), 4U);
     }

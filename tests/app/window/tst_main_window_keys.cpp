@@ -6,10 +6,13 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
+#include <QSet>
 #include <QTableView>
 #include <QUndoStack>
 
@@ -232,6 +235,38 @@ private slots:
                                                            other->second->text())));
             }
         QVERIFY(taken.size() >= 20);
+    }
+
+    void manualNamesKeysThatExist_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << u"en"_s;
+        QTest::newRow("Norwegian") << u"nb"_s;
+    }
+
+    void manualNamesKeysThatExist()
+    {
+        QFETCH(QString, language);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QSet<QString> keys{u"Shift+F10"_s}; // of no command
+        for (const QAction* action : w.window().findChildren<QAction*>())
+            for (const QKeySequence& key : action->shortcuts())
+                keys << key.toString();
+        const QRegularExpression named(
+            uR"(\*\*((?:(?:Ctrl|Alt|Shift)\+)+\w+|[A-Z]|F\d+)\*\*|\(((?:Ctrl\+)+\w|F\d+)\))"_s);
+        int count = 0;
+        const QDir pages(u":/manual/"_s + language);
+        for (const QString& name : pages.entryList()) {
+            QFile page(pages.filePath(name));
+            QVERIFY(page.open(QIODevice::ReadOnly));
+            const QString text = QString::fromUtf8(page.readAll());
+            for (const QRegularExpressionMatch& match : named.globalMatch(text)) {
+                const QString key = match.captured(1) + match.captured(2);
+                QVERIFY2(keys.contains(key), qPrintable(name + u": "_s + key));
+                ++count;
+            }
+        }
+        QVERIFY(count >= 20);
     }
 
     void lettersTakeTools_data()

@@ -1,3 +1,4 @@
+#include "app/window/window_parts.h"
 #include "core/base/random.h"
 #include "core/io/files/scenario_json.h"
 #include "tests/support/window/map_fixture.h"
@@ -146,7 +147,7 @@ private slots:
         QVERIFY(!w.interaction.mayCancelWaits.back());
         w.workspace.reset();
         QVERIFY(w.untilReady());
-        QVERIFY(w.window().openFile(w.interaction.path));
+        QVERIFY(w.window().parts().files.openFile(w.interaction.path));
         QCOMPARE(w.interaction.waits.back(), u"Reading a.bergrun"_s);
         QVERIFY(w.interaction.mayCancelWaits.back());
         QVERIFY(w.until([&] { return w.workspace.isMidFlight(); }));
@@ -206,7 +207,7 @@ private slots:
             QVERIFY(loadScenario(path.toStdString(), ScenarioUse::Editing) == saved);
             if (i % 30 != 29)
                 continue;
-            QVERIFY(w.window().openFile(path));
+            QVERIFY(w.window().parts().files.openFile(path));
             QVERIFY(w.scenario() == saved);
         }
         QVERIFY2(faulty > 0, "nothing was tried that cannot be flown");
@@ -230,7 +231,7 @@ private slots:
         w.trigger(u"saveAction"_s);
         const Scenario saved = w.scenario();
         w.document().reset(test::MapFixture::fourIcebergs());
-        QVERIFY(w.window().openFile(w.interaction.path));
+        QVERIFY(w.window().parts().files.openFile(w.interaction.path));
         QCOMPARE(w.interaction.errors, QStringList());
         QVERIFY(w.scenario() == saved);
         QVERIFY(w.until(RunPhase::Failed));
