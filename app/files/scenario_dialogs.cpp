@@ -166,7 +166,7 @@ std::vector<FindItem> ScenarioDialogs::fields() const
 void ScenarioDialogs::showObject(const std::string& id)
 {
     workspace().selection().set({id});
-    panels().map->showObjects({id});
+    panels().map->camera().showObjects({id});
 }
 
 void ScenarioDialogs::setFavourite(const QString& key, bool isFavourite)
@@ -189,13 +189,13 @@ void ScenarioDialogs::placeNewScenario(const LatLon& origin)
         else
             document.edit(tr("Place the new scenario"),
                           [&](Scenario& scenario) { scenario = placed; });
-        panels().map->fit();
+        panels().map->camera().fit();
     });
 }
 
 void ScenarioDialogs::showPlace(const LatLon& place, const QString& name)
 {
-    panels().map->centreOn(place);
+    panels().map->camera().centreOn(place);
     panels().placeMark->showAt(LocalFrame(workspace().document().scenario().origin).toPlane(place),
                                name);
 }
@@ -212,7 +212,7 @@ void ScenarioDialogs::moveScenario(const LatLon& suggested)
     document.edit(tr("Move scenario"), [&](Scenario& scenario) {
         scenario = movedTo(scenario, choice->origin, choice->mode);
     });
-    panels().map->fit();
+    panels().map->camera().fit();
 }
 
 } // namespace berg

@@ -28,7 +28,7 @@ void showCulprit(const WindowContext& context, const Docks& docks, const Issue& 
     MapView* map = context.panels.map;
     const Scenario& scenario = w.document().scenario();
     const auto centreOn = [&](const Point& p_m) {
-        map->centreOn(LocalFrame(scenario.origin).toGeographic(p_m));
+        map->camera().centreOn(LocalFrame(scenario.origin).toGeographic(p_m));
     };
     // The list may be older than the scenario.
     const auto placeIn = [&issue](const auto& list, const char* name) {
@@ -41,7 +41,7 @@ void showCulprit(const WindowContext& context, const Docks& docks, const Issue& 
     if (iceberg) {
         const std::string id = scenario.icebergs[*iceberg].id;
         w.selection().set({id});
-        map->showIceberg(id);
+        map->camera().showIceberg(id);
     } else if (uav) {
         const Uav& found = scenario.uavs[*uav];
         w.selection().set({found.id});
@@ -55,7 +55,7 @@ void showCulprit(const WindowContext& context, const Docks& docks, const Issue& 
         centreOn(scenario.noFly[*area].corners_m.front());
     } else if (issue.field.starts_with("area_m")) {
         w.selection().set({kAreaKey});
-        map->fit();
+        map->camera().fit();
     } else {
         w.selection().clear();
     }

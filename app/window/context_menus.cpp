@@ -188,7 +188,7 @@ void ContextMenus::addPlaceActions(QMenu& menu, const Point& position_m)
         showMessage(tr("Copied %1").arg(text), kMessage_ms);
     });
     menu.addAction(tr("Centre the map here"), this,
-                   [this, place] { panels().map->centreOn(place); });
+                   [this, place] { panels().map->camera().centreOn(place); });
     menu.addAction(tr("Measure from here"), this,
                    [this, position_m] { panels().map->measureFrom(position_m); });
     menu.addSeparator();

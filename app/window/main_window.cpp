@@ -191,7 +191,7 @@ void MainWindow::takeOver(MainWindow& other)
     m_panels.messages->takeOver(*shown.messages);
     m_panels.alarms->takeOver(*shown.alarms);
     m_panels.solveTime->showSpec(shown.solveTime->spec());
-    m_panels.map->showAs(*shown.map);
+    m_panels.map->camera().showAs(shown.map->camera());
     m_panels.playback->setRate(shown.playback->rate());
     for (std::size_t i = 0; i < shown.charts.size(); ++i)
         m_panels.charts[i]->setKind(shown.charts[i]->kind());

@@ -129,16 +129,19 @@ std::vector<Command> Menus::editCommands()
 std::vector<Command> Menus::mapCommands()
 {
     WindowParts& p = m_parts;
-    MapView& map = *panels().map;
-    const auto zoom = [&map](double factor) { map.zoomBy(factor, QRectF(map.rect()).center()); };
+    const MapView* map = panels().map;
+    MapCamera& camera = panels().map->camera();
+    const auto zoom = [&camera, map](double factor) {
+        camera.zoomBy(factor, QRectF(map->rect()).center());
+    };
     const auto layer = [&p](MapLayer layer) {
         return Switch{[&p, layer] { return p.mapLinks.layerIsShown(layer); },
                       [&p, layer](bool on) { p.mapLinks.setLayerShown(layer, on); }};
     };
     return {
-        {"fitAction", tr("&Fit everything"), [&map] { map.fit(); }, "F", IconName::Fit},
+        {"fitAction", tr("&Fit everything"), [&camera] { camera.fit(); }, "F", IconName::Fit},
         {"followAction", tr("Follo&w the UAV"),
-         switchOf(map, &MapView::followsUav, &MapView::setFollowUav), "L", IconName::Follow},
+         switchOf(camera, &MapCamera::followsUav, &MapCamera::setFollowUav), "L", IconName::Follow},
         {"zoomInAction", tr("Zoom &in"), [zoom] { zoom(1.25); }, Key::ZoomIn},
         {"zoomOutAction", tr("Zoom &out"), [zoom] { zoom(0.8); }, Key::ZoomOut},
         {"findAction", tr("Find or &go to…"), [&p] { p.dialogs.openFind(); }, "Ctrl+F; Ctrl+G"},
@@ -326,7 +329,7 @@ void Menus::followState()
     follow(workspace().document().undoStack(), &QUndoStack::indexChanged);
     follow(panels().map, &MapView::statusText); // drawing has begun or ended
     follow(panels().map, &MapView::toolChanged);
-    follow(panels().map, &MapView::followUavChanged);
+    follow(&panels().map->camera(), &MapCamera::followUavChanged);
     follow(&m_parts.mapLinks, &MapController::layersChanged);
     follow(&m_parts.docks, &Docks::layoutChanged);
     update();

@@ -46,7 +46,7 @@ QString faultOfUse(MonkeyWindow& w)
         return u"the end of a flight does not unlock the map"_s;
     if (w.window().parts().start.pageIsShown() || !w.map().isVisible())
         return {};
-    w.map().fit();
+    w.map().camera().fit();
     w.map().setTool(MapToolKind::Iceberg);
     const std::size_t before = w.scenario().icebergs.size();
     const QSize size = w.map().size();

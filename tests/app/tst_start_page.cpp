@@ -2,7 +2,6 @@
 #include "app/start/start_items.h"
 #include "app/start/start_page.h"
 #include "app/start/tour.h"
-#include "app/window/window_parts.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/presets/presets.h"

@@ -1,5 +1,4 @@
 #include "app/settings/run_settings.h"
-#include "app/window/window_parts.h"
 #include "tests/support/window/map_fixture.h"
 #include "tests/support/window/widget_names.h"
 #include "tests/support/window/window_fixture.h"
@@ -270,7 +269,7 @@ private slots:
     void languageKeepsViewAndRate()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
-        w.map().zoomBy(2, {100, 100});
+        w.map().camera().zoomBy(2, {100, 100});
         const double scale_pxpm = w.map().view().scale_pxpm();
         QTest::keyClick(&w.map(), Qt::Key_BracketRight);
         const double rate =

@@ -1,4 +1,3 @@
-#include "app/window/window_parts.h"
 #include "core/presets/presets.h"
 #include "tests/support/window/import_dialog_test.h"
 #include "tests/support/window/window_fixture.h"

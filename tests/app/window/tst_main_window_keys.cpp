@@ -75,8 +75,8 @@ void raise(WindowFixture& w, const QString& dock)
 auto stateOf(WindowFixture& w)
 {
     return std::tuple(w.scenario().icebergs.size(), w.workspace.selection().ids(), w.map().tool(),
-                      w.map().followsUav(), w.map().view().scale_pxpm(), w.record().now.generation,
-                      w.workspace.inFlight(),
+                      w.map().camera().followsUav(), w.map().view().scale_pxpm(),
+                      w.record().now.generation, w.workspace.inFlight(),
                       test::child<QComboBox>(w.window(), u"rateCombo"_s).currentIndex(),
                       w.interaction.informations.size());
 }
@@ -307,9 +307,9 @@ private slots:
         QTest::keyClick(&w.map(), Qt::Key_F);
         QCOMPARE(w.map().view().scale_pxpm(), fitted_pxpm);
         QTest::keyClick(&w.map(), Qt::Key_L);
-        QVERIFY(w.map().followsUav());
+        QVERIFY(w.map().camera().followsUav());
         QVERIFY(w.action(u"followAction"_s).isChecked());
-        w.map().panBy({300, 0}); // by hand: ends it
+        w.map().camera().panBy({300, 0}); // by hand: ends it
         QVERIFY(!w.action(u"followAction"_s).isChecked());
         QTest::keyClick(&w.map(), Qt::Key_Question);
         QCOMPARE(w.interaction.informations.size(), 1);

@@ -1,4 +1,3 @@
-#include "app/window/window_parts.h"
 #include "core/io/study/study_json.h"
 #include "tests/support/window/study_builder.h"
 #include "tests/support/window/window_fixture.h"

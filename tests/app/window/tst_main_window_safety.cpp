@@ -1,4 +1,3 @@
-#include "app/window/window_parts.h"
 #include "core/io/files/scenario_json.h"
 #include "core/presets/presets.h"
 #include "tests/support/files/file_texts.h"

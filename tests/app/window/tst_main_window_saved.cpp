@@ -1,4 +1,3 @@
-#include "app/window/window_parts.h"
 #include "core/base/random.h"
 #include "core/io/files/scenario_json.h"
 #include "tests/support/window/map_fixture.h"
@@ -220,7 +219,7 @@ private slots:
         start.geofence = true;
         WindowFixture w(start);
         w.workspace.autosaver().start(w.file(u"recovery"_s), {.pause_ms = 0, .longest_ms = 0});
-        w.map().zoomBy(0.7, QRectF(w.map().rect()).center());
+        w.map().camera().zoomBy(0.7, QRectF(w.map().rect()).center());
         w.drag(w.pixelOf(Point(0, 0)), w.pixelOf(Point(-800, 1500)));
         QVERIFY(w.scenario().uavs[0].position_m.x() < -700);
         QVERIFY(w.until(RunPhase::Failed));

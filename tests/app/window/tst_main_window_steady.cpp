@@ -1,5 +1,4 @@
 #include "app/dialogs/generate_dialog.h"
-#include "app/window/window_parts.h"
 #include "core/io/files/scenario_json.h"
 #include "core/presets/presets.h"
 #include "tests/support/files/file_texts.h"

@@ -1,4 +1,3 @@
-#include "app/window/window_parts.h"
 #include "core/io/study/study_json.h"
 #include "core/io/text/atomic_file.h"
 #include "tests/support/window/study_builder.h"
