@@ -7427,13 +7427,6 @@ mod %2</translation>
     </message>
 </context>
 <context>
-    <name>berg::ChecksView</name>
-    <message>
-        <source>Not changed: %1</source>
-        <translation>Ikke ændret: %1</translation>
-    </message>
-</context>
-<context>
     <name>berg::ComparisonChart</name>
     <message>
         <source>Comparison of accumulated uncertainty</source>
@@ -7548,6 +7541,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Compare with the round tour</source>
         <translation>Sammenlign med rundturen</translation>
     </message>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Flyvninger (*.bergrun);;Alle filer (*)</translation>
+    </message>
 </context>
 <context>
     <name>berg::ComparisonTable</name>
@@ -7562,13 +7559,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>B − A</source>
         <translation>B − A</translation>
-    </message>
-</context>
-<context>
-    <name>berg::ComparisonView</name>
-    <message>
-        <source>Runs (*.bergrun);;All files (*)</source>
-        <translation>Flyvninger (*.bergrun);;Alle filer (*)</translation>
     </message>
 </context>
 <context>
@@ -9130,17 +9120,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
 </context>
 <context>
-    <name>berg::FlightControls</name>
-    <message>
-        <source>The plan is still being made.</source>
-        <translation>Planen er stadig under udarbejdelse.</translation>
-    </message>
-    <message>
-        <source>Flight to %1 discarded</source>
-        <translation>Flyvning til %1 kasseret</translation>
-    </message>
-</context>
-<context>
     <name>berg::FlightView</name>
     <message>
         <source>Planning</source>
@@ -9169,6 +9148,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
         <translation>Tryk på I, og klik på kortet for at placere et isbjerg, træk for at sætte driften, eller importér observationer.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Planen er stadig under udarbejdelse.</translation>
+    </message>
+    <message>
+        <source>Flight to %1 discarded</source>
+        <translation>Flyvning til %1 kasseret</translation>
     </message>
 </context>
 <context>
@@ -9339,25 +9326,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>A scenario holds at most %1 icebergs.</source>
         <translation>Et scenarie rummer højst %1 isbjerge.</translation>
-    </message>
-</context>
-<context>
-    <name>berg::HistoryActions</name>
-    <message>
-        <source>Undo</source>
-        <translation>Fortryd</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Omgør</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Fortryd</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Omgør</translation>
     </message>
 </context>
 <context>
@@ -10503,6 +10471,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>&amp;New icebergs seen by</source>
         <translation>&amp;Nye isbjerge set med</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Fortryd</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Omgør</translation>
     </message>
 </context>
 <context>
@@ -11866,6 +11842,10 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>State: %1</source>
         <translation>Tilstand: %1</translation>
+    </message>
+    <message>
+        <source>Not changed: %1</source>
+        <translation>Ikke ændret: %1</translation>
     </message>
 </context>
 <context>

@@ -7427,13 +7427,6 @@ vers le %2</translation>
     </message>
 </context>
 <context>
-    <name>berg::ChecksView</name>
-    <message>
-        <source>Not changed: %1</source>
-        <translation>Non modifié : %1</translation>
-    </message>
-</context>
-<context>
     <name>berg::ComparisonChart</name>
     <message>
         <source>Comparison of accumulated uncertainty</source>
@@ -7548,6 +7541,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Compare with the round tour</source>
         <translation>Comparer avec le circuit</translation>
     </message>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Vols (*.bergrun);;Tous les fichiers (*)</translation>
+    </message>
 </context>
 <context>
     <name>berg::ComparisonTable</name>
@@ -7562,13 +7559,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>B − A</source>
         <translation>B − A</translation>
-    </message>
-</context>
-<context>
-    <name>berg::ComparisonView</name>
-    <message>
-        <source>Runs (*.bergrun);;All files (*)</source>
-        <translation>Vols (*.bergrun);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -9130,17 +9120,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
 </context>
 <context>
-    <name>berg::FlightControls</name>
-    <message>
-        <source>The plan is still being made.</source>
-        <translation>Le plan est encore en cours d&apos;élaboration.</translation>
-    </message>
-    <message>
-        <source>Flight to %1 discarded</source>
-        <translation>Vol jusqu&apos;à %1 abandonné</translation>
-    </message>
-</context>
-<context>
     <name>berg::FlightView</name>
     <message>
         <source>Planning</source>
@@ -9169,6 +9148,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
         <translation>Appuyez sur I et cliquez sur la carte pour placer un iceberg, faites glisser pour régler sa dérive, ou importez des observations.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Le plan est encore en cours d&apos;élaboration.</translation>
+    </message>
+    <message>
+        <source>Flight to %1 discarded</source>
+        <translation>Vol jusqu&apos;à %1 abandonné</translation>
     </message>
 </context>
 <context>
@@ -9339,25 +9326,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>A scenario holds at most %1 icebergs.</source>
         <translation>Un scénario contient au plus %1 icebergs.</translation>
-    </message>
-</context>
-<context>
-    <name>berg::HistoryActions</name>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Annuler</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Rétablir</translation>
     </message>
 </context>
 <context>
@@ -10503,6 +10471,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>&amp;New icebergs seen by</source>
         <translation>&amp;Nouveaux icebergs observés par</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
     </message>
 </context>
 <context>
@@ -11866,6 +11842,10 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>State: %1</source>
         <translation>État : %1</translation>
+    </message>
+    <message>
+        <source>Not changed: %1</source>
+        <translation>Non modifié : %1</translation>
     </message>
 </context>
 <context>

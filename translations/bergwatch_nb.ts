@@ -7427,13 +7427,6 @@ mot %2</translation>
     </message>
 </context>
 <context>
-    <name>berg::ChecksView</name>
-    <message>
-        <source>Not changed: %1</source>
-        <translation>Ikke endret: %1</translation>
-    </message>
-</context>
-<context>
     <name>berg::ComparisonChart</name>
     <message>
         <source>Comparison of accumulated uncertainty</source>
@@ -7548,6 +7541,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Compare with the round tour</source>
         <translation>Sammenlign med rundturen</translation>
     </message>
+    <message>
+        <source>Runs (*.bergrun);;All files (*)</source>
+        <translation>Flyginger (*.bergrun);;Alle filer (*)</translation>
+    </message>
 </context>
 <context>
     <name>berg::ComparisonTable</name>
@@ -7562,13 +7559,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>B − A</source>
         <translation>B − A</translation>
-    </message>
-</context>
-<context>
-    <name>berg::ComparisonView</name>
-    <message>
-        <source>Runs (*.bergrun);;All files (*)</source>
-        <translation>Flyginger (*.bergrun);;Alle filer (*)</translation>
     </message>
 </context>
 <context>
@@ -9130,17 +9120,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
-    <name>berg::FlightControls</name>
-    <message>
-        <source>The plan is still being made.</source>
-        <translation>Planen lages fortsatt.</translation>
-    </message>
-    <message>
-        <source>Flight to %1 discarded</source>
-        <translation>Flyging til %1 forkastet</translation>
-    </message>
-</context>
-<context>
     <name>berg::FlightView</name>
     <message>
         <source>Planning</source>
@@ -9169,6 +9148,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
         <translation>Trykk I og klikk på kartet for å plassere et isfjell, dra for å sette driften, eller importer observasjoner.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made.</source>
+        <translation>Planen lages fortsatt.</translation>
+    </message>
+    <message>
+        <source>Flight to %1 discarded</source>
+        <translation>Flyging til %1 forkastet</translation>
     </message>
 </context>
 <context>
@@ -9339,25 +9326,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>A scenario holds at most %1 icebergs.</source>
         <translation>Et scenario har høyst %1 isfjell.</translation>
-    </message>
-</context>
-<context>
-    <name>berg::HistoryActions</name>
-    <message>
-        <source>Undo</source>
-        <translation>Angre</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Gjør om</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Angre</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Gjør om</translation>
     </message>
 </context>
 <context>
@@ -10503,6 +10471,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>&amp;New icebergs seen by</source>
         <translation>&amp;Nye isfjell sett med</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Angre</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gjør om</translation>
     </message>
 </context>
 <context>
@@ -11866,6 +11842,10 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Cursor: %1</source>
         <translation>Peker: %1</translation>
+    </message>
+    <message>
+        <source>Not changed: %1</source>
+        <translation>Ikke endret: %1</translation>
     </message>
 </context>
 <context>

@@ -187,7 +187,7 @@ void ExportPreviewView::showPreview(const ExportPreviewPointer& preview)
     m_text->setPlainText(preview->isWhole ? preview->head : preview->head + u"\n…"_s);
     m_map->setPicture(exportPicture(preview->content));
     if (!m_isFitted)
-        m_map->fit();
+        m_map->camera().fit();
     m_isFitted = true;
 }
 

@@ -137,7 +137,7 @@ QWidget* ImportDialog::makeInputs()
     m_options->setInFlight(m_offer.inFlight);
     connect(m_options, &ImportOptionsView::edited, this, [this] { request(false); });
     connect(m_options, &ImportOptionsView::presentViewRequested, this,
-            [this] { m_options->setArea(boxRound(m_map->outline())); });
+            [this] { m_options->setArea(boxRound(m_map->camera().outline())); });
     column->addWidget(m_options);
     column->addStretch(1);
     side->setFixedWidth(std::max(kInputs_px, side->sizeHint().width()));
@@ -360,7 +360,7 @@ void ImportDialog::showOutcome()
     m_map->setPicture(pictureOf(*m_preview));
     m_outcome->setCurrentWidget(m_map);
     if (isElsewhere)
-        m_map->fit();
+        m_map->camera().fit();
 }
 
 void ImportDialog::showTables()

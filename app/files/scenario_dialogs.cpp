@@ -5,7 +5,7 @@
 #include "app/dialogs/screen_fit.h"
 #include "app/files/scenario_files.h"
 #include "app/files/start_page_controller.h"
-#include "app/layout/action_maker.h"
+#include "app/layout/command.h"
 #include "app/layout/docks.h"
 #include "app/layout/panels.h"
 #include "widgets/document/wind.h"
@@ -41,11 +41,8 @@ ScenarioDialogs::ScenarioDialogs(WindowContext& context, ScenarioFiles& files, c
     connect(box, &FindBox::closed, panels().map, qOverload<>(&QWidget::setFocus));
     connect(box, &FindBox::placeChosen, this, &ScenarioDialogs::showPlace);
     connect(box, &FindBox::objectChosen, this, &ScenarioDialogs::showObject);
-    connect(box, &FindBox::commandChosen, this, [this](const QString& name) {
-        for (const MenuCommand& command : menuCommands(*window().menuBar()))
-            if (command.action->objectName() == name)
-                return command.action->trigger();
-    });
+    connect(box, &FindBox::commandChosen, this,
+            [this](const QString& name) { commandAction(window(), qPrintable(name))->trigger(); });
     connect(box, &FindBox::fieldChosen, this, [this, &docks](const QString& key) {
         docks.openInspector();
         panels().inspector->goToField(key);
@@ -107,18 +104,13 @@ void ScenarioDialogs::askWind()
         workspace().setWind(*wind_mps);
 }
 
-void ScenarioDialogs::openFind()
-{
-    openBox(false);
-}
-
 void ScenarioDialogs::newScenario()
 {
     if (m_files.newScenario())
-        openBox(true);
+        openFind(true);
 }
 
-void ScenarioDialogs::openBox(bool asksWhere)
+void ScenarioDialogs::openFind(bool asksWhere)
 {
     Scenario shown = workspace().document().scenario();
     if (workspace().inFlight())
@@ -174,7 +166,7 @@ std::vector<FindItem> ScenarioDialogs::fields() const
 void ScenarioDialogs::showObject(const std::string& id)
 {
     workspace().selection().set({id});
-    panels().map->showObjects({id});
+    panels().map->camera().showObjects({id});
 }
 
 void ScenarioDialogs::setFavourite(const QString& key, bool isFavourite)
@@ -197,13 +189,13 @@ void ScenarioDialogs::placeNewScenario(const LatLon& origin)
         else
             document.edit(tr("Place the new scenario"),
                           [&](Scenario& scenario) { scenario = placed; });
-        panels().map->fit();
+        panels().map->camera().fit();
     });
 }
 
 void ScenarioDialogs::showPlace(const LatLon& place, const QString& name)
 {
-    panels().map->centreOn(place);
+    panels().map->camera().centreOn(place);
     panels().placeMark->showAt(LocalFrame(workspace().document().scenario().origin).toPlane(place),
                                name);
 }
@@ -220,7 +212,7 @@ void ScenarioDialogs::moveScenario(const LatLon& suggested)
     document.edit(tr("Move scenario"), [&](Scenario& scenario) {
         scenario = movedTo(scenario, choice->origin, choice->mode);
     });
-    panels().map->fit();
+    panels().map->camera().fit();
 }
 
 } // namespace berg

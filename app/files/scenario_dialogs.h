@@ -24,12 +24,11 @@ public:
     void newScenario();
     void generateIcebergs();
     void askWind();
-    /** The box that finds everything. */
-    void openFind();
+    /** The box that finds everything; it may ask where a new scenario is. */
+    void openFind(bool asksWhere = false);
     void moveScenario(const LatLon& suggested);
 
 private:
-    void openBox(bool asksWhere);
     [[nodiscard]] std::vector<FindItem> commands() const;
     [[nodiscard]] std::vector<FindItem> fields() const;
     void showObject(const std::string& id);

@@ -284,7 +284,7 @@ void SightingsImport::acceptImport(const ImportChoice& choice, const QString& fi
         workspace().document().edit(
             tr("Import %n icebergs from %1", nullptr, choice.icebergs).arg(fileName),
             [&](Scenario& scenario) { scenario = choice.scenario; });
-        panels().map->fit();
+        panels().map->camera().fit();
     }
     m_start.closePage();
     showMessage(tr("Imported %n icebergs from %1", nullptr, choice.icebergs).arg(fileName),

@@ -124,26 +124,10 @@ Panels::Panels(Workspace& workspace, const Theme& theme)
 
 void Panels::setTheme(const Theme& theme) const
 {
-    alarms->setTheme(theme);
-    overview->setTheme(theme);
-    findBox->setTheme(theme);
-    placeMark->setTheme(theme);
-    map->setTheme(theme);
-    tradeoff->setTheme(theme);
-    plan->setTheme(theme);
-    inspector->setTheme(theme);
-    playback->setTheme(theme);
-    for (ChartPanel* chart : charts)
-        chart->setTheme(theme);
-    comparison->setTheme(theme);
-    comparisonChart->setTheme(theme);
-    pareto->setTheme(theme);
-    solveTime->setTheme(theme);
-    study->setTheme(theme);
-    events->setTheme(theme);
-    checks->setTheme(theme);
-    icebergs->setTheme(theme);
-    messages->setTheme(theme);
+    const auto paint = [&theme](auto*... panels) { (panels->setTheme(theme), ...); };
+    paint(alarms, overview, findBox, placeMark, map, tradeoff, plan, inspector, playback,
+          charts.front(), charts.back(), comparison, comparisonChart, pareto, solveTime, study,
+          events, checks, icebergs, messages);
     history->setCleanIcon(icon(IconName::Save, theme));
 }
 

@@ -91,6 +91,7 @@ void StatusLine::showAutosaved(const QString& text)
 
 void StatusLine::showFindings(const IssueCounts& counts)
 {
+    m_counts = counts;
     m_findings->setVisible(counts.errors + counts.warnings > 0);
     m_findings->setText(countsText(counts));
     m_findings->setIcon(icon(counts.errors > 0 ? IconName::Fault : IconName::Warning, theme()));
@@ -99,6 +100,7 @@ void StatusLine::showFindings(const IssueCounts& counts)
 void StatusLine::setTheme(const Theme& theme)
 {
     m_autosaved->setTheme(theme);
+    showFindings(m_counts);
 }
 
 } // namespace berg

@@ -2,6 +2,7 @@
 
 #include "app/layout/window_part.h"
 #include "core/geometry/geometry.h"
+#include "widgets/words/issue_text.h"
 
 class QLabel;
 class QToolButton;
@@ -9,7 +10,6 @@ class QToolButton;
 namespace berg {
 
 class CaptionLabel;
-struct IssueCounts;
 
 /** The status bar: what the tool expects, findings, state of the mission, cursor, autosaving. */
 class StatusLine : public WindowPart
@@ -36,6 +36,7 @@ private:
     QLabel* m_state;
     QToolButton* m_findings;
     CaptionLabel* m_autosaved;
+    IssueCounts m_counts;
 };
 
 } // namespace berg

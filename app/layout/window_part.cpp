@@ -12,6 +12,22 @@
 
 namespace berg {
 
+namespace {
+
+void tell(const Panels& panels, const QString& text)
+{
+    panels.messages->add(text);
+    panels.announcer->say(text);
+}
+
+} // namespace
+
+void showMessage(const WindowContext& context, const QString& text, int duration_ms)
+{
+    context.window.statusBar()->showMessage(text, duration_ms);
+    tell(context.panels, text);
+}
+
 QLocale WindowPart::locale() const
 {
     return window().locale();
@@ -20,12 +36,6 @@ QLocale WindowPart::locale() const
 QWidget* WindowPart::windowOf(const QWidget& panel) const
 {
     return panel.isVisible() ? panel.window() : &window();
-}
-
-void WindowPart::showMessage(const QString& text, int duration_ms) const
-{
-    window().statusBar()->showMessage(text, duration_ms);
-    announce(text);
 }
 
 bool WindowPart::attempt(const std::function<void()>& work) const
@@ -41,8 +51,7 @@ bool WindowPart::attempt(const std::function<void()>& work) const
 
 void WindowPart::announce(const QString& text) const
 {
-    panels().messages->add(text);
-    panels().announcer->say(text);
+    tell(panels(), text);
 }
 
 } // namespace berg

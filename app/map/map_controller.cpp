@@ -143,9 +143,9 @@ void MapController::setPanelShown(MapPanel panel, bool shown)
 
 void MapController::connectMap(const Docks& docks)
 {
-    const MapView* map = panels().map;
-    connect(map, &MapView::outlineChanged, this, &MapController::showOverview);
-    connect(panels().overview, &OverviewInset::placePicked, map, &MapView::centreOn);
+    MapView* map = panels().map;
+    connect(&map->camera(), &MapCamera::moved, this, &MapController::showOverview);
+    connect(panels().overview, &OverviewInset::placePicked, &map->camera(), &MapCamera::centreOn);
     connect(map, &MapView::windEdited, &workspace(), &Workspace::setWind);
     connect(map, &MapView::assetMoved, &workspace(), &Workspace::moveAsset);
     connect(map, &MapView::icebergPlaced, &workspace(), &Workspace::addIceberg);
@@ -166,7 +166,7 @@ void MapController::connectMap(const Docks& docks)
     connect(panels().alarms, &AlarmStrip::noticeChosen, this,
             [this](const std::vector<std::string>& about) {
                 workspace().selection().set(about);
-                panels().map->showObjects(about);
+                panels().map->camera().showObjects(about);
             });
     connect(map, &MapView::editRequested, &docks, &Docks::openInspector);
 }
@@ -188,7 +188,7 @@ void MapController::connectTables()
     connect(map, &MapView::hovered, icebergs, &IcebergTable::setHighlight);
     connect(icebergs, &IcebergTable::chosen, this, [map, select](const std::string& id) {
         select(id);
-        map->showIceberg(id);
+        map->camera().showIceberg(id);
     });
     connect(icebergs, &IcebergTable::mapPasteRequested, map, [map] { map->edits().paste(); });
     connect(icebergs, &IcebergTable::hiddenColumnsChanged, this,
@@ -212,7 +212,7 @@ void MapController::showOverview()
     if (!panels().map->hasInset())
         return;
     panels().overview->setPlace(workspace().document().scenario().origin);
-    panels().overview->setExtent(panels().map->outline());
+    panels().overview->setExtent(panels().map->camera().outline());
 }
 
 } // namespace berg

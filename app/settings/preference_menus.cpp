@@ -31,61 +31,69 @@ PreferenceMenus::PreferenceMenus(WindowContext& context, AppearanceChoice& appea
     useSavedSource();
 }
 
+void PreferenceMenus::addChoices(QMenu& menu, const char* key, const Choices& choices)
+{
+    auto* group = new QActionGroup(&menu);
+    const QString present = settings().value(key, choices.front().first).toString();
+    for (const auto& [value, text] : choices) {
+        QAction* action = group->addAction(text);
+        action->setCheckable(true);
+        action->setData(value);
+        action->setObjectName(QLatin1String(key) + u'-' + value);
+        action->setChecked(value == present);
+    }
+    menu.addActions(group->actions());
+}
+
+template <class Chosen>
+void PreferenceMenus::addChoices(QMenu& menu, const char* key, const Choices& choices,
+                                 const Chosen& chosen)
+{
+    addChoices(menu, key, choices);
+    connect(&menu, &QMenu::triggered, this, [this, key, chosen](const QAction* action) {
+        settings().setValue(key, action->data());
+        chosen(action->data().toString());
+    });
+}
+
 void PreferenceMenus::build(QMenu& menu)
 {
-    buildAppearance(*menu.addMenu(tr("&Appearance")));
-    buildScale(*menu.addMenu(tr("Text si&ze")));
-    buildUnits(*menu.addMenu(tr("U&nits")));
-    buildLanguage(*menu.addMenu(tr("&Language")));
-}
-
-void PreferenceMenus::addChoice(QMenu& menu, const QString& text, const QString& key,
-                                const QString& value)
-{
-    auto* group = menu.findChild<QActionGroup*>();
-    if (group == nullptr)
-        group = new QActionGroup(&menu);
-    QAction* action = group->addAction(text);
-    action->setCheckable(true);
-    action->setData(value);
-    action->setObjectName(key + u'-' + value);
-    const QString first = group->actions().front()->data().toString();
-    action->setChecked(value == settings().value(key, first).toString());
-    menu.addAction(action);
-}
-
-void PreferenceMenus::buildAppearance(QMenu& menu)
-{
-    const QStringList words{
-        tr("Follow system"),       tr("Light"),      tr("Dark"), tr("High contrast, light"),
-        tr("High contrast, dark"), tr("Night (red)")};
-    for (qsizetype i = 0; i < words.size(); ++i)
-        addChoice(menu, words[i], u"view/appearance"_s, QString::number(i));
-    connect(&menu, &QMenu::triggered, &m_appearance, [this](const QAction* action) {
-        m_appearance.setAppearance(static_cast<Appearance>(action->data().toInt()));
-    });
-}
-
-/** Scales the whole window, because larger text alone would not fit. */
-void PreferenceMenus::buildScale(QMenu& menu)
-{
+    addChoices(*menu.addMenu(tr("&Appearance")), "view/appearance",
+               {{u"0"_s, tr("Follow system")},
+                {u"1"_s, tr("Light")},
+                {u"2"_s, tr("Dark")},
+                {u"3"_s, tr("High contrast, light")},
+                {u"4"_s, tr("High contrast, dark")},
+                {u"5"_s, tr("Night (red)")}},
+               [this](const QString& value) {
+                   m_appearance.setAppearance(static_cast<Appearance>(value.toInt()));
+               });
+    Choices scales; // of the whole window, because larger text alone would not fit
     for (const int scale_percent : kScales_percent)
-        addChoice(menu, u"%1 %"_s.arg(scale_percent), QLatin1String(kScaleKey),
-                  QString::number(scale_percent));
-    connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
-        settings().setValue(kScaleKey, action->data());
+        scales.emplace_back(QString::number(scale_percent), u"%1 %"_s.arg(scale_percent));
+    addChoices(*menu.addMenu(tr("Text si&ze")), kScaleKey, scales, [this](const QString&) {
         showMessage(tr("Restart Bergwatch to apply the new text size."), kLongMessage_ms);
     });
+    buildUnits(*menu.addMenu(tr("U&nits")));
+    addChoices(*menu.addMenu(tr("&Language")), "view/language",
+               {{u""_s, tr("Follow system")},
+                {u"en"_s, u"English"_s},
+                {u"da"_s, u"Dansk"_s},
+                {u"fr"_s, u"Français"_s},
+                {u"nb"_s, u"Norsk bokmål"_s}},
+               [this](const QString& language) {
+                   emit languageChosen(language.isEmpty() ? std::nullopt : std::optional(language));
+               });
 }
 
 void PreferenceMenus::buildSigmaEnd(QMenu& menu)
 {
-    addChoice(menu, tr("Automatic, from the scenario"), QLatin1String(kSigmaEndKey), u"0"_s);
+    menu.setObjectName(u"sigmaEndMenu"_s);
+    Choices ends{{u"0"_s, tr("Automatic, from the scenario")}};
     for (const int end_m2 : {5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10'000})
-        addChoice(menu, tr("Ends at %1 m²").arg(locale().toString(end_m2)),
-                  QLatin1String(kSigmaEndKey), QString::number(end_m2));
-    connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
-        settings().setValue(kSigmaEndKey, action->data());
+        ends.emplace_back(QString::number(end_m2),
+                          tr("Ends at %1 m²").arg(locale().toString(end_m2)));
+    addChoices(menu, kSigmaEndKey, ends, [this](const QString&) {
         chooseSigmaEnd(readSigmaEnd_m2(settings()));
         emit sigmaEndChosen();
     });
@@ -93,13 +101,8 @@ void PreferenceMenus::buildSigmaEnd(QMenu& menu)
 
 void PreferenceMenus::buildUnits(QMenu& menu)
 {
-    const auto choices = [&](const QString& title, const char* key,
-                             const std::vector<std::pair<QString, QString>>& values) {
-        QMenu& choice = *menu.addMenu(title);
-        for (const auto& [value, text] : values)
-            addChoice(choice, text, QLatin1String(key), value);
-        connect(&choice, &QMenu::triggered, this, [this, key](QAction* action) {
-            settings().setValue(key, action->data());
+    const auto choices = [&](const QString& title, const char* key, const Choices& values) {
+        addChoices(*menu.addMenu(title), key, values, [this](const QString&) {
             if (readUnits(settings()) != shownUnits())
                 emit unitsChosen();
         });
@@ -134,16 +137,13 @@ void PreferenceMenus::buildUnits(QMenu& menu)
 
 void PreferenceMenus::buildNorth(QMenu& menu)
 {
-    const QLatin1String key(kNorthFormKey);
-    const double typed_deg = readDeclination_deg(settings());
-    addChoice(menu, tr("True"), key, u"true"_s);
-    addChoice(menu, tr("True and magnetic, by the World Magnetic Model 2025"), key, u"model"_s);
-    addChoice(
-        menu,
-        shownUnits().north == NorthForm::Typed
-            ? tr("True and magnetic, declination %1...").arg(declinationText(typed_deg, locale()))
-            : tr("True and magnetic, declination entered by hand..."),
-        key, u"typed"_s);
+    const QString typed = declinationText(readDeclination_deg(settings()), locale());
+    addChoices(menu, kNorthFormKey,
+               {{u"true"_s, tr("True")},
+                {u"model"_s, tr("True and magnetic, by the World Magnetic Model 2025")},
+                {u"typed"_s, shownUnits().north == NorthForm::Typed
+                                 ? tr("True and magnetic, declination %1...").arg(typed)
+                                 : tr("True and magnetic, declination entered by hand...")}});
     connect(&menu, &QMenu::triggered, this,
             [this](const QAction* action) { chooseNorth(*action); });
 }
@@ -178,35 +178,23 @@ void PreferenceMenus::useSavedSource()
 void PreferenceMenus::buildSources(QMenu& menu)
 {
     ScenarioDocument& document = workspace().document();
+    const auto nameOf = [](SightingSource source) {
+        return QString::fromUtf8(errorOf(source).name.data());
+    };
+    Choices sources;
     for (const SightingSource source : kSightingSources)
-        addChoice(menu, sourceText(source, locale()), QLatin1String(kSourceKey),
-                  QString::fromUtf8(errorOf(source).name.data()));
-    connect(&menu, &QMenu::triggered, this, [&document](const QAction* action) {
-        if (const auto source = sourceNamed(action->data().toString().toStdString()))
+        sources.emplace_back(nameOf(source), sourceText(source, locale()));
+    addChoices(menu, kSourceKey, sources, [&document](const QString& name) {
+        if (const auto source = sourceNamed(name.toStdString()))
             document.setNewIcebergSource(*source);
     });
     connect(&document, &ScenarioDocument::newIcebergSourceChanged, &menu,
-            [this, &menu](SightingSource source) {
-                const QString name = QString::fromUtf8(errorOf(source).name.data());
-                settings().setValue(kSourceKey, name);
+            [this, &menu, nameOf](SightingSource source) {
+                settings().setValue(kSourceKey, nameOf(source));
                 for (QAction* action : menu.actions())
-                    if (action->data().toString() == name)
+                    if (action->data().toString() == nameOf(source))
                         action->setChecked(true);
             });
-}
-
-void PreferenceMenus::buildLanguage(QMenu& menu)
-{
-    addChoice(menu, tr("Follow system"), u"view/language"_s, u""_s);
-    addChoice(menu, u"English"_s, u"view/language"_s, u"en"_s);
-    addChoice(menu, u"Dansk"_s, u"view/language"_s, u"da"_s);
-    addChoice(menu, u"Français"_s, u"view/language"_s, u"fr"_s);
-    addChoice(menu, u"Norsk bokmål"_s, u"view/language"_s, u"nb"_s);
-    connect(&menu, &QMenu::triggered, this, [this](const QAction* action) {
-        settings().setValue("view/language", action->data());
-        const QString language = action->data().toString();
-        emit languageChosen(language.isEmpty() ? std::nullopt : std::optional(language));
-    });
 }
 
 } // namespace berg

@@ -3,6 +3,8 @@
 #include "app/layout/window_part.h"
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 class QAction;
 class QMenu;
@@ -32,14 +34,15 @@ signals:
     void sigmaEndChosen();
 
 private:
-    void buildAppearance(QMenu& menu);
-    void buildScale(QMenu& menu);
+    using Choices = std::vector<std::pair<QString, QString>>; ///< value and text; default first
+
+    void addChoices(QMenu& menu, const char* key, const Choices& choices);
+    /** `chosen` follows when the value is in the settings. */
+    template <class Chosen>
+    void addChoices(QMenu& menu, const char* key, const Choices& choices, const Chosen& chosen);
     void buildUnits(QMenu& menu);
     void buildNorth(QMenu& menu);
     void chooseNorth(const QAction& action);
-    void buildLanguage(QMenu& menu);
-    void addChoice(QMenu& menu, const QString& text, const QString& key, const QString& value);
-
     void useSavedSource();
 
     AppearanceChoice& m_appearance;

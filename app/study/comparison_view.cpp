@@ -11,52 +11,36 @@
 #include <QDockWidget>
 #include <QMainWindow>
 
-using namespace Qt::StringLiterals;
-
 namespace berg {
 
-ComparisonView::ComparisonView(WindowContext& context, const Docks& docks)
-    : WindowPart(context), m_docks(docks)
+void connectComparison(WindowContext& context, const Docks& docks)
 {
-    connect(panels().comparison, &ComparisonPanel::openRunRequested, this,
-            &ComparisonView::openRun);
-    connect(&workspace().runs(), &RunList::comparisonChanged, this,
-            &ComparisonView::showComparison);
-    connect(&workspace().document(), &ScenarioDocument::replaced, this,
-            [this] { workspace().runs().showWorld(workspace().document().scenario()); });
-    connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
-            [this] { panels().comparison->setScenario(workspace().document().scenario()); });
-    connect(&workspace(), &Workspace::flightChanged, this, &ComparisonView::showCursor);
-}
-
-void ComparisonView::show()
-{
-    panels().comparison->setScenario(workspace().document().scenario());
-    panels().comparisonChart->setComparison(workspace().runs().comparison());
+    Workspace& w = context.workspace;
+    ComparisonPanel* panel = context.panels.comparison;
+    ComparisonChart* chart = context.panels.comparisonChart;
+    context.on(panel, &ComparisonPanel::openRunRequested, [&context] {
+        const QString path = context.interaction.openPath(
+            &context.window, ComparisonPanel::tr("Runs (*.bergrun);;All files (*)"));
+        if (!path.isEmpty())
+            context.workspace.runs().open(path);
+    });
+    const auto showCursor = [&w, chart] { chart->setCursor_s(w.lookedAt_s()); };
+    const auto setScenario = [&w, panel] { panel->setScenario(w.document().scenario()); };
+    context.on(&w.runs(), &RunList::comparisonChanged, [&w, &docks, panel, chart, showCursor] {
+        const std::optional<RunComparison> comparison = w.runs().comparison();
+        chart->setComparison(comparison);
+        const QWidget* focused = QApplication::focusWidget();
+        if (comparison && focused != nullptr && panel->isAncestorOf(focused))
+            docks.dock(Dock::ComparisonChart)->raise(); // it was chosen there: the curves as well
+        showCursor();
+    });
+    context.on(&w.document(), &ScenarioDocument::replaced,
+               [&w] { w.runs().showWorld(w.document().scenario()); });
+    context.on(&w.document(), &ScenarioDocument::scenarioChanged, setScenario);
+    context.on(&w, &Workspace::flightChanged, showCursor);
+    setScenario();
+    chart->setComparison(w.runs().comparison());
     showCursor();
-}
-
-void ComparisonView::showComparison()
-{
-    const std::optional<RunComparison> comparison = workspace().runs().comparison();
-    panels().comparisonChart->setComparison(comparison);
-    const QWidget* focused = QApplication::focusWidget();
-    if (comparison && focused != nullptr && panels().comparison->isAncestorOf(focused))
-        m_docks.dock(Dock::ComparisonChart)->raise(); // it was chosen there: the curves as well
-    showCursor();
-}
-
-void ComparisonView::openRun()
-{
-    const QString path = interaction().openPath(&window(), tr("Runs (*.bergrun);;All files (*)"));
-    if (!path.isEmpty())
-        workspace().runs().open(path);
-}
-
-/** The instant looked back at. */
-void ComparisonView::showCursor()
-{
-    panels().comparisonChart->setCursor_s(workspace().lookedAt_s());
 }
 
 } // namespace berg

@@ -12,51 +12,23 @@
 
 #include <QDockWidget>
 
-using namespace Qt::StringLiterals;
-
 namespace berg {
+namespace {
 
-ChecksView::ChecksView(WindowContext& context, const Docks& docks, StatusLine& status)
-    : WindowPart(context), m_docks(docks), m_status(status)
+void openChecks(const WindowContext& context, const Docks& docks)
 {
-    connect(panels().checks, &CheckPanel::chosen, this, &ChecksView::showCulprit);
-    connect(&m_status, &StatusLine::findingsRequested, this, &ChecksView::openChecks);
-    connect(panels().alarms, &AlarmStrip::checksRequested, this, &ChecksView::openChecks);
-    connect(panels().tradeoff, &TradeoffPanel::checksRequested, this, &ChecksView::openChecks);
-    ScenarioDocument& document = workspace().document();
-    connect(&document, &ScenarioDocument::editRejected, this, [this](const Issue& why) {
-        showMessage(tr("Not changed: %1").arg(issueText(why)), kLongMessage_ms);
-    });
-    connect(&document, &ScenarioDocument::scenarioChanged, this, &ChecksView::showChecks);
-    connect(panels().checks, &CheckPanel::changed, this, &ChecksView::showChecks);
-}
-
-/** Hints are for who opens the list; errors and warnings call for it. */
-void ChecksView::showChecks()
-{
-    m_status.showFindings(countIssues(panels().checks->issues()));
-}
-
-void ChecksView::openChecks()
-{
-    m_docks.raise(Dock::Checks);
-    panels().checks->setFocus();
-}
-
-void ChecksView::toggleChecks()
-{
-    if (!m_docks.isInFront(Dock::Checks))
-        return openChecks();
-    m_docks.dock(Dock::Checks)->close();
-    panels().map->setFocus();
+    docks.raise(Dock::Checks);
+    context.panels.checks->setFocus();
 }
 
 /** Selects what a finding is about, brings it to the middle and shows where it can be changed. */
-void ChecksView::showCulprit(const Issue& issue)
+void showCulprit(const WindowContext& context, const Docks& docks, const Issue& issue)
 {
-    const Scenario& scenario = workspace().document().scenario();
+    Workspace& w = context.workspace;
+    MapView* map = context.panels.map;
+    const Scenario& scenario = w.document().scenario();
     const auto centreOn = [&](const Point& p_m) {
-        panels().map->centreOn(LocalFrame(scenario.origin).toGeographic(p_m));
+        map->camera().centreOn(LocalFrame(scenario.origin).toGeographic(p_m));
     };
     // The list may be older than the scenario.
     const auto placeIn = [&issue](const auto& list, const char* name) {
@@ -68,28 +40,61 @@ void ChecksView::showCulprit(const Issue& issue)
     const std::optional<std::size_t> area = placeIn(scenario.noFly, "no_fly");
     if (iceberg) {
         const std::string id = scenario.icebergs[*iceberg].id;
-        workspace().selection().set({id});
-        panels().map->showIceberg(id);
+        w.selection().set({id});
+        map->camera().showIceberg(id);
     } else if (uav) {
         const Uav& found = scenario.uavs[*uav];
-        workspace().selection().set({found.id});
+        w.selection().set({found.id});
         centreOn(found.position_m);
     } else if (issue.field.starts_with("asset") && scenario.asset) {
-        workspace().selection().set({kAssetKey});
+        w.selection().set({kAssetKey});
         centreOn(scenario.asset->position_m);
     } else if (area) {
         const std::string key = noFlyKey(*area);
-        workspace().selection().set({key});
+        w.selection().set({key});
         centreOn(scenario.noFly[*area].corners_m.front());
     } else if (issue.field.starts_with("area_m")) {
-        workspace().selection().set({kAreaKey});
-        panels().map->fit();
+        w.selection().set({kAreaKey});
+        map->camera().fit();
     } else {
-        workspace().selection().clear();
+        w.selection().clear();
     }
     const bool isTradeoff = issue.field == "planner.tau" || issue.field == "planner.policy" ||
                             issue.field == "planner.backend";
-    m_docks.raise(isTradeoff ? Dock::Tradeoff : Dock::Inspector);
+    docks.raise(isTradeoff ? Dock::Tradeoff : Dock::Inspector);
+}
+
+} // namespace
+
+void connectChecks(WindowContext& context, const Docks& docks, StatusLine& status)
+{
+    const Panels& panels = context.panels;
+    const auto open = [&context, &docks] { openChecks(context, docks); };
+    context.on(panels.checks, &CheckPanel::chosen,
+               [&context, &docks](const Issue& issue) { showCulprit(context, docks, issue); });
+    context.on(&status, &StatusLine::findingsRequested, open);
+    context.on(panels.alarms, &AlarmStrip::checksRequested, open);
+    context.on(panels.tradeoff, &TradeoffPanel::checksRequested, open);
+    const ScenarioDocument& document = context.workspace.document();
+    context.on(&document, &ScenarioDocument::editRejected, [&context](const Issue& why) {
+        showMessage(context, StatusLine::tr("Not changed: %1").arg(issueText(why)),
+                    kLongMessage_ms);
+    });
+    // Hints are for who opens the list; errors and warnings call for it.
+    const auto showCounts = [&panels, &status] {
+        status.showFindings(countIssues(panels.checks->issues()));
+    };
+    context.on(&document, &ScenarioDocument::scenarioChanged, showCounts);
+    context.on(panels.checks, &CheckPanel::changed, showCounts);
+    showCounts();
+}
+
+void toggleChecks(const WindowContext& context, const Docks& docks)
+{
+    if (!docks.isInFront(Dock::Checks))
+        return openChecks(context, docks);
+    docks.dock(Dock::Checks)->close();
+    context.panels.map->setFocus();
 }
 
 } // namespace berg

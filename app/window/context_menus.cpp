@@ -1,8 +1,8 @@
 #include "app/window/context_menus.h"
 
+#include "app/layout/command.h"
 #include "app/layout/docks.h"
 #include "app/layout/panels.h"
-#include "app/window/menus.h"
 #include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_layout.h"
 #include "widgets/map/view/asset_size.h"
@@ -18,14 +18,15 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 using namespace Qt::StringLiterals;
 
 namespace berg {
 
-ContextMenus::ContextMenus(WindowContext& context, const Docks& docks, const SharedActions& actions)
-    : WindowPart(context), m_docks(docks), m_actions(actions)
+ContextMenus::ContextMenus(WindowContext& context, const Docks& docks)
+    : WindowPart(context), m_docks(docks)
 {
     connect(panels().map, &MapView::contextMenuRequested, this, &ContextMenus::showOnMap);
     connect(panels().plan, &PlanPanel::menuRequested, this, &ContextMenus::showOnPlan);
@@ -37,6 +38,12 @@ QMenu* ContextMenus::makeMenu(const QString& name) const
     menu->setObjectName(name);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     return menu;
+}
+
+void ContextMenus::addCommands(QMenu& menu, std::initializer_list<const char*> ids) const
+{
+    for (const char* id : ids)
+        menu.addAction(commandAction(window(), id));
 }
 
 void ContextMenus::showOnMap(const QPoint& globalPos, const Point& position_m,
@@ -55,9 +62,7 @@ void ContextMenus::showOnMap(const QPoint& globalPos, const Point& position_m,
         addOthers(*menu, std::span(ids).subspan(1));
     if (!panel || !ids.empty())
         addPlaceActions(*menu, position_m);
-    menu->addAction(m_actions.selectAll);
-    menu->addAction(m_actions.fit);
-    menu->addAction(m_actions.follow);
+    addCommands(*menu, {"selectAllAction", "fitAction", "followAction"});
     menu->popup(globalPos);
 }
 
@@ -94,9 +99,11 @@ void ContextMenus::addOrders(QMenu& menu, const std::string& id)
     const auto row = std::ranges::find(record.scenario.uavs, id, &Uav::id);
     const auto uav = static_cast<std::size_t>(row - record.scenario.uavs.begin());
     const std::vector<UavState>& uavs = record.now.world.uavs;
-    for (const auto& [order, action] : m_actions.orders)
+    for (const auto& [order, command] : {std::pair(FlightOrder::None, "resumeAction"),
+                                         {FlightOrder::ReturnNow, "returnAction"},
+                                         {FlightOrder::HoldHere, "holdAction"}})
         if (uav < uavs.size() && uavs[uav].order != order)
-            menu.addAction(action);
+            addCommands(menu, {command});
 }
 
 void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
@@ -107,17 +114,16 @@ void ContextMenus::addObjectActions(QMenu& menu, const std::string& id)
     menu.addAction(locked ? tr("Show in the inspector") : tr("Edit in the inspector"), this,
                    [this] { m_docks.openInspector(); });
     if (isIceberg) {
-        menu.addActions(
-            {m_actions.cut, m_actions.copy, m_actions.duplicate, m_actions.remove, m_actions.seen});
-        addHandOverActions(menu, id);
-        return;
+        addCommands(menu,
+                    {"cutAction", "copyAction", "duplicateAction", "deleteAction", "seenAction"});
+        return addHandOverActions(menu, id);
     }
     if (isUav) {
         if (locked)
             addOrders(menu, id);
-        menu.addAction(m_actions.duplicate);
+        addCommands(menu, {"duplicateAction"});
         if (workspace().document().scenario().uavs.size() > 1) // the last one stays
-            menu.addAction(m_actions.remove);
+            addCommands(menu, {"deleteAction"});
         return;
     }
     const QString text = id == kAssetKey  ? tr("Remove asset")
@@ -182,7 +188,7 @@ void ContextMenus::addPlaceActions(QMenu& menu, const Point& position_m)
         showMessage(tr("Copied %1").arg(text), kMessage_ms);
     });
     menu.addAction(tr("Centre the map here"), this,
-                   [this, place] { panels().map->centreOn(place); });
+                   [this, place] { panels().map->camera().centreOn(place); });
     menu.addAction(tr("Measure from here"), this,
                    [this, position_m] { panels().map->measureFrom(position_m); });
     menu.addSeparator();
@@ -205,13 +211,16 @@ void ContextMenus::placeAsset(const Point& position_m)
 
 void ContextMenus::addPanelActions(QMenu& menu, MapPanel panel)
 {
-    const auto place = static_cast<std::size_t>(panel);
+    constexpr std::array<const char*, kMapPanels> kCommands = {
+        "legendPanelAction", "scalePanelAction", "northPanelAction", "windPanelAction",
+        "titlePanelAction"};
+    QAction* command = commandAction(window(), kCommands[static_cast<std::size_t>(panel)]);
     if (std::ranges::find(kFoldingPanels, panel) != kFoldingPanels.end())
         menu.addAction(panels().map->isFolded(panel) ? tr("Unfold") : tr("Fold"), this,
                        [this, panel] { panels().map->foldPanel(panel); });
-    menu.addAction(tr("Hide"), m_actions.panels[place], &QAction::trigger);
+    menu.addAction(tr("Hide"), command, &QAction::trigger);
     if (panel == MapPanel::Legend)
-        menu.addMenu(m_actions.sigmaEnd);
+        menu.addMenu(window().findChild<QMenu*>(u"sigmaEndMenu"_s));
 }
 
 void ContextMenus::addWaterActions(QMenu& menu, const Point& position_m)
@@ -235,8 +244,7 @@ void ContextMenus::addWaterActions(QMenu& menu, const Point& position_m)
                 });
             })
         ->setEnabled(!locked);
-    menu.addAction(m_actions.wind);
-    menu.addAction(m_actions.generate);
+    addCommands(menu, {"windAction", "generateAction"});
     menu.addAction(tr("Paste here"), this,
                    [this, position_m] { panels().map->edits().pasteAt(position_m); })
         ->setEnabled(!locked);

@@ -13,7 +13,6 @@ class QMenu;
 namespace berg {
 
 class Docks;
-struct SharedActions;
 
 /** The context menus of map and plan: what can be done with what is under the cursor. */
 class ContextMenus : public WindowPart
@@ -21,10 +20,11 @@ class ContextMenus : public WindowPart
     Q_OBJECT
 
 public:
-    ContextMenus(WindowContext& context, const Docks& docks, const SharedActions& actions);
+    ContextMenus(WindowContext& context, const Docks& docks);
 
 private:
     [[nodiscard]] QMenu* makeMenu(const QString& name) const;
+    void addCommands(QMenu& menu, std::initializer_list<const char*> ids) const;
     void showOnMap(const QPoint& globalPos, const Point& position_m,
                    const std::vector<std::string>& ids);
     void showOnPlan(const QPoint& globalPos, const std::string& id);
@@ -39,7 +39,6 @@ private:
     void addWaterActions(QMenu& menu, const Point& position_m);
 
     const Docks& m_docks;
-    const SharedActions& m_actions;
 };
 
 } // namespace berg

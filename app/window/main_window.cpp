@@ -1,6 +1,9 @@
 #include "app/window/main_window.h"
 
+#include "app/flight/flight_connections.h"
 #include "app/layout/tab_order.h"
+#include "app/study/comparison_view.h"
+#include "app/window/checks_view.h"
 #include "app/window/window_parts.h"
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/map/view/map_view.h"
@@ -107,23 +110,22 @@ WindowParts::WindowParts(WindowContext& context)
     , studyFlights(context, files, docks)
     , safety(context,
              {.files = files, .results = results, .study = study, .solveTimes = solveTimes}, status)
-    , checks(context, docks, status)
-    , comparison(context, docks)
-    , planner(context)
     , flightPanels(context, docks)
     , flightView(context, flightPanels, status)
     , sound(context)
-    , flight(context)
     , runEnd(context, docks, results)
     , mapLinks(context, docks)
     , backdrop(context, mapLinks)
     , appearance(context)
     , preferences(context, appearance)
     , manual(context)
-    , history(context)
     , menus(context, *this)
-    , contextMenus(context, docks, menus.shared())
+    , contextMenus(context, docks)
 {
+    connectChecks(context, docks, status);
+    connectComparison(context, docks);
+    connectPlanner(context);
+    connectPlayback(context);
 }
 
 MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings& settings)
@@ -157,17 +159,9 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     m_parts->appearance.setAppearance(
         static_cast<Appearance>(settings.value("view/appearance", 0).toInt()));
     m_parts->flightView.setInFlight(workspace.inFlight());
-    m_parts->flight.showDiscardedFlight();
     showTitle();
-    m_parts->comparison.show();
-    m_parts->planner.show();
     m_parts->flightView.showFlight();
     m_parts->flightPanels.showCharts();
-}
-
-void MainWindow::showFirstLayout()
-{
-    m_parts->docks.begin(Layout::Plan);
 }
 
 MainWindow::~MainWindow()
@@ -182,38 +176,12 @@ void MainWindow::showTheme(const Theme& theme)
     m_parts->start.setTheme(theme);
     m_parts->runEnd.setTheme(theme);
     m_parts->menus.refreshIcons();
-    m_parts->checks.showChecks();
-}
-
-bool MainWindow::openFile(const QString& path)
-{
-    return m_parts->files.openFile(path);
-}
-
-void MainWindow::showStartPage()
-{
-    m_parts->start.showPage();
-}
-
-bool MainWindow::startPageIsShown() const
-{
-    return m_parts->start.pageIsShown();
-}
-
-bool MainWindow::offerRecoveries()
-{
-    return m_parts->safety.offerRecoveries();
-}
-
-bool MainWindow::mayEndSession(bool mayAsk)
-{
-    return m_parts->safety.mayEndSession(mayAsk);
 }
 
 void MainWindow::takeOver(MainWindow& other)
 {
-    if (other.startPageIsShown())
-        showStartPage();
+    if (other.m_parts->start.pageIsShown())
+        m_parts->start.showPage();
     m_parts->results.takeOver(other.m_parts->results);
     m_parts->study.takeOver(other.m_parts->study);
     m_parts->studyFlights.takeOver(other.m_parts->studyFlights);
@@ -223,15 +191,10 @@ void MainWindow::takeOver(MainWindow& other)
     m_panels.messages->takeOver(*shown.messages);
     m_panels.alarms->takeOver(*shown.alarms);
     m_panels.solveTime->showSpec(shown.solveTime->spec());
-    m_panels.map->showAs(*shown.map);
+    m_panels.map->camera().showAs(shown.map->camera());
     m_panels.playback->setRate(shown.playback->rate());
     for (std::size_t i = 0; i < shown.charts.size(); ++i)
         m_panels.charts[i]->setKind(shown.charts[i]->kind());
-}
-
-void MainWindow::applyTheme(const Theme& theme)
-{
-    m_parts->appearance.applyTheme(theme);
 }
 
 void MainWindow::showTitle()
@@ -262,7 +225,7 @@ void MainWindow::finishLand() const
 void MainWindow::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::WindowStateChange && m_parts)
-        m_parts->menus.shared().fullScreen->setChecked(isFullScreen());
+        m_parts->menus.update();
     QMainWindow::changeEvent(event);
 }
 

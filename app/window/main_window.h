@@ -24,25 +24,10 @@ public:
     MainWindow(Workspace& workspace, Interaction& interaction, QSettings& settings);
     ~MainWindow() override;
 
-    /** Opens a scenario after the question about unsaved changes; false when it was not opened. */
-    bool openFile(const QString& path);
-    /** At the first start the map is large; charts and tables come with the other layouts. */
-    void showFirstLayout();
-    /** Over everything but the menus; opening anything closes it. */
-    void showStartPage();
-    [[nodiscard]] bool startPageIsShown() const;
-    /** Offers the unsaved work of programs that ended unexpectedly; returns false if there is none.
-     */
-    bool offerRecoveries();
-    /** The user logs out; false: not now. Without a question what is unsaved is left to recovery.
-     * The answer holds until the window is closed by the end of the program, which follows,
-     * or used again. */
-    [[nodiscard]] bool mayEndSession(bool mayAsk);
+    [[nodiscard]] WindowParts& parts() { return *m_parts; }
     /** Carries on in place of another window of the same workspace: what that one shows and awaits,
      * and what was last chosen in it. */
     void takeOver(MainWindow& other);
-    /** Applies a theme now; the user's choice decides it in daily use. */
-    void applyTheme(const Theme& theme);
     [[nodiscard]] MapView& mapView() const { return *m_panels.map; }
     /** Waits until all the land last painted can be painted: for pictures. */
     void finishLand() const;

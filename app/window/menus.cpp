@@ -1,333 +1,293 @@
 #include "app/window/menus.h"
 
 #include "app/dialogs/interaction.h"
+#include "app/flight/flight_connections.h"
 #include "app/layout/panels.h"
+#include "app/window/checks_view.h"
 #include "app/window/window_parts.h"
 #include "widgets/document/scenario_edits.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/theme/mission_clock.h"
+#include "widgets/words/intervention_text.h"
 #include "widgets/workspace/workspace.h"
 
-#include <QActionGroup>
+#include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenuBar>
-#include <QSettings>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUndoStack>
 
 using namespace Qt::StringLiterals;
 
 namespace berg {
+namespace {
 
-template <class Slot>
-QAction* Menus::add(QMenu& menu, const ActionSpec& spec, const Slot& slot)
-{
-    return m_maker.add(menu, spec, this, slot);
-}
+using Key = QKeySequence;
+const Command kLine;
 
-template <class Slot>
-QAction* Menus::addSwitch(QMenu& menu, const ActionSpec& spec, bool isOn, const Slot& slot)
-{
-    QAction* action = add(menu, spec, slot);
-    action->setCheckable(true);
-    action->setChecked(isOn);
-    return action;
-}
+} // namespace
 
-Menus::Menus(WindowContext& context, WindowParts& parts) : WindowPart(context), m_parts(parts)
+Menus::Menus(WindowContext& context, WindowParts& parts)
+    : WindowPart(context), m_parts(parts), m_actions(window())
 {
-    buildFileMenu();
-    buildEditMenu();
-    buildViewMenu();
-    buildFlightMenu();
+    const auto add = [this](const QString& title, const std::vector<Command>& commands) -> QMenu& {
+        QMenu& menu = *window().menuBar()->addMenu(title);
+        m_actions.add(menu, commands);
+        return menu;
+    };
+    add(tr("&File"), fileCommands());
+    add(tr("&Edit"), editCommands());
+    QMenu& view = add(tr("&View"), mapCommands());
+    m_actions.add(view, viewCommands());
+    m_parts.preferences.build(view);
+    add(tr("F&light"), flightCommands());
+    add(tr("&Tools"), tools());
+    add(tr("&Help"), helpCommands());
     buildToolBar();
-    buildHelpMenu();
-    connect(&workspace(), &Workspace::inFlightChanged, this, &Menus::updateActions);
-    connect(&workspace().selection(), &Selection::changed, this, &Menus::updateActions);
-    updateActions();
+    followState();
 }
 
-QMenu& Menus::addMenu(const QString& title)
+std::vector<Command> Menus::fileCommands()
 {
-    return *window().menuBar()->addMenu(title);
-}
-
-void Menus::buildFileMenu()
-{
-    QMenu& menu = addMenu(tr("&File"));
-    add(menu, {"newAction", tr("&New scenario"), QKeySequence::New, IconName::NewFile},
-        [this] { m_parts.dialogs.newScenario(); });
-    add(menu, {"openAction", tr("&Open..."), QKeySequence::Open, IconName::Open},
-        [this] { m_parts.files.openScenario(); });
-    add(menu, {"startPageAction", tr("S&tart page")}, [this] { m_parts.start.showPage(); });
-    QMenu& recent = *menu.addMenu(tr("Open &recent"));
-    connect(&recent, &QMenu::aboutToShow, this,
-            [this, &recent] { m_parts.files.fillRecentMenu(recent); });
-    add(menu, {"importAction", tr("&Import sightings..."), QKeySequence(Qt::CTRL | Qt::Key_I)},
-        [this] { m_parts.sightings.chooseSightings(); });
-    add(menu, {"airspaceAction", tr("Import airspa&ce...")},
-        [this] { m_parts.sightings.chooseAirspace(); });
-    menu.addSeparator();
-    add(menu, {"saveAction", tr("&Save"), QKeySequence::Save, IconName::Save},
-        [this] { m_parts.files.saveScenario(); });
-    add(menu, {"saveAsAction", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
-        [this] { m_parts.files.saveScenarioAs(); });
-    addSwitch(menu, {"keepOldAction", tr("Keep a &backup copy")}, m_parts.files.keepsOld(),
-              [this](bool on) { m_parts.files.setKeepsOld(on); })
-        ->setStatusTip(tr("Before the first overwrite of a file, a copy is kept as NAME.berg~"));
-    add(menu, {"recoverAction", tr("Reco&ver unsaved work...")}, [this] {
+    WindowParts& p = m_parts;
+    const auto recover = [this] {
         if (!m_parts.safety.offerRecoveries())
             showMessage(tr("There is no unsaved work to recover"), kMessage_ms);
-    });
-    add(menu, {"saveRunAction", tr("Save r&un..."), QKeySequence(Qt::CTRL | Qt::Key_R)},
-        [this] { m_parts.results.saveRun(); });
-    m_shared.exportPlan = add(menu,
-                              {"exportAction", tr("&Export plan..."),
-                               QKeySequence(Qt::CTRL | Qt::Key_E), IconName::ExportPlan},
-                              [this] { m_parts.results.exportPlan(); });
-    add(menu, {"briefAction", tr("Flight brie&f..."), QKeySequence::Print},
-        [this] { m_parts.results.chooseExport("brief"); });
-    m_shared.log = add(menu, {"logAction", tr("Flight &log...")},
-                       [this] { m_parts.results.chooseExport("log"); });
-    menu.addSeparator();
-    add(menu, {"quitAction", tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q)},
-        [this] { window().close(); });
-}
-
-void Menus::buildEditMenu()
-{
-    QMenu& menu = addMenu(tr("&Edit"));
-    m_shared.undo = m_parts.history.undo();
-    m_shared.redo = m_parts.history.redo();
-    m_maker.addIcon(m_shared.undo, IconName::Undo);
-    m_maker.addIcon(m_shared.redo, IconName::Redo);
-    menu.addActions({m_shared.undo, m_shared.redo});
-    MapView* map = panels().map;
-    menu.addSeparator();
-    m_shared.cut = add(menu, {"cutAction", tr("Cu&t"), QKeySequence::Cut},
-                       [map] { map->edits().cutSelected(); });
-    m_shared.copy = add(menu, {"copyAction", tr("&Copy"), QKeySequence::Copy},
-                        [map] { map->edits().copySelected(); });
-    add(menu, {"pasteAction", tr("&Paste"), QKeySequence::Paste},
-        [this] { m_parts.sightings.paste(); });
-    add(menu,
-        {"copyPictureAction", tr("Copy p&icture of the map"),
-         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)},
-        [this] { m_parts.results.copyPicture(); });
-    m_shared.duplicate =
-        add(menu, {"duplicateAction", tr("Dup&licate"), QKeySequence(Qt::CTRL | Qt::Key_D)},
-            [map] { map->edits().duplicateSelected(); });
-    m_shared.remove = add(menu, {"deleteAction", tr("&Delete"), QKeySequence::Delete},
-                          [map] { map->edits().deleteSelected(); });
-    QAction* addUav =
-        add(menu, {"addUavAction", tr("Add UA&V"), QKeySequence(Qt::CTRL | Qt::Key_U)},
-            [map] { map->edits().addUav(); });
-    m_shared.generate = add(menu, {"generateAction", tr("&Generate icebergs...")},
-                            [this] { m_parts.dialogs.generateIcebergs(); });
-    m_shared.selectAll =
-        add(menu, {"selectAllAction", tr("Select &all icebergs"), QKeySequence::SelectAll},
-            [map] { map->edits().selectAll(); });
-    menu.addSeparator();
-    QAction* move = add(menu, {"moveScenarioAction", tr("&Move the scenario…")}, [this] {
-        m_parts.dialogs.moveScenario(workspace().document().scenario().origin);
-    });
-    m_editActions = {m_shared.cut, m_shared.duplicate, m_shared.remove,
-                     addUav,       m_shared.generate,  move};
-}
-
-void Menus::buildViewMenu()
-{
-    QMenu& menu = addMenu(tr("&View"));
-    buildMapActions(menu);
-    add(menu, {"checksAction", tr("Chec&ks"), Qt::Key_F7},
-        [this] { m_parts.checks.toggleChecks(); });
-    add(menu, {"studyAction", tr("S&tudy")}, [this] { m_parts.study.showStudy(); });
-    add(menu, {"solveTimeAction", tr("&Solve time")}, [this] { m_parts.solveTimes.show(); });
-    menu.addSeparator();
-    addLayouts(*menu.addMenu(tr("La&youts")));
-    QMenu& docks = *menu.addMenu(tr("&Panels"));
-    for (const QDockWidget* dock : m_parts.docks.all())
-        docks.addAction(dock->toggleViewAction());
-    add(menu, {"resetLayoutAction", tr("&Reset layout")}, [this] { m_parts.docks.reset(); });
-    m_shared.fullScreen =
-        addSwitch(menu, {"fullScreenAction", tr("F&ull screen"), Qt::Key_F11}, false, [this] {
-            window().setWindowState(window().windowState() ^ Qt::WindowFullScreen);
-        });
-    menu.addSeparator();
-    m_parts.preferences.build(menu);
-}
-
-void Menus::buildMapActions(QMenu& menu)
-{
-    MapView* map = panels().map;
-    m_shared.fit = add(menu, {"fitAction", tr("&Fit everything"), Qt::Key_F, IconName::Fit},
-                       [map] { map->fit(); });
-    m_shared.follow =
-        addSwitch(menu, {"followAction", tr("Follo&w the UAV"), Qt::Key_L, IconName::Follow}, false,
-                  [map](bool on) { map->setFollowUav(on); });
-    connect(map, &MapView::followUavChanged, m_shared.follow, &QAction::setChecked);
-    add(menu, {"zoomInAction", tr("Zoom &in"), QKeySequence::ZoomIn},
-        [map] { map->zoomBy(1.25, QRectF(map->rect()).center()); });
-    add(menu, {"zoomOutAction", tr("Zoom &out"), QKeySequence::ZoomOut},
-        [map] { map->zoomBy(0.8, QRectF(map->rect()).center()); });
-    add(menu, {"findAction", tr("Find or &go to…"), QKeySequence::Find}, [this] {
-        m_parts.dialogs.openFind();
-    })->setShortcuts({QKeySequence::Find, QKeySequence(Qt::CTRL | Qt::Key_G)});
-    addSwitch(menu, {"overviewAction", tr("O&verview"), Qt::Key_O},
-              m_parts.mapLinks.overviewIsShown(),
-              [this](bool on) { m_parts.mapLinks.setOverviewShown(on); });
-    addPanelMenu(*menu.addMenu(tr("Panels on the map")));
-    m_shared.sigmaEnd = menu.addMenu(tr("Colour scale of σ"));
-    m_parts.preferences.buildSigmaEnd(*m_shared.sigmaEnd);
-    add(menu, {"backdropAction", tr("&Background map…")}, [this] { m_parts.backdrop.choose(); });
-    FlightView& flight = m_parts.flightView;
-    MapController& links = m_parts.mapLinks;
-    const auto addLayer = [&](const char* name, const QString& text, MapLayer layer) {
-        QAction* action = addSwitch(menu, {name, text}, links.layerIsShown(layer),
-                                    [&links, layer](bool on) { links.setLayerShown(layer, on); });
-        connect(&links, &MapController::layersChanged, action,
-                [&links, action, layer] { action->setChecked(links.layerIsShown(layer)); });
     };
-    addLayer("sweptAction", tr("Swept ar&ea"), MapLayer::Swept);
-    addLayer("placesAction", tr("Place names"), MapLayer::Places);
-    addSwitch(menu, {"truthAction", tr("S&how true positions")}, flight.truthIsShown(),
-              [&flight](bool on) { flight.setTruthShown(on); })
-        ->setStatusTip(tr("Shows the true positions of the icebergs beside the estimates. When "
-                          "off, the map shows only what an operator would see."));
-}
-
-void Menus::addLayouts(QMenu& menu)
-{
-    auto* layouts = new QActionGroup(&menu);
-    const auto addLayout = [&](const char* name, const QString& text, Qt::Key key, Layout layout) {
-        QAction* action = addSwitch(menu, {name, text, QKeySequence(Qt::CTRL | key)},
-                                    m_parts.docks.layout() == layout,
-                                    [this, layout] { m_parts.docks.showLayout(layout); });
-        layouts->addAction(action);
-        connect(&m_parts.docks, &Docks::layoutChanged, action,
-                [action, layout](Layout shown) { action->setChecked(shown == layout); });
+    return {
+        {"newAction", tr("&New scenario"), [&p] { p.dialogs.newScenario(); }, Key::New,
+         IconName::NewFile},
+        {"openAction", tr("&Open..."), [&p] { p.files.openScenario(); }, Key::Open, IconName::Open},
+        {"startPageAction", tr("S&tart page"), [&p] { p.start.showPage(); }},
+        {tr("Open &recent"),
+         [this](QMenu& menu) {
+             connect(&menu, &QMenu::aboutToShow, this,
+                     [this, &menu] { m_parts.files.fillRecentMenu(menu); });
+         }},
+        {"importAction", tr("&Import sightings..."), [&p] { p.sightings.chooseSightings(); },
+         "Ctrl+I"},
+        {"airspaceAction", tr("Import airspa&ce..."), [&p] { p.sightings.chooseAirspace(); }},
+        kLine,
+        {"saveAction", tr("&Save"), [&p] { p.files.saveScenario(); }, Key::Save, IconName::Save},
+        {"saveAsAction", tr("Save &as..."), [&p] { p.files.saveScenarioAs(); }, "Ctrl+Shift+S"},
+        {"keepOldAction", tr("Keep a &backup copy"),
+         tr("Before the first overwrite of a file, a copy is kept as NAME.berg~"),
+         switchOf(p.files, &ScenarioFiles::keepsOld, &ScenarioFiles::setKeepsOld)},
+        {"recoverAction", tr("Reco&ver unsaved work..."), recover},
+        {"saveRunAction", tr("Save r&un..."), [&p] { p.results.saveRun(); }, "Ctrl+R"},
+        {"exportAction", tr("&Export plan..."), [&p] { p.results.exportPlan(); }, "Ctrl+E",
+         IconName::ExportPlan},
+        {"briefAction", tr("Flight brie&f..."), [&p] { p.results.chooseExport("brief"); },
+         Key::Print},
+        {"logAction", tr("Flight &log..."), [&p] { p.results.chooseExport("log"); },
+         When::InFlight},
+        kLine,
+        {"quitAction", tr("&Quit"), [this] { window().close(); }, "Ctrl+Q"},
     };
-    addLayout("planLayoutAction", tr("&Plan"), Qt::Key_1, Layout::Plan);
-    addLayout("flyLayoutAction", tr("&Fly"), Qt::Key_2, Layout::Fly);
-    addLayout("analyseLayoutAction", tr("&Analyse"), Qt::Key_3, Layout::Analyse);
 }
 
-void Menus::addPanelMenu(QMenu& menu)
+std::vector<Command> Menus::editCommands()
 {
-    const auto add = [&](const char* name, const QString& text, MapPanel panel) {
-        m_shared.panels[static_cast<std::size_t>(panel)] =
-            addSwitch(menu, {name, text}, m_parts.mapLinks.panelIsShown(panel),
-                      [this, panel](bool on) { m_parts.mapLinks.setPanelShown(panel, on); });
+    WindowParts& p = m_parts;
+    MapEdits& edits = panels().map->edits();
+    const auto redo = [this] {
+        panels().finishTyping();
+        workspace().document().redo();
     };
-    add("titlePanelAction", tr("&Title and figures"), MapPanel::Title);
-    add("legendPanelAction", tr("&Legend"), MapPanel::Legend);
-    add("scalePanelAction", tr("&Scale bar"), MapPanel::ScaleBar);
-    add("northPanelAction", tr("&North arrow"), MapPanel::North);
-    add("windPanelAction", tr("&Wind"), MapPanel::Wind);
+    return {
+        {"undoAction", tr("&Undo"), [this] { undo(); }, When::Undoable, Key::Undo, IconName::Undo},
+        {"redoAction", tr("&Redo"), redo, When::Redoable, "Ctrl+Shift+Z; Ctrl+Y", IconName::Redo},
+        kLine,
+        {"cutAction", tr("Cu&t"), [&edits] { edits.cutSelected(); },
+         When::Unlocked | When::IcebergsSelected, Key::Cut},
+        {"copyAction", tr("&Copy"), [&edits] { edits.copySelected(); }, When::IcebergsSelected,
+         Key::Copy},
+        {"pasteAction", tr("&Paste"), [&p] { p.sightings.paste(); }, Key::Paste},
+        {"copyPictureAction", tr("Copy p&icture of the map"), [&p] { p.results.copyPicture(); },
+         "Ctrl+Shift+C"},
+        {"duplicateAction", tr("Dup&licate"), [&edits] { edits.duplicateSelected(); },
+         When::Unlocked | When::CopiesSelected, "Ctrl+D"},
+        {"deleteAction", tr("&Delete"), [&edits] { edits.deleteSelected(); }, When::Removable,
+         Key::Delete},
+        {"addUavAction", tr("Add UA&V"), [&edits] { edits.addUav(); }, When::Unlocked, "Ctrl+U"},
+        {"generateAction", tr("&Generate icebergs..."), [&p] { p.dialogs.generateIcebergs(); },
+         When::Unlocked},
+        {"selectAllAction", tr("Select &all icebergs"), [&edits] { edits.selectAll(); },
+         Key::SelectAll},
+        kLine,
+        {"moveScenarioAction", tr("&Move the scenario…"),
+         [this] { m_parts.dialogs.moveScenario(workspace().document().scenario().origin); },
+         When::Unlocked},
+    };
 }
 
-void Menus::buildFlightMenu()
+std::vector<Command> Menus::mapCommands()
 {
-    QMenu& menu = addMenu(tr("F&light"));
-    QAction* play = add(menu, {"playAction", tr("Fly"), Qt::Key_Space},
-                        [this] { m_parts.flight.togglePlay(); });
-    add(menu, {"stepAction", tr("&Step one second"), Qt::Key_Period},
-        [this] { workspace().step(); });
-    add(menu, {"resetAction", tr("Stop and &edit"), QKeySequence(Qt::CTRL | Qt::Key_Home)},
-        [this] { workspace().reset(); });
-    QAction* bringBack = add(menu,
-                             {"bringBackAction", tr("Restore disc&arded flight"),
-                              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Home)},
-                             [this] { workspace().restoreFlight(); });
-    menu.addSeparator();
-    add(menu,
-        {"shorterPlanAction", tr("Prefer s&horter route"), QKeySequence(Qt::ALT | Qt::Key_Right)},
-        [this] { panels().tradeoff->stepPlan(+1); });
-    add(menu,
+    WindowParts& p = m_parts;
+    const MapView* map = panels().map;
+    MapCamera& camera = panels().map->camera();
+    const auto zoom = [&camera, map](double factor) {
+        camera.zoomBy(factor, QRectF(map->rect()).center());
+    };
+    const auto layer = [&p](MapLayer layer) {
+        return Switch{[&p, layer] { return p.mapLinks.layerIsShown(layer); },
+                      [&p, layer](bool on) { p.mapLinks.setLayerShown(layer, on); }};
+    };
+    return {
+        {"fitAction", tr("&Fit everything"), [&camera] { camera.fit(); }, "F", IconName::Fit},
+        {"followAction", tr("Follo&w the UAV"),
+         switchOf(camera, &MapCamera::followsUav, &MapCamera::setFollowUav), "L", IconName::Follow},
+        {"zoomInAction", tr("Zoom &in"), [zoom] { zoom(1.25); }, Key::ZoomIn},
+        {"zoomOutAction", tr("Zoom &out"), [zoom] { zoom(0.8); }, Key::ZoomOut},
+        {"findAction", tr("Find or &go to…"), [&p] { p.dialogs.openFind(); }, "Ctrl+F; Ctrl+G"},
+        {"overviewAction", tr("O&verview"),
+         switchOf(p.mapLinks, &MapController::overviewIsShown, &MapController::setOverviewShown),
+         "O"},
+        {tr("Panels on the map"), [this](QMenu& menu) { m_actions.add(menu, mapPanels()); }},
+        {tr("Colour scale of σ"), [&p](QMenu& menu) { p.preferences.buildSigmaEnd(menu); }},
+        {"backdropAction", tr("&Background map…"), [&p] { p.backdrop.choose(); }},
+        {"sweptAction", tr("Swept ar&ea"), layer(MapLayer::Swept)},
+        {"placesAction", tr("Place names"), layer(MapLayer::Places)},
+        {"truthAction", tr("S&how true positions"),
+         tr("Shows the true positions of the icebergs beside the estimates. When "
+            "off, the map shows only what an operator would see."),
+         switchOf(p.flightView, &FlightView::truthIsShown, &FlightView::setTruthShown)},
+    };
+}
+
+std::vector<Command> Menus::mapPanels()
+{
+    const auto shown = [&links = m_parts.mapLinks](MapPanel panel) {
+        return Switch{[&links, panel] { return links.panelIsShown(panel); },
+                      [&links, panel](bool on) { links.setPanelShown(panel, on); }};
+    };
+    return {{"titlePanelAction", tr("&Title and figures"), shown(MapPanel::Title)},
+            {"legendPanelAction", tr("&Legend"), shown(MapPanel::Legend)},
+            {"scalePanelAction", tr("&Scale bar"), shown(MapPanel::ScaleBar)},
+            {"northPanelAction", tr("&North arrow"), shown(MapPanel::North)},
+            {"windPanelAction", tr("&Wind"), shown(MapPanel::Wind)}};
+}
+
+std::vector<Command> Menus::viewCommands()
+{
+    WindowParts& p = m_parts;
+    const Switch fullScreen{
+        [this] { return window().isFullScreen(); },
+        [this](bool) { window().setWindowState(window().windowState() ^ Qt::WindowFullScreen); }};
+    return {
+        {"checksAction", tr("Chec&ks"), [this] { toggleChecks(context(), m_parts.docks); }, "F7"},
+        {"studyAction", tr("S&tudy"), [&p] { p.study.showStudy(); }},
+        {"solveTimeAction", tr("&Solve time"), [&p] { p.solveTimes.show(); }},
+        kLine,
+        {tr("La&youts"), [this](QMenu& menu) { m_actions.add(menu, layouts()); }},
+        {tr("&Panels"),
+         [&p](QMenu& menu) {
+             for (const QDockWidget* dock : p.docks.all())
+                 menu.addAction(dock->toggleViewAction());
+         }},
+        {"resetLayoutAction", tr("&Reset layout"), [&p] { p.docks.reset(); }},
+        {"fullScreenAction", tr("F&ull screen"), fullScreen, "F11"},
+        kLine,
+    };
+}
+
+std::vector<Command> Menus::layouts()
+{
+    const auto shown = [&docks = m_parts.docks](Layout layout) {
+        return Switch{[&docks, layout] { return docks.layout() == layout; },
+                      [&docks, layout](bool) { docks.showLayout(layout); }, "layouts"};
+    };
+    return {{"planLayoutAction", tr("&Plan"), shown(Layout::Plan), "Ctrl+1"},
+            {"flyLayoutAction", tr("&Fly"), shown(Layout::Fly), "Ctrl+2"},
+            {"analyseLayoutAction", tr("&Analyse"), shown(Layout::Analyse), "Ctrl+3"}};
+}
+
+std::vector<Command> Menus::flightCommands()
+{
+    WindowParts& p = m_parts;
+    Workspace& w = workspace();
+    TradeoffPanel& tradeoff = *panels().tradeoff;
+    PlaybackBar& playback = *panels().playback;
+    const auto order = [this](FlightOrder order) {
+        return [this, order] { workspace().order(orderedUavs(), order); };
+    };
+    constexpr When kOrdered = When::InFlight | When::UavOrdered;
+    return {
+        {"playAction", tr("Fly"), [this] { togglePlay(context()); }, "Space"},
+        {"stepAction", tr("&Step one second"), [&w] { w.step(); }, "."},
+        {"resetAction", tr("Stop and &edit"), [&w] { w.reset(); }, "Ctrl+Home"},
+        {"bringBackAction", tr("Restore disc&arded flight"), [&w] { w.restoreFlight(); },
+         When::Restorable, "Ctrl+Shift+Home"},
+        kLine,
+        {"shorterPlanAction", tr("Prefer s&horter route"), [&tradeoff] { tradeoff.stepPlan(+1); },
+         "Alt+Right"},
         {"uncertainPlanAction", tr("Prefer more un&certain first"),
-         QKeySequence(Qt::ALT | Qt::Key_Left)},
-        [this] { panels().tradeoff->stepPlan(-1); });
-    menu.addSeparator();
-    m_shared.seen = add(menu, {"seenAction", tr("Report as seen no&w"), Qt::Key_N},
-                        [this] { workspace().reportSeen(workspace().selection().ids()); });
-    const auto addOrder = [&](const char* name, const QString& text, FlightOrder order) {
-        m_shared.orders[order] =
-            add(menu, {name, text}, [this, order] { workspace().order(orderedUavs(), order); });
+         [&tradeoff] { tradeoff.stepPlan(-1); }, "Alt+Left"},
+        kLine,
+        {"seenAction", tr("Report as seen no&w"), [&w] { w.reportSeen(w.selection().ids()); },
+         When::InFlight | When::FlownSelected, "N"},
+        {"returnAction", tr("&Return home now"), order(FlightOrder::ReturnNow), kOrdered},
+        {"holdAction", tr("Hold here"), order(FlightOrder::HoldHere), kOrdered},
+        {"resumeAction", tr("Res&ume"), order(FlightOrder::None), kOrdered},
+        {"windAction", tr("Win&d..."), [&p] { p.dialogs.askWind(); }, "W"},
+        kLine,
+        {"stepBackAction", tr("Step &back one second"), [&w] { w.stepBack(); }, ","},
+        {"tickAction", tr("Step one &tick"), [&w] { w.stepTicks(+1); }, "Ctrl+."},
+        {"tickBackAction", tr("Step back one t&ick"), [&w] { w.stepTicks(-1); }, "Ctrl+,"},
+        {"nextEventAction", tr("&Next event"), [&w] { w.stepToEvent(+1); }, "Ctrl+Right"},
+        {"previousEventAction", tr("&Previous event"), [&w] { w.stepToEvent(-1); }, "Ctrl+Left"},
+        {"goToTimeAction", tr("&Go to time"), [&playback] { playback.editTime(); }, "Ctrl+T"},
+        {"newestAction", tr("Bac&k to latest"), [&w] { w.seekLatest(); }, "Ctrl+End"},
+        kLine,
+        {"fasterAction", tr("&Faster"), [&playback] { playback.stepRate(+1); }, "]"},
+        {"slowerAction", tr("S&lower"), [&playback] { playback.stepRate(-1); }, "["},
+        kLine,
+        {"alarmSoundAction", tr("S&ound alarms"),
+         tr("A sound at each new alarm, until it is acknowledged"),
+         switchOf(p.sound, &AlarmSound::isOn, &AlarmSound::setOn)},
     };
-    addOrder("returnAction", tr("&Return home now"), FlightOrder::ReturnNow);
-    addOrder("holdAction", tr("Hold here"), FlightOrder::HoldHere);
-    addOrder("resumeAction", tr("Res&ume"), FlightOrder::None);
-    m_shared.wind =
-        add(menu, {"windAction", tr("Win&d..."), Qt::Key_W}, [this] { m_parts.dialogs.askWind(); });
-    menu.addSeparator();
-    buildLookBackActions(menu);
-    menu.addSeparator();
-    add(menu, {"fasterAction", tr("&Faster"), Qt::Key_BracketRight},
-        [this] { panels().playback->stepRate(+1); });
-    add(menu, {"slowerAction", tr("S&lower"), Qt::Key_BracketLeft},
-        [this] { panels().playback->stepRate(-1); });
-
-    menu.addSeparator();
-    addSwitch(menu, {"alarmSoundAction", tr("S&ound alarms")}, m_parts.sound.isOn(),
-              [this](bool on) { m_parts.sound.setOn(on); })
-        ->setStatusTip(tr("A sound at each new alarm, until it is acknowledged"));
-
-    const auto showPlaying = [this, play] {
-        play->setText(workspace().isPlaying() ? tr("Pause") : tr("Fly"));
-    };
-    connect(&workspace(), &Workspace::flightChanged, this, showPlaying);
-    showPlaying();
-    const auto showDiscardedFlight = [this, bringBack] {
-        bringBack->setEnabled(workspace().discardedFlight_s().has_value());
-    };
-    connect(&workspace(), &Workspace::discardedFlightChanged, this, showDiscardedFlight);
-    showDiscardedFlight();
 }
 
-void Menus::buildLookBackActions(QMenu& menu)
+std::vector<Command> Menus::tools()
 {
-    add(menu, {"stepBackAction", tr("Step &back one second"), Qt::Key_Comma},
-        [this] { workspace().stepBack(); });
-    add(menu, {"tickAction", tr("Step one &tick"), QKeySequence(Qt::CTRL | Qt::Key_Period)},
-        [this] { workspace().stepTicks(+1); });
-    add(menu, {"tickBackAction", tr("Step back one t&ick"), QKeySequence(Qt::CTRL | Qt::Key_Comma)},
-        [this] { workspace().stepTicks(-1); });
-    add(menu, {"nextEventAction", tr("&Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right)},
-        [this] { workspace().stepToEvent(+1); });
-    add(menu, {"previousEventAction", tr("&Previous event"), QKeySequence(Qt::CTRL | Qt::Key_Left)},
-        [this] { workspace().stepToEvent(-1); });
-    add(menu, {"goToTimeAction", tr("&Go to time"), QKeySequence(Qt::CTRL | Qt::Key_T)},
-        [this] { panels().playback->editTime(); });
-    add(menu, {"newestAction", tr("Bac&k to latest"), QKeySequence(Qt::CTRL | Qt::Key_End)},
-        [this] { workspace().seekLatest(); });
+    const auto tool = [map = panels().map](const char* id, const QString& text, const char* key,
+                                           IconName icon, MapToolKind kind) {
+        Command command(id, text,
+                        Switch{[map, kind] { return map->tool() == kind; },
+                               [map, kind](bool) { map->setTool(kind); }, "tools"},
+                        key, icon);
+        command.when = isLockedInFlight(kind) ? When::Unlocked : When::Always;
+        return command;
+    };
+    return {
+        tool("selectTool", tr("Select"), "S", IconName::Select, MapToolKind::Select),
+        tool("icebergTool", tr("Iceberg"), "I", IconName::Iceberg, MapToolKind::Iceberg),
+        tool("uavTool", tr("UAV"), "U", IconName::Uav, MapToolKind::Uav),
+        tool("assetTool", tr("Asset"), "A", IconName::Asset, MapToolKind::Asset),
+        tool("areaTool", tr("Area"), "R", IconName::Area, MapToolKind::Area),
+        tool("noFlyTool", tr("No-fly area"), "X", IconName::NoFly, MapToolKind::NoFly),
+        tool("measureTool", tr("Measure"), "M", IconName::Measure, MapToolKind::Measure),
+        tool("panTool", tr("Pan"), "H", IconName::Pan, MapToolKind::Pan),
+        kLine,
+        {tr("&New icebergs seen by"),
+         [this](QMenu& menu) { m_parts.preferences.buildSources(menu); }},
+    };
 }
 
-void Menus::buildHelpMenu()
+std::vector<Command> Menus::helpCommands()
 {
-    QMenu& menu = addMenu(tr("&Help"));
-    add(menu, {"manualAction", tr("&Manual"), QKeySequence::HelpContents},
-        [this] { m_parts.manual.open(); });
-    add(menu, {"shortcutsAction", tr("Keyboard &shortcuts"), Qt::Key_Question},
-        [this] { showShortcuts(); });
-    add(menu, {"tourAction", tr("&Tour")}, [this] { m_parts.start.startTour(); });
-    add(menu, {"aboutAction", tr("&About Bergwatch")}, [this] { showAbout(); });
-}
-
-void Menus::addTool(QActionGroup& tools, MapToolKind kind, const ActionSpec& spec)
-{
-    QAction* action = tools.addAction(spec.text);
-    action->setObjectName(QLatin1String(spec.name));
-    action->setShortcut(spec.shortcut);
-    action->setCheckable(true);
-    action->setToolTip(u"%1 (%2)"_s.arg(spec.text, spec.shortcut.toString()));
-    action->setData(static_cast<int>(kind));
-    m_maker.addIcon(action, *spec.icon);
-    if (isLockedInFlight(kind))
-        m_editActions.push_back(action);
-    connect(action, &QAction::triggered, this, [this, kind] { panels().map->setTool(kind); });
+    WindowParts& p = m_parts;
+    return {
+        {"manualAction", tr("&Manual"), [&p] { p.manual.open(); }, Key::HelpContents},
+        {"shortcutsAction", tr("Keyboard &shortcuts"), [this] { showShortcuts(); }, "?"},
+        {"tourAction", tr("&Tour"), [&p] { p.start.startTour(); }},
+        {"aboutAction", tr("&About Bergwatch"), [this] { showAbout(); }},
+    };
 }
 
 void Menus::buildToolBar()
@@ -336,57 +296,97 @@ void Menus::buildToolBar()
     bar->setObjectName(u"toolBar"_s);
     bar->setMovable(false);
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    auto* tools = new QActionGroup(&window());
-    addTool(*tools, MapToolKind::Select, {"selectTool", tr("Select"), Qt::Key_S, IconName::Select});
-    addTool(*tools, MapToolKind::Iceberg,
-            {"icebergTool", tr("Iceberg"), Qt::Key_I, IconName::Iceberg});
-    addTool(*tools, MapToolKind::Uav, {"uavTool", tr("UAV"), Qt::Key_U, IconName::Uav});
-    addTool(*tools, MapToolKind::Asset, {"assetTool", tr("Asset"), Qt::Key_A, IconName::Asset});
-    addTool(*tools, MapToolKind::Area, {"areaTool", tr("Area"), Qt::Key_R, IconName::Area});
-    addTool(*tools, MapToolKind::NoFly,
-            {"noFlyTool", tr("No-fly area"), Qt::Key_X, IconName::NoFly});
-    addTool(*tools, MapToolKind::Measure,
-            {"measureTool", tr("Measure"), Qt::Key_M, IconName::Measure});
-    addTool(*tools, MapToolKind::Pan, {"panTool", tr("Pan"), Qt::Key_H, IconName::Pan});
-    tools->actions().front()->setChecked(true);
-    connect(panels().map, &MapView::toolChanged, tools, [tools](MapToolKind kind) {
-        for (QAction* action : tools->actions())
-            action->setChecked(action->data().toInt() == static_cast<int>(kind));
-    });
-    bar->addActions(tools->actions());
-    for (const auto& group : {std::vector{m_shared.undo, m_shared.redo},
-                              {m_shared.fit, m_shared.follow},
-                              {m_shared.exportPlan}}) {
+    for (QAction* tool : m_actions.group("tools")) {
+        tool->setToolTip(u"%1 (%2)"_s.arg(tool->text(), tool->shortcut().toString()));
+        tool->setStatusTip({}); // the tool has its own
+        bar->addAction(tool);
+    }
+    for (const auto& group : {std::vector{"undoAction", "redoAction"},
+                              {"fitAction", "followAction"},
+                              {"exportAction"}}) {
         bar->addSeparator();
-        for (QAction* action : group) {
+        for (const char* id : group) {
+            QAction* action = commandAction(window(), id);
+            action->setIconText(action->iconText()); // the bar stands still when the text changes
             bar->addAction(action);
             // There is room for the names of the tools; those of commands are in the menus.
             if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
                 button->setToolButtonStyle(Qt::ToolButtonIconOnly);
         }
     }
-    QMenu& menu = addMenu(tr("&Tools"));
-    menu.addActions(tools->actions());
-    menu.addSeparator();
-    m_parts.preferences.buildSources(*menu.addMenu(tr("&New icebergs seen by")));
 }
 
-void Menus::updateActions()
+/** Of all that decides which commands are possible, which are set, and what they are called. */
+void Menus::followState()
 {
-    const bool locked = workspace().inFlight();
-    for (QAction* action : m_editActions)
-        action->setEnabled(!locked);
-    m_shared.log->setEnabled(locked);
-    const std::vector<std::string>& ids = workspace().selection().ids();
-    m_shared.remove->setEnabled(locked ? !workspace().icebergsInFlight(ids).empty() : !ids.empty());
+    const auto follow = [this](const auto* sender, auto signal) {
+        connect(sender, signal, this, &Menus::update);
+    };
+    follow(&workspace(), &Workspace::inFlightChanged);
+    follow(&workspace(), &Workspace::flightChanged);
+    follow(&workspace(), &Workspace::discardedFlightChanged);
+    follow(&workspace().selection(), &Selection::changed);
+    follow(workspace().document().undoStack(), &QUndoStack::indexChanged);
+    follow(panels().map, &MapView::statusText); // drawing has begun or ended
+    follow(panels().map, &MapView::toolChanged);
+    follow(&panels().map->camera(), &MapCamera::followUavChanged);
+    follow(&m_parts.mapLinks, &MapController::layersChanged);
+    follow(&m_parts.docks, &Docks::layoutChanged);
+    update();
+}
+
+void Menus::update() const
+{
+    const Workspace& w = workspace();
     const Scenario& scenario = workspace().document().scenario();
-    const bool hasIcebergs = !icebergsOf(scenario, ids).empty();
-    m_shared.copy->setEnabled(hasIcebergs);
-    m_shared.seen->setEnabled(locked && !workspace().icebergsInFlight(ids).empty());
-    for (const auto& [order, action] : m_shared.orders)
-        action->setEnabled(locked && !orderedUavs().empty());
-    m_shared.cut->setEnabled(!locked && hasIcebergs);
-    m_shared.duplicate->setEnabled(!locked && (hasIcebergs || !uavsOf(scenario, ids).empty()));
+    const QUndoStack& edits = *workspace().document().undoStack();
+    const std::vector<std::string>& ids = workspace().selection().ids();
+    const std::optional<LastChange> change = w.undoableChange();
+    const bool inFlight = w.inFlight();
+    const bool icebergs = !icebergsOf(scenario, ids).empty();
+    const bool flown = !w.icebergsInFlight(ids).empty();
+    const bool isDrawing = panels().map->isDrawing();
+    When state = When::Always;
+    const auto note = [&state](When when, bool holds) { state = holds ? state | when : state; };
+    note(When::InFlight, inFlight);
+    note(When::Unlocked, !inFlight);
+    note(When::IcebergsSelected, icebergs);
+    note(When::CopiesSelected, icebergs || !uavsOf(scenario, ids).empty());
+    note(When::FlownSelected, flown);
+    note(When::Removable, inFlight ? flown : !ids.empty());
+    note(When::UavOrdered, !orderedUavs().empty());
+    note(When::Undoable, isDrawing || (inFlight ? change.has_value() : edits.canUndo()));
+    note(When::Redoable, !inFlight && edits.canRedo());
+    note(When::Restorable, w.discardedFlight_s().has_value());
+    m_actions.update(state);
+    const auto name = [this](const char* id, const QString& text, const QString& what = {}) {
+        commandAction(window(), id)->setText(what.isEmpty() ? text : text + u' ' + what);
+    };
+    name("playAction", w.isPlaying() ? tr("Pause") : tr("Fly"));
+    name("undoAction", tr("&Undo"),
+         !inFlight ? edits.undoText()
+         : change  ? changeName(change->first)
+                   : QString());
+    name("redoAction", tr("&Redo"), edits.redoText());
+}
+
+/**
+ * The last point of what is drawn on the map; else, in flight, the last change of the flight, and
+ * before it the last edit of the scenario. Asks first where time was flown since the change.
+ */
+void Menus::undo()
+{
+    panels().finishTyping(); // that is what it undoes then
+    if (panels().map->isDrawing())
+        return panels().map->undoLastPoint();
+    if (!workspace().inFlight())
+        return workspace().document().undo();
+    const std::optional<LastChange> change = workspace().undoableChange();
+    const FlightRecord& record = workspace().record();
+    if (change && (record.now.time_s <= change->first.time_s ||
+                   interaction().askUndo(&window(), changeName(change->first),
+                                         clockOf(record.scenario).text(change->first.time_s))))
+        workspace().undoChange();
 }
 
 /** The selected ones; the only one there is needs no selection. */
@@ -438,7 +438,7 @@ void Menus::showAbout()
 
 void Menus::refreshIcons() const
 {
-    m_maker.refreshIcons(theme());
+    m_actions.refreshIcons(theme());
     // Qt's own drawing is near black in every appearance.
     if (auto* more = window().findChild<QToolButton*>(u"qt_toolbar_ext_button"_s))
         more->setIcon(icon(IconName::More, theme()));

@@ -32,7 +32,9 @@ public:
     /** Offers the unsaved work of programs that ended unexpectedly; returns false if there is none.
      */
     bool offerRecoveries();
-    /** See `MainWindow`. */
+    /** The user logs out; false: not now. Without a question what is unsaved is left to recovery.
+     * The answer holds until the window is closed by the end of the program, which follows,
+     * or used again. */
     [[nodiscard]] bool mayEndSession(bool mayAsk);
     /** Asks about all unsaved work; returns true if the window may close. */
     [[nodiscard]] bool mayClose();

@@ -6,10 +6,8 @@
 #include "app/files/sightings_import.h"
 #include "app/files/start_page_controller.h"
 #include "app/flight/alarm_sound.h"
-#include "app/flight/flight_controls.h"
 #include "app/flight/flight_panels.h"
 #include "app/flight/flight_view.h"
-#include "app/flight/planner_view.h"
 #include "app/flight/run_summary_controller.h"
 #include "app/layout/docks.h"
 #include "app/layout/status_line.h"
@@ -18,12 +16,9 @@
 #include "app/settings/appearance_choice.h"
 #include "app/settings/preference_menus.h"
 #include "app/study/benchmark_controller.h"
-#include "app/study/comparison_view.h"
 #include "app/study/study_controller.h"
 #include "app/study/study_flights.h"
-#include "app/window/checks_view.h"
 #include "app/window/context_menus.h"
-#include "app/window/history_actions.h"
 #include "app/window/manual_help.h"
 #include "app/window/menus.h"
 #include "app/window/unsaved_work_guard.h"
@@ -46,20 +41,15 @@ struct WindowParts
     BenchmarkController solveTimes;
     StudyFlights studyFlights;
     UnsavedWorkGuard safety;
-    ChecksView checks;
-    ComparisonView comparison;
-    PlannerView planner;
     FlightPanels flightPanels;
     FlightView flightView;
     AlarmSound sound;
-    FlightControls flight;
     RunSummaryController runEnd;
     MapController mapLinks;
     BackdropFile backdrop;
     AppearanceChoice appearance;
     PreferenceMenus preferences;
     ManualHelp manual;
-    HistoryActions history;
     Menus menus;
     ContextMenus contextMenus;
 };

@@ -6,6 +6,7 @@
 #include "app/files/start_page_controller.h"
 #include "app/settings/run_settings.h"
 #include "app/window/main_window_host.h"
+#include "app/window/window_parts.h"
 #include "core/io/text/atomic_file.h"
 #include "core/presets/presets.h"
 #include "widgets/map/view/map_view.h"
@@ -131,12 +132,12 @@ void greet(MainWindow& window, Interaction& interaction, const QSettings& settin
            const NamedFile& file)
 {
     const bool isOpen = !file.path.isEmpty() && file.fault.isEmpty();
-    const bool isShown = file.later ? window.openFile(file.path) : isOpen;
+    const bool isShown = file.later ? window.parts().files.openFile(file.path) : isOpen;
     if (!isShown && StartPageController::wantsStartPage(settings))
-        window.showStartPage();
+        window.parts().start.showPage();
     if (!file.fault.isEmpty())
         interaction.showError(&window, file.fault);
-    window.offerRecoveries();
+    window.parts().safety.offerRecoveries();
 }
 
 /** Gives the window the size asked for, else the one it was left with, else that of the design. */
@@ -171,13 +172,13 @@ int runWindow(const WindowOptions& options)
     MainWindowHost holder(workspace, interaction, settings);
     MainWindow& window = holder.window();
     if (!isScreenshot && !settings.contains(u"window/state"_s))
-        window.showFirstLayout();
+        window.parts().docks.begin(Layout::Plan);
     // The layout may ask for more room than the window was given.
     giveSize(window, options.size_px, !isScreenshot && settings.contains(u"window/geometry"_s));
     if (!options.size_px && !isScreenshot)
         keepOnScreen(window);
     if (options.dark)
-        window.applyTheme(*options.dark ? Theme::dark() : Theme::light());
+        window.parts().appearance.applyTheme(*options.dark ? Theme::dark() : Theme::light());
     if (isScreenshot)
         arrangeScreenshot(workspace, window, options);
     window.show();

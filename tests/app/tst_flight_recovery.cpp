@@ -74,7 +74,7 @@ private slots:
         WindowFixture w(randomScenario(32, {.icebergs = 3}));
         w.workspace.autosaver().start(left, {.pause_ms = 0, .longest_ms = 0});
         w.interaction.recoveryAnswers = {{RecoveryAnswer::Action::Restore, 0}};
-        QVERIFY(w.window().offerRecoveries());
+        QVERIFY(w.window().parts().safety.offerRecoveries());
         QVERIFY(w.interaction.recoveryOffers[0].at(0).name.endsWith(u", in flight"_s));
         QVERIFY(w.workspace.hasUnsavedRun()); // although it is not flown again yet
         QVERIFY(w.until(RunPhase::Paused));

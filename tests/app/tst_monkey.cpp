@@ -1,3 +1,4 @@
+#include "app/window/window_parts.h"
 #include "core/presets/presets.h"
 #include "tests/support/window/monkey.h"
 #include "tests/support/window/panel_test.h"
@@ -43,9 +44,9 @@ QString faultOfUse(MonkeyWindow& w)
     w.workspace.reset();
     if (w.map().isLocked() || w.workspace.inFlight())
         return u"the end of a flight does not unlock the map"_s;
-    if (w.window().startPageIsShown() || !w.map().isVisible())
+    if (w.window().parts().start.pageIsShown() || !w.map().isVisible())
         return {};
-    w.map().fit();
+    w.map().camera().fit();
     w.map().setTool(MapToolKind::Iceberg);
     const std::size_t before = w.scenario().icebergs.size();
     const QSize size = w.map().size();

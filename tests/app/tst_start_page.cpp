@@ -33,9 +33,9 @@ Scenario three(std::int64_t seed = 31)
 /** The window as the program opens it without a file. */
 struct StartWindow : WindowFixture
 {
-    StartWindow() : WindowFixture(three()) { window().showStartPage(); }
+    StartWindow() : WindowFixture(three()) { window().parts().start.showPage(); }
     [[nodiscard]] StartPage* page() { return window().findChild<StartPage*>(); }
-    [[nodiscard]] bool isShown() { return window().startPageIsShown(); }
+    [[nodiscard]] bool isShown() { return window().parts().start.pageIsShown(); }
     [[nodiscard]] Tour* tour() { return window().findChild<Tour*>(); }
     [[nodiscard]] QList<RecentRow*> rows() { return page()->findChildren<RecentRow*>(); }
     /** The key where the focus is. */
@@ -128,11 +128,11 @@ private slots:
         saveScenario(mine, path.toStdString());
         w.settings.setValue("files/recent", QStringList{w.file(u"gone.berg"_s), path});
         w.settings.setValue("start/tourSeen", true);
-        w.window().showStartPage();
+        w.window().parts().start.showPage();
         QCOMPARE(test::child<QPushButton>(w.window(), u"continueButton"_s).text(),
                  u"Continue with mine.berg"_s);
         StartWindow::press(static_cast<Qt::Key>(key));
-        QVERIFY(!w.window().startPageIsShown());
+        QVERIFY(!w.window().parts().start.pageIsShown());
         QVERIFY(w.scenario() == (key == Qt::Key_Return ? mine : defaultScenario()));
         QCOMPARE(w.document().filePath(), key == Qt::Key_Return ? path : QString());
         if (key != Qt::Key_Return)
@@ -153,7 +153,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.close();
         w.settings.setValue("files/recent", QStringList{here, broken, gone});
-        w.window().showStartPage();
+        w.window().parts().start.showPage();
         auto* page = w.window().findChild<StartPage*>();
         const auto rows = [&] { return page->findChildren<RecentRow*>(); };
         QVERIFY(w.until([&] { return rows().size() == 3; }));
@@ -165,16 +165,16 @@ private slots:
         QVERIFY(rows()[2]->accessibleDescription().contains(u"gone"_s));
 
         rows()[2]->click(); // nothing to open
-        QVERIFY(w.window().startPageIsShown());
+        QVERIFY(w.window().parts().start.pageIsShown());
         test::child<QToolButton>(*rows()[2], u"removeRecentButton"_s).click();
         QVERIFY(w.until([&] { return rows().size() == 2; }));
         QCOMPARE(w.settings.value("files/recent").toStringList(), QStringList({here, broken}));
 
         rows()[1]->click(); // says what is wrong and stays
         QCOMPARE(w.interaction.errors.size(), 1);
-        QVERIFY(w.window().startPageIsShown());
+        QVERIFY(w.window().parts().start.pageIsShown());
         rows()[0]->click();
-        QVERIFY(!w.window().startPageIsShown());
+        QVERIFY(!w.window().parts().start.pageIsShown());
         QVERIFY(w.scenario() == three(40));
         QCOMPARE(w.document().filePath(), here);
     }
@@ -321,7 +321,7 @@ private slots:
         page->findChild<ExampleCard*>()->click();
         QCOMPARE(w.interaction.unsavedNames.size(), 1);
         QVERIFY(w.scenario() == changed);
-        QVERIFY(w.window().startPageIsShown());
+        QVERIFY(w.window().parts().start.pageIsShown());
     }
 
     /** By Tab everything is reached, in a circle, and nothing that lies below. */

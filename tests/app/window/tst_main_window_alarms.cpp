@@ -168,7 +168,7 @@ private slots:
         WindowFixture w(threatened());
         QVERIFY(flyTo(w, 5));
         const double fitted_pxpm = w.map().view().scale_pxpm();
-        w.map().panBy({5000, 5000});
+        w.map().camera().panBy({5000, 5000});
         QTRY_VERIFY(line(w, 1).isVisible());
         QTest::mouseClick(&line(w, 1), Qt::LeftButton);
         QVERIFY(w.workspace.selection().contains("berg-1"));

@@ -156,7 +156,7 @@ private slots:
     void firstStartPlans()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
-        w.window().showFirstLayout();
+        w.window().parts().docks.begin(Layout::Plan);
         QVERIFY(w.action(u"planLayoutAction"_s).isChecked());
         const auto share = [&] {
             return double(w.map().width()) * w.map().height() /
@@ -269,7 +269,7 @@ private slots:
     void languageKeepsViewAndRate()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
-        w.map().zoomBy(2, {100, 100});
+        w.map().camera().zoomBy(2, {100, 100});
         const double scale_pxpm = w.map().view().scale_pxpm();
         QTest::keyClick(&w.map(), Qt::Key_BracketRight);
         const double rate =

@@ -193,12 +193,12 @@ private slots:
         QTableView& table = raisedTable(w);
         w.workspace.step();
         QVERIFY(w.until([&] { return w.workspace.inFlight(); }));
-        w.map().setFollowUav(true);
+        w.map().camera().setFollowUav(true);
         click(table, 3, IcebergColumn::Name);
         QTest::mouseDClick(table.viewport(), Qt::LeftButton, {},
                            table.visualRect(cell(table, 3, IcebergColumn::Name)).center());
         QCOMPARE(w.workspace.selection().ids(), Ids{"berg-4"});
-        QVERIFY(!w.map().followsUav());
+        QVERIFY(!w.map().camera().followsUav());
         const QPointF off = w.map().toScreen(w.record().estimate_m(3)) -
                             QPointF(w.map().width(), w.map().height()) / 2;
         QVERIFY(off.manhattanLength() < 1);

@@ -292,15 +292,15 @@ private slots:
     void startPageImports()
     {
         WindowFixture w(randomScenario(31, {.icebergs = 3}));
-        w.window().showStartPage();
+        w.window().parts().start.showPage();
         w.interaction.path = fixturePath("metno.geojson");
         auto& button = test::child<QPushButton>(w.window(), u"startImportButton"_s);
         button.click();
-        QVERIFY(w.window().startPageIsShown()); // cancelled
+        QVERIFY(w.window().parts().start.pageIsShown()); // cancelled
         QVERIFY(w.interaction.importOffers.front().intoNew);
         w.interaction.importAnswer = accepts();
         button.click();
-        QVERIFY(!w.window().startPageIsShown());
+        QVERIFY(!w.window().parts().start.pageIsShown());
         QCOMPARE(w.scenario().name, std::string("metno"));
         QCOMPARE(w.scenario().icebergs.size(), 4U);
     }

@@ -6,10 +6,13 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
+#include <QSet>
 #include <QTableView>
 #include <QUndoStack>
 
@@ -72,8 +75,8 @@ void raise(WindowFixture& w, const QString& dock)
 auto stateOf(WindowFixture& w)
 {
     return std::tuple(w.scenario().icebergs.size(), w.workspace.selection().ids(), w.map().tool(),
-                      w.map().followsUav(), w.map().view().scale_pxpm(), w.record().now.generation,
-                      w.workspace.inFlight(),
+                      w.map().camera().followsUav(), w.map().view().scale_pxpm(),
+                      w.record().now.generation, w.workspace.inFlight(),
                       test::child<QComboBox>(w.window(), u"rateCombo"_s).currentIndex(),
                       w.interaction.informations.size());
 }
@@ -234,6 +237,38 @@ private slots:
         QVERIFY(taken.size() >= 20);
     }
 
+    void manualNamesKeysThatExist_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << u"en"_s;
+        QTest::newRow("Norwegian") << u"nb"_s;
+    }
+
+    void manualNamesKeysThatExist()
+    {
+        QFETCH(QString, language);
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        QSet<QString> keys{u"Shift+F10"_s}; // of no command
+        for (const QAction* action : w.window().findChildren<QAction*>())
+            for (const QKeySequence& key : action->shortcuts())
+                keys << key.toString();
+        const QRegularExpression named(
+            uR"(\*\*((?:(?:Ctrl|Alt|Shift)\+)+\w+|[A-Z]|F\d+)\*\*|\(((?:Ctrl\+)+\w|F\d+)\))"_s);
+        int count = 0;
+        const QDir pages(u":/manual/"_s + language);
+        for (const QString& name : pages.entryList()) {
+            QFile page(pages.filePath(name));
+            QVERIFY(page.open(QIODevice::ReadOnly));
+            const QString text = QString::fromUtf8(page.readAll());
+            for (const QRegularExpressionMatch& match : named.globalMatch(text)) {
+                const QString key = match.captured(1) + match.captured(2);
+                QVERIFY2(keys.contains(key), qPrintable(name + u": "_s + key));
+                ++count;
+            }
+        }
+        QVERIFY(count >= 20);
+    }
+
     void lettersTakeTools_data()
     {
         QTest::addColumn<Qt::Key>("key");
@@ -272,9 +307,9 @@ private slots:
         QTest::keyClick(&w.map(), Qt::Key_F);
         QCOMPARE(w.map().view().scale_pxpm(), fitted_pxpm);
         QTest::keyClick(&w.map(), Qt::Key_L);
-        QVERIFY(w.map().followsUav());
+        QVERIFY(w.map().camera().followsUav());
         QVERIFY(w.action(u"followAction"_s).isChecked());
-        w.map().panBy({300, 0}); // by hand: ends it
+        w.map().camera().panBy({300, 0}); // by hand: ends it
         QVERIFY(!w.action(u"followAction"_s).isChecked());
         QTest::keyClick(&w.map(), Qt::Key_Question);
         QCOMPARE(w.interaction.informations.size(), 1);

@@ -45,7 +45,7 @@ private slots:
     void icebergBelowAPanelIsPickedAndDragged()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
-        w.map().panBy(QPointF(kOnTitle) - w.pixelOf("berg-2"));
+        w.map().camera().panBy(QPointF(kOnTitle) - w.pixelOf("berg-2"));
         QCOMPARE(w.pixelOf("berg-2"), kOnTitle);
         w.click(kOnTitle);
         QVERIFY(w.workspace.selection().contains("berg-2"));
@@ -67,7 +67,7 @@ private slots:
         QVERIFY(!isFaint());
         QTest::mouseMove(&w.map(), kOnTitle);
         QVERIFY(!isFaint());
-        w.map().panBy(QPointF(kOnTitle) - w.pixelOf("berg-2"));
+        w.map().camera().panBy(QPointF(kOnTitle) - w.pixelOf("berg-2"));
         QTest::mouseMove(&w.map(), {400, 300});
         QVERIFY(!isFaint());
         QTest::mouseMove(&w.map(), kOnTitle);
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(fold);
         w.click({25, 25});
         const QPoint button(*fold, kParts_px);
-        w.map().panBy(QPointF(button) - w.pixelOf("berg-2"));
+        w.map().camera().panBy(QPointF(button) - w.pixelOf("berg-2"));
         auto& inspector = test::child<QDockWidget>(w.window(), u"inspectorDock"_s);
         QVERIFY(inspector.visibleRegion().isEmpty());
         QTest::mouseClick(&w.map(), Qt::LeftButton, {}, button);

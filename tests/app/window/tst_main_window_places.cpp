@@ -65,7 +65,7 @@ private slots:
                      50); // half a pixel
         QVERIFY(mark.isVisible());
         QVERIFY(mark.geometry().contains(w.map().rect().center()));
-        w.map().panBy({40, 0});
+        w.map().camera().panBy({40, 0});
         QVERIFY(mark.geometry().contains(w.map().rect().center() + QPoint(40, 0)));
     }
 

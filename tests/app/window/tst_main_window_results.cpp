@@ -147,7 +147,7 @@ private slots:
                 w.press(u"startBenchmark"_s);
             else if (path == u"closed"_s)
                 w.window().close();
-            else if (w.window().mayEndSession(true))
+            else if (w.window().parts().safety.mayEndSession(true))
                 w.window().hide();
         };
         const auto stays = [&] {
@@ -250,7 +250,7 @@ private slots:
         QVERIFY(w.leaveStudy());
         QCOMPARE(w.savedFiles().size(), 1);
         w.workspace.studyAutosaver().start(w.studies());
-        QVERIFY(!w.window().offerRecoveries()); // no question: it is simply there
+        QVERIFY(!w.window().parts().safety.offerRecoveries()); // no question: it is simply there
         QVERIFY(w.until([&] { return w.workspace.study().result() != nullptr; }));
         QVERIFY(test::child<QDockWidget>(w.window(), u"studyDock"_s).isVisible());
         QVERIFY(test::child<QLabel>(w.window(), u"studyState"_s)
@@ -278,7 +278,7 @@ private slots:
         left.write("{");
         left.close();
         w.workspace.studyAutosaver().start(w.studies());
-        w.window().offerRecoveries();
+        w.window().parts().safety.offerRecoveries();
         QVERIFY(w.until([&] { return w.interaction.errors.size() == 1; }));
         QVERIFY(w.interaction.errors[0].contains(name + u".damaged"_s));
         QVERIFY(QFile::exists(left.fileName() + u".damaged"_s));

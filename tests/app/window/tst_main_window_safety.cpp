@@ -100,7 +100,7 @@ private slots:
     void nothingLeftIsNoQuestion()
     {
         SafeWindow w;
-        QVERIFY(!w.window().offerRecoveries());
+        QVERIFY(!w.window().parts().safety.offerRecoveries());
         w.trigger(u"recoverAction"_s);
         QVERIFY(w.interaction.recoveryOffers.empty());
         QVERIFY(!w.window().statusBar()->currentMessage().isEmpty());
@@ -113,7 +113,7 @@ private slots:
         saveScenario(three(1), own.toStdString());
         w.leave(77, own, QDateTime::currentDateTime().addSecs(60));
         w.interaction.recoveryAnswers = {{Action::Restore, 0}};
-        QVERIFY(w.window().offerRecoveries());
+        QVERIFY(w.window().parts().safety.offerRecoveries());
         QCOMPARE(w.interaction.recoveryOffers.size(), 1U);
         const RecoveryOffer& offer = w.interaction.recoveryOffers[0].at(0);
         QCOMPARE(offer.name.toStdString(), three(77).name);
@@ -138,7 +138,7 @@ private slots:
         SafeWindow w;
         w.leave(77, {}, QDateTime::currentDateTime());
         w.interaction.recoveryAnswers = {{Action::Restore, 0}};
-        w.window().offerRecoveries();
+        w.window().parts().safety.offerRecoveries();
         w.interaction.path = w.file(u"new.berg"_s);
         w.trigger(u"saveAction"_s);
         QCOMPARE(w.interaction.suggested.size(), 1);
@@ -153,7 +153,7 @@ private slots:
         saveScenario(three(1), own.toStdString());
         w.leave(77, own, QDateTime::currentDateTime().addSecs(-3600));
         w.interaction.recoveryAnswers = {{Action::Restore, 0}};
-        w.window().offerRecoveries();
+        w.window().parts().safety.offerRecoveries();
         w.trigger(u"saveAction"_s);
         QCOMPARE(w.interaction.overwriteReasons.size(), 1);
         QVERIFY(loadScenario(own.toStdString()) == three(1));
@@ -167,7 +167,7 @@ private slots:
         for (int i = 0; i < 3; ++i)
             w.leave(70 + i, {}, now.addSecs(-i));
         w.interaction.recoveryAnswers = {{Action::Discard, 1}, {Action::Later, 0}};
-        w.window().offerRecoveries();
+        w.window().parts().safety.offerRecoveries();
         QCOMPARE(w.interaction.recoveryOffers.size(), 2U);
         QCOMPARE(w.interaction.recoveryOffers[0].size(), 3U);
         QCOMPARE(w.interaction.recoveryOffers[1].size(), 2U);
@@ -202,7 +202,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("{");
         file.close();
-        QVERIFY(w.window().offerRecoveries());
+        QVERIFY(w.window().parts().safety.offerRecoveries());
         QCOMPARE(w.interaction.errors.size(), 1);
         QVERIFY(w.interaction.errors[0].contains(name + u".damaged"_s));
         QVERIFY(w.interaction.recoveryOffers.empty());
@@ -353,7 +353,7 @@ private slots:
         };
         QVERIFY(w.until(isSaved));
         w.interaction.unsaved = answer;
-        QCOMPARE(w.window().mayEndSession(true), answer != Unsaved::Cancel);
+        QCOMPARE(w.window().parts().safety.mayEndSession(true), answer != Unsaved::Cancel);
         QCOMPARE(w.interaction.unsavedNames.size(), 1);
         QCOMPARE(loadScenario(own.toStdString()) == w.scenario(), answer == Unsaved::Save);
         QCOMPARE(isSaved(), answer == Unsaved::Cancel); // it may be killed from now on
@@ -380,7 +380,7 @@ private slots:
         SafeWindow w;
         w.change();
         w.interaction.unsaved = Unsaved::Discard;
-        QVERIFY(w.window().mayEndSession(mayAsk));
+        QVERIFY(w.window().parts().safety.mayEndSession(mayAsk));
         const auto asked = w.interaction.unsavedNames.size();
         w.interaction.unsaved = Unsaved::Cancel;
         if (comesBack) {
@@ -401,7 +401,7 @@ private slots:
             WindowFixture w(three());
             w.workspace.autosaver().start(folder.path(), {.pause_ms = 0, .longest_ms = 0});
             w.dragTau(0.5, 0.8);
-            QVERIFY(w.window().mayEndSession(false));
+            QVERIFY(w.window().parts().safety.mayEndSession(false));
             QVERIFY(!QDir(folder.path()).isEmpty(QDir::Files));
             w.interaction.unsaved = Unsaved::Discard;
             QVERIFY(w.window().close());
@@ -414,7 +414,7 @@ private slots:
         SafeWindow w;
         w.change();
         w.interaction.unsaved = Unsaved::Discard;
-        QVERIFY(w.window().mayEndSession(true)); // but another program calls it off
+        QVERIFY(w.window().parts().safety.mayEndSession(true)); // but another program calls it off
         w.dragTau(0.8, 0.2);
         w.interaction.unsaved = Unsaved::Cancel;
         QVERIFY(!w.window().close());
@@ -430,7 +430,7 @@ private slots:
             w.workspace.autosaver().start(folder.path());
             w.dragTau(0.5, 0.8);
             changed = w.scenario();
-            QVERIFY(w.window().mayEndSession(false));
+            QVERIFY(w.window().parts().safety.mayEndSession(false));
             endProgram();
             QVERIFY(w.interaction.unsavedNames.isEmpty());
             QVERIFY(!w.window().isVisible());

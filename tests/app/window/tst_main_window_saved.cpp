@@ -146,7 +146,7 @@ private slots:
         QVERIFY(!w.interaction.mayCancelWaits.back());
         w.workspace.reset();
         QVERIFY(w.untilReady());
-        QVERIFY(w.window().openFile(w.interaction.path));
+        QVERIFY(w.window().parts().files.openFile(w.interaction.path));
         QCOMPARE(w.interaction.waits.back(), u"Reading a.bergrun"_s);
         QVERIFY(w.interaction.mayCancelWaits.back());
         QVERIFY(w.until([&] { return w.workspace.isMidFlight(); }));
@@ -206,7 +206,7 @@ private slots:
             QVERIFY(loadScenario(path.toStdString(), ScenarioUse::Editing) == saved);
             if (i % 30 != 29)
                 continue;
-            QVERIFY(w.window().openFile(path));
+            QVERIFY(w.window().parts().files.openFile(path));
             QVERIFY(w.scenario() == saved);
         }
         QVERIFY2(faulty > 0, "nothing was tried that cannot be flown");
@@ -219,7 +219,7 @@ private slots:
         start.geofence = true;
         WindowFixture w(start);
         w.workspace.autosaver().start(w.file(u"recovery"_s), {.pause_ms = 0, .longest_ms = 0});
-        w.map().zoomBy(0.7, QRectF(w.map().rect()).center());
+        w.map().camera().zoomBy(0.7, QRectF(w.map().rect()).center());
         w.drag(w.pixelOf(Point(0, 0)), w.pixelOf(Point(-800, 1500)));
         QVERIFY(w.scenario().uavs[0].position_m.x() < -700);
         QVERIFY(w.until(RunPhase::Failed));
@@ -230,7 +230,7 @@ private slots:
         w.trigger(u"saveAction"_s);
         const Scenario saved = w.scenario();
         w.document().reset(test::MapFixture::fourIcebergs());
-        QVERIFY(w.window().openFile(w.interaction.path));
+        QVERIFY(w.window().parts().files.openFile(w.interaction.path));
         QCOMPARE(w.interaction.errors, QStringList());
         QVERIFY(w.scenario() == saved);
         QVERIFY(w.until(RunPhase::Failed));

@@ -95,12 +95,12 @@ private slots:
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         QVERIFY(flyTo(w, 80));
-        QVERIFY(!w.window().mayEndSession(true));
+        QVERIFY(!w.window().parts().safety.mayEndSession(true));
         QCOMPARE(w.interaction.runQuestions, std::vector<bool>{true});
         QVERIFY(w.workspace.isMidFlight());
         w.interaction.unsavedRun = Unsaved::Save;
         w.interaction.path = w.file(u"kept.bergrun"_s);
-        QVERIFY(w.window().mayEndSession(true));
+        QVERIFY(w.window().parts().safety.mayEndSession(true));
         QVERIFY(QFile::exists(w.interaction.path)); // there may be no time later on
     }
 

@@ -226,10 +226,10 @@ private slots:
     {
         WindowFixture w(test::quickScenario());
         saveStudy(test::fourCases()->study, w.file(u"a.bergstudy"_s).toStdString());
-        QVERIFY(w.window().openFile(w.file(u"a.bergstudy"_s)));
+        QVERIFY(w.window().parts().files.openFile(w.file(u"a.bergstudy"_s)));
         QVERIFY(w.until([&] { return w.workspace.study().result() != nullptr; }));
         QVERIFY(test::child<QDockWidget>(w.window(), u"studyDock"_s).isVisible());
-        w.window().openFile(w.file(u"none.bergstudy"_s));
+        w.window().parts().files.openFile(w.file(u"none.bergstudy"_s));
         QVERIFY(w.until([&] { return w.interaction.errors.size() == 1; }));
     }
 
@@ -312,7 +312,7 @@ private slots:
         saveStudy(test::fourCases()->study, other.toStdString());
         const auto replace = [&] {
             if (path == u"file"_s)
-                QVERIFY(w.window().openFile(other));
+                QVERIFY(w.window().parts().files.openFile(other));
             else
                 w.click(path);
         };
@@ -378,7 +378,8 @@ private slots:
         w.settings.setValue("study/worthSaving_s", 0);
         w.interaction.unsaved = answer;
         w.interaction.path = w.file(u"a.bergstudy"_s);
-        QCOMPARE(w.window().mayEndSession(true), answer != Interaction::Unsaved::Cancel);
+        QCOMPARE(w.window().parts().safety.mayEndSession(true),
+                 answer != Interaction::Unsaved::Cancel);
         QCOMPARE(w.interaction.unsavedNames.size(), 1);
         QCOMPARE(QFile::exists(w.interaction.path), answer == Interaction::Unsaved::Save);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/main_window_host.h"
+#include "app/window/window_parts.h"
 #include "core/base/solving_guard.h"
 #include "tests/support/window/fake_interaction.h"
 #include "tests/support/window/panel_test.h"

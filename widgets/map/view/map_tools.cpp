@@ -36,7 +36,7 @@ public:
     {
         if (!m_last)
             return;
-        context().view.panBy(pointer.at_px - *m_last);
+        context().view.camera().panBy(pointer.at_px - *m_last);
         m_last = pointer.at_px;
     }
     void release(const MapPointer&) override { m_last.reset(); }

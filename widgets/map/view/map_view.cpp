@@ -15,18 +15,7 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kUavClearance_px = 20; // distance of a followed UAV from panels
-
-// The smallest scale shows the whole range of coordinates; at the largest a pixel is a tenth of a
-// metre.
-constexpr double kSmallestScale_pxpm = 2e-4;
-constexpr double kLargestScale_pxpm = 10;
-
-/** Half the share of the view within which a followed UAV moves. */
-constexpr double kFollowShare = 0.2;
-
 constexpr int kSettle_ms = 50;
-constexpr int kOutlinePieces = 8; // per side
 
 } // namespace
 
@@ -34,6 +23,7 @@ MapView::MapView(ScenarioDocument& document, Selection& selection, QWidget* pare
     : QWidget(parent)
     , m_document(document)
     , m_selection(selection)
+    , m_camera(m_scene, m_selection)
     , m_edits({m_document, m_selection, m_scene, *this})
     , m_tool(makeMapTool(MapToolKind::Select, {m_document, m_selection, m_scene, *this}))
 {
@@ -53,6 +43,10 @@ MapView::MapView(ScenarioDocument& document, Selection& selection, QWidget* pare
     connect(&m_document, &ScenarioDocument::replaced, this, &MapView::scenarioReplaced);
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &MapView::scenarioChanged);
     connect(&m_selection, &Selection::changed, this, &MapView::selectionChanged);
+    connect(&m_camera, &MapCamera::moved, this, [this] {
+        updateHover();
+        update();
+    });
     refreshPicture();
     updateTexts();
 }
@@ -62,7 +56,7 @@ void MapView::setPicture(MapPicture picture)
     m_picture = std::move(picture);
     refreshPicture();
     if (m_fitsNextPicture)
-        fit();
+        m_camera.fit();
     m_fitsNextPicture = false;
 }
 
@@ -114,16 +108,6 @@ void MapView::setTool(MapToolKind kind)
     emit toolChanged(kind);
 }
 
-void MapView::fit()
-{
-    m_scene.fit();
-    m_scene.settle();
-    m_isFitted = true;
-    updateHover();
-    update();
-    emit outlineChanged();
-}
-
 void MapView::setCover(int cover_px)
 {
     m_scene.setCover(cover_px);
@@ -154,8 +138,8 @@ void MapView::placeInset()
 void MapView::setPanels(const MapPanelStates& panels)
 {
     m_scene.setPanels(panels);
-    if (m_isFitted)
-        fit();
+    if (m_camera.isFitted())
+        m_camera.fit();
     placeInset();
     update();
 }
@@ -173,22 +157,6 @@ std::optional<MapPanel> MapView::panelAt(const QPoint& globalPos)
     return m_scene.panelAt(mapFromGlobal(globalPos));
 }
 
-std::vector<LatLon> MapView::outline() const
-{
-    const LocalFrame frame(m_scene.picture().origin);
-    const QRectF shown = m_scene.rect();
-    const QPolygonF corners({shown.topLeft(), shown.topRight(), shown.bottomRight(),
-                             shown.bottomLeft(), shown.topLeft()});
-    std::vector<LatLon> places;
-    for (qsizetype i = 0; i + 1 < corners.size(); ++i) {
-        const QLineF side(corners[i], corners[i + 1]);
-        for (int k = 0; k < kOutlinePieces; ++k)
-            places.push_back(
-                frame.toGeographic(toWorld(side.pointAt(static_cast<double>(k) / kOutlinePieces))));
-    }
-    return places;
-}
-
 void MapView::measureFrom(const Point& from_m)
 {
     setTool(MapToolKind::Measure);
@@ -199,129 +167,9 @@ void MapView::measureFrom(const Point& from_m)
     updateToolState();
 }
 
-void MapView::centreOn(const LatLon& place)
-{
-    const Point place_m = LocalFrame(m_scene.picture().origin).toPlane(place);
-    panBy(m_scene.rect().center() - toScreen(place_m));
-}
-
 void MapView::finishLand()
 {
     m_scene.land().finish();
-}
-
-void MapView::zoomBy(double factor, const QPointF& at)
-{
-    const double scale_pxpm = view().scale_pxpm();
-    const double wanted_pxpm =
-        std::clamp(scale_pxpm * factor, kSmallestScale_pxpm, kLargestScale_pxpm);
-    if (wanted_pxpm == scale_pxpm)
-        return;
-    // The zoom centre is a followed UAV, otherwise the place under the cursor.
-    const MapUav* uav = m_followsUav ? followedUav() : nullptr;
-    const QPointF fixed = uav != nullptr ? toScreen(uav->position_m) : at;
-    setView(view().zoomed(wanted_pxpm / scale_pxpm, fixed));
-}
-
-void MapView::showIceberg(const std::string& id)
-{
-    const std::vector<MapIceberg>& icebergs = m_scene.picture().icebergs;
-    const auto it = std::ranges::find(icebergs, id, keyOf);
-    if (it != icebergs.end())
-        panBy(m_scene.rect().center() - toScreen(it->position_m));
-}
-
-void MapView::showObjects(const std::vector<std::string>& ids)
-{
-    constexpr double kShare = 0.6; // share of the map, which leaves the surroundings visible
-    const MapPicture& picture = m_scene.picture();
-    std::vector<Point> places_m;
-    const auto add = [&](const std::string& id, const Point& place_m) {
-        if (std::ranges::find(ids, id) != ids.end())
-            places_m.push_back(place_m);
-    };
-    for (const MapIceberg& iceberg : picture.icebergs)
-        add(keyOf(iceberg), iceberg.position_m);
-    for (const MapUav& uav : picture.uavs)
-        if (uav.key)
-            add(*uav.key, uav.position_m);
-    if (picture.asset)
-        add(kAssetKey, picture.asset->position_m);
-    if (places_m.empty())
-        return;
-    setFollowUav(false);
-    QRectF middle(QPointF(), m_scene.rect().size() * kShare);
-    middle.moveCenter(m_scene.rect().center());
-    setView(MapViewTransform::fitted(boundsOf(places_m), middle));
-}
-
-void MapView::panBy(const QPointF& offset_px)
-{
-    setFollowUav(false);
-    setView(view().moved(offset_px));
-}
-
-void MapView::setFollowUav(bool follow)
-{
-    if (m_followsUav == follow)
-        return;
-    m_followsUav = follow;
-    if (const MapUav* uav = followedUav(); follow && uav != nullptr)
-        setView(view().moved(m_scene.rect().center() - toScreen(uav->position_m)));
-    emit followUavChanged(follow);
-}
-
-void MapView::showAs(const MapView& other)
-{
-    if (!other.m_isFitted)
-        setView(other.view());
-    setFollowUav(other.m_followsUav);
-}
-
-/** Selected UAV, otherwise the first; null if there is none. */
-const MapUav* MapView::followedUav() const
-{
-    const std::vector<MapUav>& uavs = m_scene.picture().uavs;
-    const auto selected = std::find_if(uavs.begin(), uavs.end(), [&](const MapUav& uav) {
-        return uav.key && m_selection.contains(*uav.key);
-    });
-    if (selected != uavs.end())
-        return &*selected;
-    return uavs.empty() ? nullptr : &uavs.front();
-}
-
-void MapView::setView(const MapViewTransform& view)
-{
-    // The middle of the map stays within the limits of a scenario.
-    const QPointF middle = m_scene.rect().center();
-    const Point middle_m = view.toWorld(middle);
-    const QPointF offset_px = middle - view.toPixel(clampedPosition(middle_m));
-    m_scene.setView(view.moved(offset_px));
-    m_isFitted = false;
-    updateHover();
-    update();
-    emit outlineChanged();
-}
-
-void MapView::keepUavInSight()
-{
-    const MapUav* uav = followedUav();
-    if (!m_followsUav || uav == nullptr)
-        return;
-    const QRectF rect = m_scene.rect();
-    const QPointF half(kFollowShare * rect.width(), kFollowShare * rect.height());
-    const QPointF at = toScreen(uav->position_m);
-    const QPointF middle = rect.center();
-    QPointF inside(std::clamp(at.x(), middle.x() - half.x(), middle.x() + half.x()),
-                   std::clamp(at.y(), middle.y() - half.y(), middle.y() + half.y()));
-    for (const QRectF& overlay : m_scene.layout().overlays())
-        if (overlay
-                .marginsAdded(
-                    {kUavClearance_px, kUavClearance_px, kUavClearance_px, kUavClearance_px})
-                .contains(inside))
-            inside = middle;
-    if (inside != at)
-        setView(view().moved(inside - at));
 }
 
 void MapView::setHighlight(const std::string& id)
@@ -354,9 +202,9 @@ void MapView::refreshPicture()
     const bool isOtherCount = shown.icebergs.size() != m_scene.picture().icebergs.size();
     const bool isElsewhere = !(shown.origin == m_scene.picture().origin);
     m_scene.setPicture(std::move(shown));
-    keepUavInSight();
+    m_camera.keepUavInSight();
     if (isElsewhere)
-        emit outlineChanged();
+        emit m_camera.moved();
     if (isOtherCount)
         updateTexts();
     updateHover();
@@ -379,13 +227,13 @@ void MapView::scenarioChanged()
     m_tool->documentChanged();
     refreshPicture();
     if (m_fitsNextPicture)
-        fit();
+        m_camera.fit();
 }
 
 void MapView::selectionChanged()
 {
     endNudges(); // a new selection starts a new undo step
-    keepUavInSight();
+    m_camera.keepUavInSight();
     update();
 }
 
@@ -478,12 +326,7 @@ void MapView::paintEvent(QPaintEvent*)
 
 void MapView::resizeEvent(QResizeEvent*)
 {
-    const QPointF before = m_scene.rect().center();
-    m_scene.setRect(QRectF(rect()));
-    if (m_isFitted)
-        fit();
-    else
-        setView(view().moved(m_scene.rect().center() - before));
+    m_camera.resize(QRectF(rect()));
     placeInset();
 }
 

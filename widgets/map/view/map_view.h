@@ -1,9 +1,8 @@
 #pragma once
 
 #include "widgets/document/scenario_document.h"
-#include "widgets/document/selection.h"
+#include "widgets/map/view/map_camera.h"
 #include "widgets/map/view/map_edits.h"
-#include "widgets/map/view/map_scene.h"
 #include "widgets/map/view/map_tools.h"
 
 #include <QTimer>
@@ -45,8 +44,8 @@ public:
     void setTool(MapToolKind kind);
     [[nodiscard]] MapToolKind tool() const { return m_toolKind; }
 
-    /** Shows all objects as large as possible. */
-    void fit();
+    /** Returns what moves and zooms the map. */
+    [[nodiscard]] MapCamera& camera() { return m_camera; }
     /** Sets the height at the top covered by another widget; panels are placed below it. */
     void setCover(int cover_px);
     /** Shows a widget with its size hint below the north arrow if there is room; null for none. */
@@ -65,32 +64,10 @@ public:
     /** Returns the panel at a place of the screen, also if it is folded to its icon; nullopt if
      * there is none. */
     [[nodiscard]] std::optional<MapPanel> panelAt(const QPoint& globalPos);
-    /** Returns the outline of the area shown, with points between the corners; it is not closed. */
-    [[nodiscard]] std::vector<LatLon> outline() const;
     /** Selects the measuring tool and starts a measurement at this place, metres. */
     void measureFrom(const Point& from_m);
-    /** Centres the map on a place, or on the nearest one within the limits of a scenario, and stops
-     * following a UAV. */
-    void centreOn(const LatLon& place);
     /** Waits for the land of the last painted view: for image export. */
     void finishLand();
-    /** Zooms about a pixel, or about a followed UAV, within the limits of scale. */
-    void zoomBy(double factor, const QPointF& at);
-    /** Centres the map on an iceberg and stops following a UAV; does nothing if the iceberg is not
-     * in the picture. */
-    void showIceberg(const std::string& id);
-    /** Zooms to these icebergs, UAVs and the asset and stops following a UAV; does nothing if none
-     * is in the picture. */
-    void showObjects(const std::vector<std::string>& ids);
-    /** Moves the map by `offset_px` and stops following a UAV. */
-    void panBy(const QPointF& offset_px);
-    /** Keeps the selected UAV, otherwise the first one, in the middle part of the view until the
-     * map is moved by hand. */
-    void setFollowUav(bool follow);
-    [[nodiscard]] bool followsUav() const { return m_followsUav; }
-
-    /** Takes over from another map centre and scale, unless that one is fitted, and following. */
-    void showAs(const MapView& other);
 
     [[nodiscard]] MapViewTransform view() const { return m_scene.view(); }
     [[nodiscard]] Point toWorld(const QPointF& p_px) const { return m_scene.view().toWorld(p_px); }
@@ -124,14 +101,11 @@ public slots:
 signals:
     /** A panel was folded, unfolded or moved by mouse. */
     void panelsChanged();
-    /** Another part of the Earth is shown. */
-    void outlineChanged();
     /** A request was rejected; `text` gives the reason. */
     void refused(const QString& text);
     void cursorMoved(const berg::Point& position_m);
     void cursorLeft();
     void toolChanged(berg::MapToolKind kind);
-    void followUavChanged(bool follows);
     /** The status bar text of the tool has changed. */
     void statusText(const QString& text);
     /** Another object is under the cursor; empty for none. */
@@ -171,14 +145,11 @@ private:
     void scenarioReplaced();
     void selectionChanged();
     void refreshPicture();
-    void keepUavInSight();
-    void setView(const MapViewTransform& view);
     void placeInset();
     /** Handles a press on a part of a panel; returns false if there is none. */
     bool pressPanel(const QPointF& at);
     void movePanel(const QPointF& at);
     void releasePanel();
-    [[nodiscard]] const MapUav* followedUav() const;
     void endNudges();
     void updateToolState();
     void setHovered(const std::string& id);
@@ -196,6 +167,7 @@ private:
     ScenarioDocument& m_document;
     Selection& m_selection;
     MapScene m_scene;
+    MapCamera m_camera;
     MapEdits m_edits;
     MapPicture m_picture; ///< as set by the owner
     std::optional<Scenario> m_preview;
@@ -205,9 +177,7 @@ private:
 
     bool m_isLocked = false;
     bool m_mayIntervene = false;   ///< while locked
-    bool m_isFitted = true;        ///< unmoved since `fit`: a resize fits again
     bool m_fitsNextPicture = true; ///< next picture is the first of a scenario
-    bool m_followsUav = false;
     bool m_hasKeyboardFocus = false;
     std::optional<QPointF> m_cursor;  ///< nullopt if not over the map
     std::optional<QPointF> m_panFrom; ///< last position of a drag with the middle button

@@ -140,7 +140,7 @@ void MapView::mouseMoveEvent(QMouseEvent* event)
     if (m_movedPanel) {
         movePanel(event->position());
     } else if (m_panFrom && event->buttons().testFlag(Qt::MiddleButton)) {
-        panBy(event->position() - *m_panFrom);
+        m_camera.panBy(event->position() - *m_panFrom);
         m_panFrom = event->position();
     } else if (m_tool->isBusy()) {
         // Another widget, such as a dialog that opened, may have got the release.
@@ -216,7 +216,7 @@ void MapView::requestContextMenu(const QPoint& globalPos, const QPointF& at)
 void MapView::wheelEvent(QWheelEvent* event)
 {
     event->accept();
-    zoomBy(wheelFactor(*event), event->position());
+    m_camera.zoomBy(wheelFactor(*event), event->position());
 }
 
 void MapView::leaveEvent(QEvent*)
@@ -253,11 +253,11 @@ void MapView::keyPressEvent(QKeyEvent* event)
     else if (event->key() == Qt::Key_Delete)
         m_edits.deleteSelected();
     else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
-        zoomBy(kKeyZoom, middle);
+        m_camera.zoomBy(kKeyZoom, middle);
     else if (event->key() == Qt::Key_Minus)
-        zoomBy(1 / kKeyZoom, middle);
+        m_camera.zoomBy(1 / kKeyZoom, middle);
     else if (event->key() == Qt::Key_F && event->modifiers() == Qt::NoModifier)
-        fit();
+        m_camera.fit();
     else if (event->key() == Qt::Key_Escape && m_tool->isBusy())
         m_tool->cancel();
     else if (event->key() == Qt::Key_Escape)
@@ -296,7 +296,7 @@ void MapView::pressArrow(const QKeyEvent& event)
     if (m_selection.isEmpty() || m_tool->isDrawing() || isLocked()) {
         // The view moves in the direction of the arrow, so the map moves against it.
         const double pan_px = isLarge ? kLargePan_px : kPan_px;
-        panBy(QPointF(-direction.x(), direction.y()) * pan_px);
+        m_camera.panBy(QPointF(-direction.x(), direction.y()) * pan_px);
         return;
     }
     const double step_m = roundDown125(kNudge_px / view().scale_pxpm());
@@ -327,7 +327,7 @@ bool MapView::nativeGesture(const QNativeGestureEvent& event)
 {
     if (event.gestureType() != Qt::ZoomNativeGesture)
         return false;
-    zoomBy(std::max(0.1, 1 + event.value()), event.position());
+    m_camera.zoomBy(std::max(0.1, 1 + event.value()), event.position());
     return true;
 }
 
@@ -340,9 +340,9 @@ bool MapView::gesture(QGestureEvent& event)
     const QPointF centre = mapFromGlobal(pinch->centerPoint());
     if (pinch->changeFlags().testFlag(QPinchGesture::CenterPointChanged) &&
         pinch->state() != Qt::GestureStarted)
-        panBy(centre - mapFromGlobal(pinch->lastCenterPoint()));
+        m_camera.panBy(centre - mapFromGlobal(pinch->lastCenterPoint()));
     if (pinch->changeFlags().testFlag(QPinchGesture::ScaleFactorChanged))
-        zoomBy(pinch->scaleFactor(), centre);
+        m_camera.zoomBy(pinch->scaleFactor(), centre);
     event.accept();
     return true;
 }

@@ -24,7 +24,7 @@ PlaceMark::PlaceMark(MapView& map) : QWidget(&map), m_map(map)
     m_timer.setSingleShot(true);
     m_timer.setInterval(kShown_ms);
     connect(&m_timer, &QTimer::timeout, this, &QWidget::hide);
-    connect(&map, &MapView::outlineChanged, this, &PlaceMark::follow);
+    connect(&map.camera(), &MapCamera::moved, this, &PlaceMark::follow);
     hide();
 }
 

@@ -166,7 +166,7 @@ private slots:
         f.view.setInset(&overview);
         QVERIFY(overview.isVisible());
         QVERIFY(f.view.rect().contains(overview.geometry()));
-        f.view.fit();
+        f.view.camera().fit();
         for (std::size_t i = 0; i < f.scenario().icebergs.size(); ++i)
             QVERIFY(!overview.geometry().contains(f.iceberg(i)));
         f.view.resize(300, 200); // too small for it
@@ -181,18 +181,18 @@ private slots:
     {
         test::MapFixture f;
         const LocalFrame frame(f.scenario().origin);
-        const QSignalSpy changed(&f.view, &MapView::outlineChanged);
+        const QSignalSpy changed(&f.view.camera(), &MapCamera::moved);
         const LatLon place = frame.toGeographic({60'000, 20'000});
-        f.view.centreOn(place);
+        f.view.camera().centreOn(place);
         QCOMPARE(changed.size(), 1);
         const QPointF middle = f.view.toScreen(frame.toPlane(place));
         COMPARE_NEAR(middle.x(), 500, 1e-6);
         COMPARE_NEAR(middle.y(), 350, 1e-6);
-        const std::vector<LatLon> outline = f.view.outline();
+        const std::vector<LatLon> outline = f.view.camera().outline();
         const QPointF corner = f.view.toScreen(frame.toPlane(outline.front()));
         COMPARE_NEAR(corner.x(), 0, 1e-6);
         COMPARE_NEAR(corner.y(), 0, 1e-6);
-        f.view.centreOn({-30, 150}); // far beyond what a scenario may hold
+        f.view.camera().centreOn({-30, 150}); // far beyond what a scenario may hold
         QVERIFY(f.view.toWorld({500, 350}).cwiseAbs().maxCoeff() <= 1e6 * (1 + 1e-9));
     }
 

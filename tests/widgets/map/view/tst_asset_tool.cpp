@@ -86,7 +86,7 @@ private slots:
     {
         for (const double zoom : {1.0, 0.05, 1e-9}) {
             test::MapFixture map;
-            map.view.zoomBy(zoom, QRectF(map.view.rect()).center());
+            map.view.camera().zoomBy(zoom, QRectF(map.view.rect()).center());
             map.view.setTool(MapToolKind::Asset);
             map.click(map.view.rect().center());
             const double range_m = map.scenario().asset->range_m;

@@ -189,7 +189,7 @@ private slots:
     void enterPlacesOneInTheMiddle()
     {
         FlightFixture map;
-        map.view.panBy({90, 60}); // moves the asset out of the place clicked
+        map.view.camera().panBy({90, 60}); // moves the asset out of the place clicked
         map.view.setTool(MapToolKind::Iceberg);
         QTest::keyClick(&map.view, Qt::Key_Return);
         QCOMPARE(map.placed.count(), 1);

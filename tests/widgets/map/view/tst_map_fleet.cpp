@@ -23,7 +23,7 @@ struct FleetFixture : test::MapFixture
     FleetFixture()
     {
         document.reset(twoUavs());
-        view.fit();
+        view.camera().fit();
     }
     [[nodiscard]] const Uav& uavOf(std::size_t i) const { return scenario().uavs[i]; }
     [[nodiscard]] QPoint pixelOfUav(std::size_t i) const { return pixelOf(uavOf(i).position_m); }
@@ -125,11 +125,11 @@ private slots:
     {
         FleetFixture map;
         const auto middle_m = [&] { return map.view.toWorld(QRectF(map.view.rect()).center()); };
-        map.view.setFollowUav(true);
+        map.view.camera().setFollowUav(true);
         QVERIFY((middle_m() - map.uavOf(0).position_m).norm() < map.pixel_m());
-        map.view.zoomBy(8, {10, 10});
+        map.view.camera().zoomBy(8, {10, 10});
         map.selection.set({"uav-2"});
-        QVERIFY(map.view.followsUav());
+        QVERIFY(map.view.camera().followsUav());
         QVERIFY(map.view.rect().contains(map.pixelOfUav(1)));
         QVERIFY(!map.view.rect().contains(map.pixelOfUav(0)));
     }

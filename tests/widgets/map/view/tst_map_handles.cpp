@@ -179,7 +179,7 @@ private slots:
     void driftStaysWithinTheLimits()
     {
         HandleFixture map;
-        map.view.zoomBy(0.01, QRectF(map.view.rect()).center());
+        map.view.camera().zoomBy(0.01, QRectF(map.view.rect()).center());
         map.selection.set({"berg-3"});
         map.drag(map.handleOf("berg-3"), {990, 690});
         QVERIFY(map.velocity_mps(2).cwiseAbs().maxCoeff() <= kLargestVelocity_mps);

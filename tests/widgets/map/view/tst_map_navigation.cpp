@@ -62,8 +62,8 @@ private slots:
         QFETCH(QSize, size);
         test::MapFixture map;
         map.view.resize(size);
-        map.view.panBy({4000, -3000});
-        map.view.fit();
+        map.view.camera().panBy({4000, -3000});
+        map.view.camera().fit();
         std::vector<QPoint> places = {map.uav()};
         for (std::size_t i = 0; i < 4; ++i)
             places.push_back(map.iceberg(i));
@@ -106,13 +106,13 @@ private slots:
         Asset rig{.name = "Rig", .position_m = {2500, 2000}, .range_m = 2500, .alarm_m = 1000};
         const double before_pxpm = map.view.view().scale_pxpm();
         map.document.edit(u"Asset"_s, [&](Scenario& scenario) { scenario.asset = rig; });
-        map.view.fit();
+        map.view.camera().fit();
         for (const Point& towards : {Point(1, 0), Point(-1, 0), Point(0, 1), Point(0, -1)})
             QVERIFY(map.view.rect().contains(map.pixelOf(rig.position_m + rig.range_m * towards)));
         // A ring that reaches far beyond the icebergs does not make them too small.
         rig.range_m = 90000;
         map.document.edit(u"Asset"_s, [&](Scenario& scenario) { scenario.asset = rig; });
-        map.view.fit();
+        map.view.camera().fit();
         QVERIFY(map.view.view().scale_pxpm() > 0.4 * before_pxpm);
     }
 
@@ -132,7 +132,7 @@ private slots:
         const QPointF at(300, 200);
         const Point before_m = map.view.toWorld(at);
         const double scale_pxpm = map.view.view().scale_pxpm();
-        map.view.zoomBy(factor, at);
+        map.view.camera().zoomBy(factor, at);
         QVERIFY((map.view.view().scale_pxpm() > scale_pxpm) == (factor > 1));
         QVERIFY(QLineF(map.view.toScreen(before_m), at).length() < 1e-6);
     }
@@ -141,13 +141,13 @@ private slots:
     {
         test::MapFixture map;
         const QPointF middle = QRectF(map.view.rect()).center();
-        map.view.zoomBy(1e-9, middle);
+        map.view.camera().zoomBy(1e-9, middle);
         const double scale_pxpm = map.view.view().scale_pxpm();
         QVERIFY(2 * kLargestCoordinate_m * scale_pxpm < map.view.width()); // all fits
-        map.view.zoomBy(0.5, middle);
+        map.view.camera().zoomBy(0.5, middle);
         COMPARE_NEAR(map.view.view().scale_pxpm(), scale_pxpm, 0);
-        map.view.zoomBy(1e9, middle);
-        map.view.zoomBy(2, middle);
+        map.view.camera().zoomBy(1e9, middle);
+        map.view.camera().zoomBy(2, middle);
         QVERIFY(map.view.view().scale_pxpm() <= 10); // a tenth of a metre for each pixel
         QVERIFY(!map.view.grab().isNull());
     }
@@ -207,7 +207,7 @@ private slots:
     {
         test::MapFixture map;
         const QPointF before = map.view.toScreen({1500, 1000});
-        map.view.panBy({30, -20});
+        map.view.camera().panBy({30, -20});
         COMPARE_NEAR(map.view.toScreen({1500, 1000}).x(), before.x() + 30, 1e-6);
         COMPARE_NEAR(map.view.toScreen({1500, 1000}).y(), before.y() - 20, 1e-6);
     }
@@ -229,7 +229,7 @@ private slots:
     {
         test::MapFixture map;
         for (int i = 0; i < 200; ++i)
-            map.view.panBy({1e6, 1e6});
+            map.view.camera().panBy({1e6, 1e6});
         const Point middle_m = map.view.toWorld(QRectF(map.view.rect()).center());
         QVERIFY(middle_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m + 1e-3);
     }
@@ -237,13 +237,13 @@ private slots:
     void viewStaysWhenThePictureChanges()
     {
         test::MapFixture map;
-        map.view.zoomBy(2, {200, 200});
+        map.view.camera().zoomBy(2, {200, 200});
         const MapViewTransform before = map.view.view();
         map.view.setPicture(test::MapFixture::plainPicture());
         map.document.edit(u"Far"_s, [](Scenario& s) { s.icebergs[0].position_m = {9000, 9000}; });
         QVERIFY(map.view.view() == before);
         // Also when it was fitted and nobody has moved it since.
-        map.view.fit();
+        map.view.camera().fit();
         const MapViewTransform fitted = map.view.view();
         map.document.edit(u"Back"_s, [](Scenario& s) { s.icebergs[0].position_m = {0, 500}; });
         map.view.setPicture(test::MapFixture::plainPicture());
@@ -253,7 +253,7 @@ private slots:
     void anotherScenarioIsFitted()
     {
         test::MapFixture map;
-        map.view.zoomBy(3, {10, 10});
+        map.view.camera().zoomBy(3, {10, 10});
         Scenario far = test::emptySea();
         far.uavs[0].position_m = {50000, 50000};
         test::addIceberg(far, 52000, 51000);
@@ -270,7 +270,7 @@ private slots:
         map.view.resize(1400, 900);
         for (std::size_t i = 0; i < 4; ++i)
             QVERIFY(map.view.rect().contains(map.iceberg(i)));
-        map.view.zoomBy(2, {300, 300});
+        map.view.camera().zoomBy(2, {300, 300});
         const Point middle_m = map.view.toWorld({700, 450});
         const double scale_pxpm = map.view.view().scale_pxpm();
         map.view.resize(800, 600);
@@ -289,7 +289,7 @@ private slots:
         map.view.setPanels(panels);
         map.view.setLocked(true);
         map.view.setPicture(picture);
-        map.view.setFollowUav(true);
+        map.view.camera().setFollowUav(true);
         for (const QPointF& at_px : {QPointF(330, 245), QPointF(400, 235), QPointF(310, 400)}) {
             picture.uavs = {MapUav{.position_m = map.view.toWorld(at_px)}};
             map.view.setPicture(picture);
@@ -301,8 +301,8 @@ private slots:
     void followingKeepsTheUavInTheMiddlePart()
     {
         test::MapFixture map;
-        const QSignalSpy follows(&map.view, &MapView::followUavChanged);
-        map.view.setFollowUav(true);
+        const QSignalSpy follows(&map.view.camera(), &MapCamera::followUavChanged);
+        map.view.camera().setFollowUav(true);
         QVERIFY(QLineF(map.view.toScreen({0, 0}), {500, 350}).length() < 1e-6);
         map.view.setLocked(true);
         MapPicture picture = test::MapFixture::plainPicture();
@@ -312,9 +312,9 @@ private slots:
             const QPointF at = map.view.toScreen(picture.uavs[0].position_m);
             QVERIFY(QRectF(299, 209, 402, 282).contains(at));
         }
-        map.view.panBy({5, 5}); // by hand: no longer following
+        map.view.camera().panBy({5, 5}); // by hand: no longer following
         QCOMPARE(follows.count(), 2);
-        QVERIFY(!map.view.followsUav());
+        QVERIFY(!map.view.camera().followsUav());
         const MapViewTransform before = map.view.view();
         picture.uavs[0].position_m = {-90000, 0};
         map.view.setPicture(picture);

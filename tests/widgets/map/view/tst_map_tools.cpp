@@ -419,7 +419,8 @@ private slots:
     void positionsStayInRange()
     {
         test::MapFixture map;
-        map.view.zoomBy(1e-9, QRectF(map.view.rect()).center()); // the whole range and more
+        map.view.camera().zoomBy(1e-9,
+                                 QRectF(map.view.rect()).center()); // the whole range and more
         map.view.setTool(MapToolKind::Iceberg);
         map.click({985, 300});
         const Iceberg& added = map.scenario().icebergs.back();

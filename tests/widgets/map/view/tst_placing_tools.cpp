@@ -107,7 +107,7 @@ private slots:
     void driftStaysWithinTheLimits()
     {
         test::MapFixture map;
-        map.view.zoomBy(0.002, QRectF(map.view.rect()).center());
+        map.view.camera().zoomBy(0.002, QRectF(map.view.rect()).center());
         map.view.setTool(MapToolKind::Iceberg);
         const QPoint from(480, 200);
         map.drag(from, QPoint(990, 690));
