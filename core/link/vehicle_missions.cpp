@@ -100,6 +100,13 @@ void VehicleMissions::setHome(const LinkMissionItem& home)
         mission.front() = home;
 }
 
+void VehicleMissions::load(MissionType type, std::span<const LinkMissionItem> items)
+{
+    listOf(type).items =
+        itemsToSend(items, type, isArduPilot() ? AutopilotKind::ArduPilot : AutopilotKind::Px4);
+    ++listOf(type).revision;
+}
+
 std::vector<LinkMissionItem> VehicleMissions::items(MissionType type) const
 {
     return itemsReadBack(listOf(type).items, type,

@@ -36,6 +36,8 @@ public:
 
     /** Sets ArduPilot's item 0, whatever a ground station has sent for it. */
     void setHome(const LinkMissionItem& home);
+    /** Replaces a list by planned items without home, as an upload does. */
+    void load(MissionType type, std::span<const LinkMissionItem> items);
     /** Returns a list without home. */
     [[nodiscard]] std::vector<LinkMissionItem> items(MissionType type) const;
     /** Returns the number of changes of a list. */

@@ -64,7 +64,7 @@ LatLon placeOfUnits(double x, double y)
 } // namespace
 
 VehicleSide::VehicleSide(ByteLink& link, VehicleSideOptions options)
-    : m_exchange(link, {.self = options.self, .key = options.key})
+    : m_exchange(link, {.self = options.self, .key = options.key, .log = options.log})
     , m_options(std::move(options))
     , m_missions(m_options.autopilot)
 {

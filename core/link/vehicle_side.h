@@ -69,6 +69,7 @@ struct VehicleSideOptions
     std::optional<SigningKey> key;
     /** Reported on request; never changed. */
     std::vector<std::pair<std::string, double>> parameters;
+    FrameLog log; ///< May be empty.
 };
 
 /**
@@ -97,6 +98,11 @@ public:
     void reboot(LinkTime now, double off_s);
 
     [[nodiscard]] const VehicleMissions& missions() const { return m_missions; }
+    /** Puts a list on board without a link. */
+    void load(MissionType type, std::span<const LinkMissionItem> items)
+    {
+        m_missions.load(type, items);
+    }
 
 private:
     struct Stream

@@ -54,6 +54,9 @@ RehearsalVehicle::RehearsalVehicle(ByteLink& link, RehearsalOptions options)
     m_readings.isArmed = true;
     m_readings.isFlying = true;
     m_readings.mode = modesOf(m_options.side.autopilot).hold;
+    m_motion.psi_rad = psiFromHeading(m_options.heading_deg);
+    if (m_options.start)
+        m_motion.position_m = m_frame.toPlane(*m_options.start);
     updateReadings(0, 0);
 }
 
@@ -67,6 +70,18 @@ void RehearsalVehicle::setMode(std::uint32_t mode)
                : mode == modes.home                         ? Flight::Home
                : mode == modes.hold || mode == modes.guided ? Flight::Circle
                                                             : Flight::Pilot;
+}
+
+void RehearsalVehicle::flyMission()
+{
+    setMode(modesOf(m_options.side.autopilot).mission);
+}
+
+void RehearsalVehicle::setProgress(double altitude_m, int item)
+{
+    m_altitude_m = m_targetAltitude_m = altitude_m;
+    m_item = static_cast<std::size_t>(std::max(0, item));
+    updateReadings(0, 0);
 }
 
 void RehearsalVehicle::execute(const VehicleOrder& order)
@@ -104,10 +119,9 @@ void RehearsalVehicle::execute(const VehicleOrder& order)
 
 void RehearsalVehicle::advance(LinkTime now)
 {
-    if (!m_started_s)
-        m_started_s = now.monotonic_s;
     const double from_s = m_now == LinkTime{} ? now.monotonic_s : m_now.monotonic_s;
-    const double elapsed_s = std::max(0.0, now.monotonic_s - from_s);
+    const double elapsed_s = m_options.speed * std::max(0.0, now.monotonic_s - from_s);
+    m_flown_s += elapsed_s;
     m_now = now;
     m_items = m_side.missions().items(MissionType::Mission);
     const int steps = static_cast<int>(std::ceil(elapsed_s / kStep_s));
@@ -283,9 +297,8 @@ void RehearsalVehicle::updateReadings(double turnRate_radps, double climb_mps)
     r.windEast_mps = wind.x();
     r.windNorth_mps = wind.y();
     r.item = static_cast<int>(m_item);
-    if (m_options.uav.endurance_s > 0 && m_started_s) {
-        const double left_s =
-            std::max(0.0, m_options.uav.endurance_s - (m_now.monotonic_s - *m_started_s));
+    if (m_options.uav.endurance_s > 0) {
+        const double left_s = std::max(0.0, m_options.uav.endurance_s - m_flown_s);
         r.battery = left_s / m_options.uav.endurance_s;
         r.timeRemaining_s = left_s;
     }

@@ -19,6 +19,9 @@ struct RehearsalOptions
     LatLon home;
     double homeAltitude_m = 0;      ///< Above mean sea level.
     Point wind_mps = Point::Zero(); ///< Wind over ground, east and north.
+    std::optional<LatLon> start;    ///< Nullopt means home.
+    double heading_deg = 90;        ///< At the start, clockwise from north.
+    double speed = 1;               ///< Seconds of flight in each second of the link.
 };
 
 /**
@@ -35,12 +38,21 @@ public:
     /** `link` must outlive the vehicle. */
     RehearsalVehicle(ByteLink& link, RehearsalOptions options);
 
+    /** Puts a list on board, as an upload does. */
+    void load(MissionType type, std::span<const LinkMissionItem> items)
+    {
+        m_side.load(type, items);
+    }
+    /** Switches to automatic flight of the mission on board. */
+    void flyMission();
     /** Flies up to `now` in steps of at most 0.1 s, then answers the messages received. */
     void advance(LinkTime now);
     /**
      * Switches the mode as the pilot's transmitter does; `mode` is the custom_mode of HEARTBEAT.
      */
     void setMode(std::uint32_t mode);
+    /** Sets altitude above mean sea level and present item, from 0 and without home. */
+    void setProgress(double altitude_m, int item);
     /**
      * Restarts the autopilot: for `off_s` seconds the link receives and sends nothing. The aircraft
      * flies on.
@@ -89,7 +101,7 @@ private:
     double m_itemFlown_s = 0;           ///< Time spent on the circle of the present item.
     std::map<std::size_t, int> m_jumps; ///< Number of times each jump was taken, by item.
     LinkTime m_now;
-    std::optional<double> m_started_s;
+    double m_flown_s = 0;
     std::vector<LinkMissionItem> m_items;
     VehicleReadings m_readings;
 };

@@ -31,6 +31,7 @@ struct RunFile
     MissionOptions options;
     double flownUntil_s = 0;
     std::vector<Intervention> interventions;
+    std::vector<PoseFix> fixes; ///< poses of real aircraft, as `PoseTracks::until`
     std::vector<RecordedPlan> plans;
     std::vector<WorldState> keyframes;
     Metrics metrics;
