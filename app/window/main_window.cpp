@@ -115,6 +115,7 @@ WindowParts::WindowParts(WindowContext& context)
     , sound(context)
     , flight(context)
     , runEnd(context, docks, results)
+    , aircraft(context, flightView)
     , mapLinks(context, docks)
     , backdrop(context, mapLinks)
     , appearance(context)
@@ -219,6 +220,7 @@ void MainWindow::takeOver(MainWindow& other)
     m_parts->studyFlights.takeOver(other.m_parts->studyFlights);
     m_parts->safety.takeOver(other.m_parts->safety);
     m_parts->runEnd.takeOver(other.m_parts->runEnd);
+    m_parts->aircraft.takeOver(other.m_parts->aircraft);
     const Panels& shown = other.m_panels;
     m_panels.messages->takeOver(*shown.messages);
     m_panels.alarms->takeOver(*shown.alarms);

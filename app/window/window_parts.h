@@ -5,6 +5,7 @@
 #include "app/files/scenario_files.h"
 #include "app/files/sightings_import.h"
 #include "app/files/start_page_controller.h"
+#include "app/flight/aircraft_controller.h"
 #include "app/flight/alarm_sound.h"
 #include "app/flight/flight_controls.h"
 #include "app/flight/flight_panels.h"
@@ -54,6 +55,7 @@ struct WindowParts
     AlarmSound sound;
     FlightControls flight;
     RunSummaryController runEnd;
+    AircraftController aircraft;
     MapController mapLinks;
     BackdropFile backdrop;
     AppearanceChoice appearance;
