@@ -4494,6 +4494,149 @@ Tilstødende område %4</translation>
     </message>
 </context>
 <context>
+    <name>LinkText</name>
+    <message>
+        <source>Mission</source>
+        <translation>Mission</translation>
+    </message>
+    <message>
+        <source>Fence</source>
+        <translation>Hegn</translation>
+    </message>
+    <message>
+        <source>Rally points</source>
+        <translation>Samlingspunkter</translation>
+    </message>
+    <message>
+        <source>the aircraft does not answer</source>
+        <translation>luftfartøjet svarer ikke</translation>
+    </message>
+    <message>
+        <source>the aircraft stopped answering at item %1</source>
+        <translation>luftfartøjet holdt op med at svare ved punkt %1</translation>
+    </message>
+    <message>
+        <source>the aircraft refuses it (result %1)</source>
+        <translation>luftfartøjet afviser det (resultat %1)</translation>
+    </message>
+    <message>
+        <source>the aircraft requests an item that does not exist</source>
+        <translation>luftfartøjet beder om et punkt, der ikke findes</translation>
+    </message>
+    <message>
+        <source>the aircraft announces too many items</source>
+        <translation>luftfartøjet melder for mange punkter</translation>
+    </message>
+    <message>
+        <source>the numbers of items differ</source>
+        <translation>antallet af punkter er forskelligt</translation>
+    </message>
+    <message>
+        <source>item %1, %2</source>
+        <translation>punkt %1, %2</translation>
+    </message>
+    <message>
+        <source>Aircraft %1</source>
+        <translation>Luftfartøj %1</translation>
+    </message>
+    <message>
+        <source>Opening the link…</source>
+        <translation>Åbner forbindelsen…</translation>
+    </message>
+    <message>
+        <source>Listening</source>
+        <translation>Lytter</translation>
+    </message>
+    <message>
+        <source>No link: %1</source>
+        <translation>Ingen forbindelse: %1</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>for %1 siden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 af %2</translation>
+    </message>
+    <message>
+        <source>%1: uploading, %2</source>
+        <translation>%1: sender, %2</translation>
+    </message>
+    <message>
+        <source>%1: reading back, %2</source>
+        <translation>%1: læser tilbage, %2</translation>
+    </message>
+    <message>
+        <source>On board: same as the plan</source>
+        <translation>Om bord: samme som planen</translation>
+    </message>
+    <message>
+        <source>On board differs. %1: %2</source>
+        <translation>Om bord afviger. %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 failed: %2</source>
+        <translation>%1 mislykkedes: %2</translation>
+    </message>
+    <message>
+        <source>heard for the first time</source>
+        <translation>hørt for første gang</translation>
+    </message>
+    <message>
+        <source>contact lost</source>
+        <translation>kontakten er mistet</translation>
+    </message>
+    <message>
+        <source>contact again</source>
+        <translation>kontakt igen</translation>
+    </message>
+    <message>
+        <source>mode %1</source>
+        <translation>tilstand %1</translation>
+    </message>
+    <message>
+        <source>item %1 reached</source>
+        <translation>punkt %1 nået</translation>
+    </message>
+    <message>
+        <source>a command was not answered</source>
+        <translation>en kommando blev ikke besvaret</translation>
+    </message>
+    <message>
+        <source>command accepted</source>
+        <translation>kommando accepteret</translation>
+    </message>
+    <message>
+        <source>command refused (result %1)</source>
+        <translation>kommando afvist (resultat %1)</translation>
+    </message>
+    <message>
+        <source>Another ground station uses the same id: sending is off</source>
+        <translation>En anden jordstation bruger samme id: afsendelse er slået fra</translation>
+    </message>
+    <message>
+        <source>Waiting for guided mode</source>
+        <translation>Venter på ledet tilstand</translation>
+    </message>
+    <message>
+        <source>Waiting until the mission is flown</source>
+        <translation>Venter, til missionen flyves</translation>
+    </message>
+    <message>
+        <source>Guiding from iceberg to iceberg</source>
+        <translation>Leder fra isbjerg til isbjerg</translation>
+    </message>
+    <message>
+        <source>Replacing the mission when the plan changes</source>
+        <translation>Erstatter missionen, når planen ændres</translation>
+    </message>
+    <message>
+        <source>The pilot has taken over: nothing is sent</source>
+        <translation>Piloten har overtaget: intet sendes</translation>
+    </message>
+</context>
+<context>
     <name>Main</name>
     <message>
         <source>Write map.png, zeta.png and sigma.png of a run, or of a scenario&apos;s complete run, into &lt;folder&gt;; with --theme both also map-dark.png, zeta-dark.png and sigma-dark.png.</source>
@@ -7217,6 +7360,220 @@ mod %2</translation>
     </message>
 </context>
 <context>
+    <name>berg::AircraftController</name>
+    <message>
+        <source>%1: no contact for %2</source>
+        <translation>%1: ingen kontakt i %2</translation>
+    </message>
+    <message>
+        <source>contact in %1</source>
+        <translation>kontakt om %1</translation>
+    </message>
+    <message>
+        <source>Link: sending</source>
+        <translation>Forbindelse: sender</translation>
+    </message>
+    <message>
+        <source>Link: listening</source>
+        <translation>Forbindelse: lytter</translation>
+    </message>
+    <message>
+        <source>Differs: the mission on board has changed since %1</source>
+        <translation>Afviger: missionen om bord er ændret siden %1</translation>
+    </message>
+    <message>
+        <source>Differs: the plan has changed since %1</source>
+        <translation>Afviger: planen er ændret siden %1</translation>
+    </message>
+    <message>
+        <source>On board: same as the plan of %1</source>
+        <translation>Om bord: samme som planen fra %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::AircraftPanel</name>
+    <message>
+        <source>from %1, %2 ± %3</source>
+        <translation>fra %1, %2 ± %3</translation>
+    </message>
+    <message>
+        <source>Battery: %1</source>
+        <translation>Batteri: %1</translation>
+    </message>
+    <message>
+        <source>Wind: %1</source>
+        <translation>Vind: %1</translation>
+    </message>
+    <message>
+        <source>Item %1 of %2</source>
+        <translation>Punkt %1 af %2</translation>
+    </message>
+    <message>
+        <source>Item %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>Frames lost: %1 of %2</source>
+        <translation>Mistede rammer: %1 af %2</translation>
+    </message>
+    <message>
+        <source>Listen</source>
+        <translation>Lyt</translation>
+    </message>
+    <message>
+        <source>Receives telemetry at this address. Nothing is sent.</source>
+        <translation>Modtager telemetri på denne adresse. Intet sendes.</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Send</translation>
+    </message>
+    <message>
+        <source>Rehearse</source>
+        <translation>Øv</translation>
+    </message>
+    <message>
+        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer.</source>
+        <translation>Simulerede luftfartøjer flyver fra scenariets UAV&apos;er og sender deres telemetri over netværket på denne computer.</translation>
+    </message>
+    <message>
+        <source>Upload</source>
+        <translation>Send op</translation>
+    </message>
+    <message>
+        <source>Uploads the plan with fence and rally point, reads it back and compares it.</source>
+        <translation>Sender planen med hegn og samlingspunkt, læser den tilbage og sammenligner.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Sammenlign</translation>
+    </message>
+    <message>
+        <source>Reads the mission on board and compares it with the plan.</source>
+        <translation>Læser missionen om bord og sammenligner den med planen.</translation>
+    </message>
+    <message>
+        <source>Fly the mission</source>
+        <translation>Flyv missionen</translation>
+    </message>
+    <message>
+        <source>Selects the mode in which the aircraft flies the mission on board. It must be in the air.</source>
+        <translation>Vælger den tilstand, hvor luftfartøjet flyver missionen om bord. Det skal være i luften.</translation>
+    </message>
+    <message>
+        <source>Use its wind</source>
+        <translation>Brug vinden</translation>
+    </message>
+    <message>
+        <source>The mean wind of the last minute becomes the wind of the scenario.</source>
+        <translation>Middelvinden i det seneste minut bliver scenariets vind.</translation>
+    </message>
+    <message>
+        <source>Fly with the aircraft</source>
+        <translation>Flyv med luftfartøjet</translation>
+    </message>
+    <message>
+        <source>The flight in this window follows the aircraft: charts and uncertainty show the real flight.</source>
+        <translation>Flyvningen i vinduet følger luftfartøjet: diagrammer og usikkerhed viser den virkelige flyvning.</translation>
+    </message>
+    <message>
+        <source>Events of the link</source>
+        <translation>Hændelser på forbindelsen</translation>
+    </message>
+    <message>
+        <source>Address of the link</source>
+        <translation>Forbindelsens adresse</translation>
+    </message>
+    <message>
+        <source>udp:HOST:PORT listens, udpout:HOST:PORT sends to one address; also tcp:HOST:PORT and serial:DEVICE:BAUD</source>
+        <translation>udp:VÆRT:PORT lytter, udpout:VÆRT:PORT sender til én adresse; også tcp:VÆRT:PORT og serial:ENHED:BAUD</translation>
+    </message>
+    <message>
+        <source>Off: not a byte is sent. On: heartbeats, requests for telemetry and what you choose below are sent.</source>
+        <translation>Fra: ikke en byte sendes. Til: livstegn, anmodninger om telemetri og det, du vælger nedenfor, sendes.</translation>
+    </message>
+    <message>
+        <source>Aircraft heard</source>
+        <translation>Hørte luftfartøjer</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Luftfartøjer</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Tilstand</translation>
+    </message>
+    <message>
+        <source>Last position</source>
+        <translation>Seneste position</translation>
+    </message>
+    <message>
+        <source>Flies as</source>
+        <translation>Flyver som</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>Styring</translation>
+    </message>
+    <message>
+        <source>Do not steer</source>
+        <translation>Styr ikke</translation>
+    </message>
+    <message>
+        <source>Replace the mission when the plan changes</source>
+        <translation>Erstat missionen, når planen ændres</translation>
+    </message>
+    <message>
+        <source>Guide from iceberg to iceberg</source>
+        <translation>Led fra isbjerg til isbjerg</translation>
+    </message>
+    <message>
+        <source>Ship that the asset follows</source>
+        <translation>Skib, som objektet følger</translation>
+    </message>
+    <message>
+        <source>The asset follows no ship</source>
+        <translation>Objektet følger intet skib</translation>
+    </message>
+    <message>
+        <source>No UAV</source>
+        <translation>Ingen UAV</translation>
+    </message>
+    <message>
+        <source>The link is off.</source>
+        <translation>Forbindelsen er slået fra.</translation>
+    </message>
+    <message>
+        <source>Listening. No aircraft has been heard yet.</source>
+        <translation>Lytter. Intet luftfartøj er hørt endnu.</translation>
+    </message>
+    <message>
+        <source>No position yet. Some autopilots report it only while Send is on.</source>
+        <translation>Ingen position endnu. Nogle autopiloter melder den kun, mens Send er slået til.</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translation>ingen kontakt</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>ingen endnu</translation>
+    </message>
+    <message>
+        <source>The asset follows %1</source>
+        <translation>Objektet følger %1</translation>
+    </message>
+    <message>
+        <source>The flight follows the aircraft</source>
+        <translation>Flyvningen følger luftfartøjet</translation>
+    </message>
+    <message>
+        <source>%1  Attention: %2</source>
+        <translation>%1  OBS: %2</translation>
+    </message>
+</context>
+<context>
     <name>berg::AlarmStrip</name>
     <message>
         <source>Acknowledge</source>
@@ -7772,6 +8129,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Second chart</source>
         <translation>Andet diagram</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Luftfartøjer</translation>
     </message>
 </context>
 <context>
@@ -10509,6 +10870,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>The replay of this run differs from the recording: %1</source>
         <translation>Afspilningen af denne flyvning afviger fra optagelsen: %1</translation>
     </message>
+    <message>
+        <source>There is no plan to upload.</source>
+        <translation>Der er ingen plan at sende op.</translation>
+    </message>
 </context>
 <context>
     <name>berg::NumberField</name>
@@ -12563,6 +12928,14 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Restore flight</source>
         <translation>Hent flyvningen tilbage</translation>
+    </message>
+    <message>
+        <source>Move UAVs to their aircraft</source>
+        <translation>Flyt UAV&apos;erne til deres luftfartøjer</translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Flyt objekt</translation>
     </message>
 </context>
 </TS>

@@ -4494,6 +4494,149 @@ Zone adjacente %4</translation>
     </message>
 </context>
 <context>
+    <name>LinkText</name>
+    <message>
+        <source>Mission</source>
+        <translation>Mission</translation>
+    </message>
+    <message>
+        <source>Fence</source>
+        <translation>Clôture</translation>
+    </message>
+    <message>
+        <source>Rally points</source>
+        <translation>Points de ralliement</translation>
+    </message>
+    <message>
+        <source>the aircraft does not answer</source>
+        <translation>l&apos;aéronef ne répond pas</translation>
+    </message>
+    <message>
+        <source>the aircraft stopped answering at item %1</source>
+        <translation>l&apos;aéronef a cessé de répondre à l&apos;élément %1</translation>
+    </message>
+    <message>
+        <source>the aircraft refuses it (result %1)</source>
+        <translation>l&apos;aéronef refuse (résultat %1)</translation>
+    </message>
+    <message>
+        <source>the aircraft requests an item that does not exist</source>
+        <translation>l&apos;aéronef demande un élément qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>the aircraft announces too many items</source>
+        <translation>l&apos;aéronef annonce trop d&apos;éléments</translation>
+    </message>
+    <message>
+        <source>the numbers of items differ</source>
+        <translation>les nombres d&apos;éléments diffèrent</translation>
+    </message>
+    <message>
+        <source>item %1, %2</source>
+        <translation>élément %1, %2</translation>
+    </message>
+    <message>
+        <source>Aircraft %1</source>
+        <translation>Aéronef %1</translation>
+    </message>
+    <message>
+        <source>Opening the link…</source>
+        <translation>Ouverture de la liaison…</translation>
+    </message>
+    <message>
+        <source>Listening</source>
+        <translation>À l&apos;écoute</translation>
+    </message>
+    <message>
+        <source>No link: %1</source>
+        <translation>Pas de liaison : %1</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>il y a %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1: uploading, %2</source>
+        <translation>%1 : envoi, %2</translation>
+    </message>
+    <message>
+        <source>%1: reading back, %2</source>
+        <translation>%1 : relecture, %2</translation>
+    </message>
+    <message>
+        <source>On board: same as the plan</source>
+        <translation>À bord : identique au plan</translation>
+    </message>
+    <message>
+        <source>On board differs. %1: %2</source>
+        <translation>À bord, cela diffère. %1 : %2</translation>
+    </message>
+    <message>
+        <source>%1 failed: %2</source>
+        <translation>%1, échec : %2</translation>
+    </message>
+    <message>
+        <source>heard for the first time</source>
+        <translation>entendu pour la première fois</translation>
+    </message>
+    <message>
+        <source>contact lost</source>
+        <translation>contact perdu</translation>
+    </message>
+    <message>
+        <source>contact again</source>
+        <translation>contact rétabli</translation>
+    </message>
+    <message>
+        <source>mode %1</source>
+        <translation>mode %1</translation>
+    </message>
+    <message>
+        <source>item %1 reached</source>
+        <translation>élément %1 atteint</translation>
+    </message>
+    <message>
+        <source>a command was not answered</source>
+        <translation>une commande est restée sans réponse</translation>
+    </message>
+    <message>
+        <source>command accepted</source>
+        <translation>commande acceptée</translation>
+    </message>
+    <message>
+        <source>command refused (result %1)</source>
+        <translation>commande refusée (résultat %1)</translation>
+    </message>
+    <message>
+        <source>Another ground station uses the same id: sending is off</source>
+        <translation>Une autre station au sol utilise le même identifiant : l&apos;émission est coupée</translation>
+    </message>
+    <message>
+        <source>Waiting for guided mode</source>
+        <translation>En attente du mode guidé</translation>
+    </message>
+    <message>
+        <source>Waiting until the mission is flown</source>
+        <translation>En attente du vol de la mission</translation>
+    </message>
+    <message>
+        <source>Guiding from iceberg to iceberg</source>
+        <translation>Guidage d&apos;iceberg en iceberg</translation>
+    </message>
+    <message>
+        <source>Replacing the mission when the plan changes</source>
+        <translation>Remplacement de la mission quand le plan change</translation>
+    </message>
+    <message>
+        <source>The pilot has taken over: nothing is sent</source>
+        <translation>Le pilote a repris la main : rien n&apos;est envoyé</translation>
+    </message>
+</context>
+<context>
     <name>Main</name>
     <message>
         <source>Write map.png, zeta.png and sigma.png of a run, or of a scenario&apos;s complete run, into &lt;folder&gt;; with --theme both also map-dark.png, zeta-dark.png and sigma-dark.png.</source>
@@ -7217,6 +7360,220 @@ vers le %2</translation>
     </message>
 </context>
 <context>
+    <name>berg::AircraftController</name>
+    <message>
+        <source>%1: no contact for %2</source>
+        <translation>%1 : pas de contact depuis %2</translation>
+    </message>
+    <message>
+        <source>contact in %1</source>
+        <translation>contact dans %1</translation>
+    </message>
+    <message>
+        <source>Link: sending</source>
+        <translation>Liaison : émission</translation>
+    </message>
+    <message>
+        <source>Link: listening</source>
+        <translation>Liaison : écoute</translation>
+    </message>
+    <message>
+        <source>Differs: the mission on board has changed since %1</source>
+        <translation>Diffère : la mission à bord a changé depuis %1</translation>
+    </message>
+    <message>
+        <source>Differs: the plan has changed since %1</source>
+        <translation>Diffère : le plan a changé depuis %1</translation>
+    </message>
+    <message>
+        <source>On board: same as the plan of %1</source>
+        <translation>À bord : identique au plan de %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::AircraftPanel</name>
+    <message>
+        <source>from %1, %2 ± %3</source>
+        <translation>du %1, %2 ± %3</translation>
+    </message>
+    <message>
+        <source>Battery: %1</source>
+        <translation>Batterie : %1</translation>
+    </message>
+    <message>
+        <source>Wind: %1</source>
+        <translation>Vent : %1</translation>
+    </message>
+    <message>
+        <source>Item %1 of %2</source>
+        <translation>Élément %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Item %1</source>
+        <translation>Élément %1</translation>
+    </message>
+    <message>
+        <source>Frames lost: %1 of %2</source>
+        <translation>Trames perdues : %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Listen</source>
+        <translation>Écouter</translation>
+    </message>
+    <message>
+        <source>Receives telemetry at this address. Nothing is sent.</source>
+        <translation>Reçoit la télémétrie à cette adresse. Rien n&apos;est envoyé.</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Émettre</translation>
+    </message>
+    <message>
+        <source>Rehearse</source>
+        <translation>Répéter</translation>
+    </message>
+    <message>
+        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer.</source>
+        <translation>Des aéronefs simulés partent des UAV du scénario et envoient leur télémétrie par le réseau de cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Upload</source>
+        <translation>Envoyer</translation>
+    </message>
+    <message>
+        <source>Uploads the plan with fence and rally point, reads it back and compares it.</source>
+        <translation>Envoie le plan avec clôture et point de ralliement, le relit et le compare.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Reads the mission on board and compares it with the plan.</source>
+        <translation>Lit la mission à bord et la compare au plan.</translation>
+    </message>
+    <message>
+        <source>Fly the mission</source>
+        <translation>Voler la mission</translation>
+    </message>
+    <message>
+        <source>Selects the mode in which the aircraft flies the mission on board. It must be in the air.</source>
+        <translation>Choisit le mode dans lequel l&apos;aéronef vole la mission à bord. Il doit être en l&apos;air.</translation>
+    </message>
+    <message>
+        <source>Use its wind</source>
+        <translation>Utiliser son vent</translation>
+    </message>
+    <message>
+        <source>The mean wind of the last minute becomes the wind of the scenario.</source>
+        <translation>Le vent moyen de la dernière minute devient le vent du scénario.</translation>
+    </message>
+    <message>
+        <source>Fly with the aircraft</source>
+        <translation>Voler avec l&apos;aéronef</translation>
+    </message>
+    <message>
+        <source>The flight in this window follows the aircraft: charts and uncertainty show the real flight.</source>
+        <translation>Le vol de la fenêtre suit l&apos;aéronef : graphiques et incertitude montrent le vol réel.</translation>
+    </message>
+    <message>
+        <source>Events of the link</source>
+        <translation>Événements de la liaison</translation>
+    </message>
+    <message>
+        <source>Address of the link</source>
+        <translation>Adresse de la liaison</translation>
+    </message>
+    <message>
+        <source>udp:HOST:PORT listens, udpout:HOST:PORT sends to one address; also tcp:HOST:PORT and serial:DEVICE:BAUD</source>
+        <translation>udp:HÔTE:PORT écoute, udpout:HÔTE:PORT émet vers une adresse ; aussi tcp:HÔTE:PORT et serial:PÉRIPHÉRIQUE:BAUD</translation>
+    </message>
+    <message>
+        <source>Off: not a byte is sent. On: heartbeats, requests for telemetry and what you choose below are sent.</source>
+        <translation>Arrêt : aucun octet n&apos;est envoyé. Marche : signaux de présence, demandes de télémétrie et ce que vous choisissez ci-dessous sont envoyés.</translation>
+    </message>
+    <message>
+        <source>Aircraft heard</source>
+        <translation>Aéronefs entendus</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Aéronefs</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Last position</source>
+        <translation>Dernière position</translation>
+    </message>
+    <message>
+        <source>Flies as</source>
+        <translation>Vole comme</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>Pilotage</translation>
+    </message>
+    <message>
+        <source>Do not steer</source>
+        <translation>Ne pas piloter</translation>
+    </message>
+    <message>
+        <source>Replace the mission when the plan changes</source>
+        <translation>Remplacer la mission quand le plan change</translation>
+    </message>
+    <message>
+        <source>Guide from iceberg to iceberg</source>
+        <translation>Guider d&apos;iceberg en iceberg</translation>
+    </message>
+    <message>
+        <source>Ship that the asset follows</source>
+        <translation>Navire que suit le bien protégé</translation>
+    </message>
+    <message>
+        <source>The asset follows no ship</source>
+        <translation>Le bien protégé ne suit aucun navire</translation>
+    </message>
+    <message>
+        <source>No UAV</source>
+        <translation>Aucun UAV</translation>
+    </message>
+    <message>
+        <source>The link is off.</source>
+        <translation>La liaison est coupée.</translation>
+    </message>
+    <message>
+        <source>Listening. No aircraft has been heard yet.</source>
+        <translation>À l&apos;écoute. Aucun aéronef n&apos;a encore été entendu.</translation>
+    </message>
+    <message>
+        <source>No position yet. Some autopilots report it only while Send is on.</source>
+        <translation>Pas encore de position. Certains autopilotes ne la donnent que si Émettre est activé.</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translation>pas de contact</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>aucune encore</translation>
+    </message>
+    <message>
+        <source>The asset follows %1</source>
+        <translation>Le bien protégé suit %1</translation>
+    </message>
+    <message>
+        <source>The flight follows the aircraft</source>
+        <translation>Le vol suit l&apos;aéronef</translation>
+    </message>
+    <message>
+        <source>%1  Attention: %2</source>
+        <translation>%1  Attention : %2</translation>
+    </message>
+</context>
+<context>
     <name>berg::AlarmStrip</name>
     <message>
         <source>Acknowledge</source>
@@ -7772,6 +8129,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Second chart</source>
         <translation>Second graphique</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Aéronefs</translation>
     </message>
 </context>
 <context>
@@ -10509,6 +10870,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>The replay of this run differs from the recording: %1</source>
         <translation>La relecture de ce vol diffère de l&apos;enregistrement : %1</translation>
     </message>
+    <message>
+        <source>There is no plan to upload.</source>
+        <translation>Il n&apos;y a aucun plan à envoyer.</translation>
+    </message>
 </context>
 <context>
     <name>berg::NumberField</name>
@@ -12563,6 +12928,14 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Restore flight</source>
         <translation>Rétablir le vol</translation>
+    </message>
+    <message>
+        <source>Move UAVs to their aircraft</source>
+        <translation>Déplacer les UAV vers leurs aéronefs</translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Déplacer le bien protégé</translation>
     </message>
 </context>
 </TS>

@@ -4494,6 +4494,149 @@ Tilstøtende område %4</translation>
     </message>
 </context>
 <context>
+    <name>LinkText</name>
+    <message>
+        <source>Mission</source>
+        <translation>Oppdrag</translation>
+    </message>
+    <message>
+        <source>Fence</source>
+        <translation>Gjerde</translation>
+    </message>
+    <message>
+        <source>Rally points</source>
+        <translation>Samlingspunkter</translation>
+    </message>
+    <message>
+        <source>the aircraft does not answer</source>
+        <translation>luftfartøyet svarer ikke</translation>
+    </message>
+    <message>
+        <source>the aircraft stopped answering at item %1</source>
+        <translation>luftfartøyet sluttet å svare ved punkt %1</translation>
+    </message>
+    <message>
+        <source>the aircraft refuses it (result %1)</source>
+        <translation>luftfartøyet avviser det (resultat %1)</translation>
+    </message>
+    <message>
+        <source>the aircraft requests an item that does not exist</source>
+        <translation>luftfartøyet ber om et punkt som ikke finnes</translation>
+    </message>
+    <message>
+        <source>the aircraft announces too many items</source>
+        <translation>luftfartøyet melder for mange punkter</translation>
+    </message>
+    <message>
+        <source>the numbers of items differ</source>
+        <translation>antallet punkter er ulikt</translation>
+    </message>
+    <message>
+        <source>item %1, %2</source>
+        <translation>punkt %1, %2</translation>
+    </message>
+    <message>
+        <source>Aircraft %1</source>
+        <translation>Luftfartøy %1</translation>
+    </message>
+    <message>
+        <source>Opening the link…</source>
+        <translation>Åpner forbindelsen…</translation>
+    </message>
+    <message>
+        <source>Listening</source>
+        <translation>Lytter</translation>
+    </message>
+    <message>
+        <source>No link: %1</source>
+        <translation>Ingen forbindelse: %1</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>for %1 siden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
+    </message>
+    <message>
+        <source>%1: uploading, %2</source>
+        <translation>%1: laster opp, %2</translation>
+    </message>
+    <message>
+        <source>%1: reading back, %2</source>
+        <translation>%1: leser tilbake, %2</translation>
+    </message>
+    <message>
+        <source>On board: same as the plan</source>
+        <translation>Om bord: samme som planen</translation>
+    </message>
+    <message>
+        <source>On board differs. %1: %2</source>
+        <translation>Om bord avviker. %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 failed: %2</source>
+        <translation>%1 mislyktes: %2</translation>
+    </message>
+    <message>
+        <source>heard for the first time</source>
+        <translation>hørt for første gang</translation>
+    </message>
+    <message>
+        <source>contact lost</source>
+        <translation>kontakten er tapt</translation>
+    </message>
+    <message>
+        <source>contact again</source>
+        <translation>kontakt igjen</translation>
+    </message>
+    <message>
+        <source>mode %1</source>
+        <translation>modus %1</translation>
+    </message>
+    <message>
+        <source>item %1 reached</source>
+        <translation>punkt %1 nådd</translation>
+    </message>
+    <message>
+        <source>a command was not answered</source>
+        <translation>en kommando ble ikke besvart</translation>
+    </message>
+    <message>
+        <source>command accepted</source>
+        <translation>kommando godtatt</translation>
+    </message>
+    <message>
+        <source>command refused (result %1)</source>
+        <translation>kommando avvist (resultat %1)</translation>
+    </message>
+    <message>
+        <source>Another ground station uses the same id: sending is off</source>
+        <translation>En annen bakkestasjon bruker samme id: sending er av</translation>
+    </message>
+    <message>
+        <source>Waiting for guided mode</source>
+        <translation>Venter på ledet modus</translation>
+    </message>
+    <message>
+        <source>Waiting until the mission is flown</source>
+        <translation>Venter til oppdraget flys</translation>
+    </message>
+    <message>
+        <source>Guiding from iceberg to iceberg</source>
+        <translation>Leder fra isfjell til isfjell</translation>
+    </message>
+    <message>
+        <source>Replacing the mission when the plan changes</source>
+        <translation>Erstatter oppdraget når planen endres</translation>
+    </message>
+    <message>
+        <source>The pilot has taken over: nothing is sent</source>
+        <translation>Piloten har overtatt: ingenting sendes</translation>
+    </message>
+</context>
+<context>
     <name>Main</name>
     <message>
         <source>Write map.png, zeta.png and sigma.png of a run, or of a scenario&apos;s complete run, into &lt;folder&gt;; with --theme both also map-dark.png, zeta-dark.png and sigma-dark.png.</source>
@@ -7217,6 +7360,220 @@ mot %2</translation>
     </message>
 </context>
 <context>
+    <name>berg::AircraftController</name>
+    <message>
+        <source>%1: no contact for %2</source>
+        <translation>%1: ingen kontakt på %2</translation>
+    </message>
+    <message>
+        <source>contact in %1</source>
+        <translation>kontakt om %1</translation>
+    </message>
+    <message>
+        <source>Link: sending</source>
+        <translation>Forbindelse: sender</translation>
+    </message>
+    <message>
+        <source>Link: listening</source>
+        <translation>Forbindelse: lytter</translation>
+    </message>
+    <message>
+        <source>Differs: the mission on board has changed since %1</source>
+        <translation>Avviker: oppdraget om bord er endret siden %1</translation>
+    </message>
+    <message>
+        <source>Differs: the plan has changed since %1</source>
+        <translation>Avviker: planen er endret siden %1</translation>
+    </message>
+    <message>
+        <source>On board: same as the plan of %1</source>
+        <translation>Om bord: samme som planen fra %1</translation>
+    </message>
+</context>
+<context>
+    <name>berg::AircraftPanel</name>
+    <message>
+        <source>from %1, %2 ± %3</source>
+        <translation>fra %1, %2 ± %3</translation>
+    </message>
+    <message>
+        <source>Battery: %1</source>
+        <translation>Batteri: %1</translation>
+    </message>
+    <message>
+        <source>Wind: %1</source>
+        <translation>Vind: %1</translation>
+    </message>
+    <message>
+        <source>Item %1 of %2</source>
+        <translation>Punkt %1 av %2</translation>
+    </message>
+    <message>
+        <source>Item %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>Frames lost: %1 of %2</source>
+        <translation>Tapte rammer: %1 av %2</translation>
+    </message>
+    <message>
+        <source>Listen</source>
+        <translation>Lytt</translation>
+    </message>
+    <message>
+        <source>Receives telemetry at this address. Nothing is sent.</source>
+        <translation>Mottar telemetri på denne adressen. Ingenting sendes.</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Send</translation>
+    </message>
+    <message>
+        <source>Rehearse</source>
+        <translation>Øv</translation>
+    </message>
+    <message>
+        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer.</source>
+        <translation>Simulerte luftfartøyer flyr fra UAV-ene i scenarioet og sender telemetrien sin over nettverket på denne datamaskinen.</translation>
+    </message>
+    <message>
+        <source>Upload</source>
+        <translation>Last opp</translation>
+    </message>
+    <message>
+        <source>Uploads the plan with fence and rally point, reads it back and compares it.</source>
+        <translation>Laster opp planen med gjerde og samlingspunkt, leser den tilbake og sammenligner.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Sammenlign</translation>
+    </message>
+    <message>
+        <source>Reads the mission on board and compares it with the plan.</source>
+        <translation>Leser oppdraget om bord og sammenligner det med planen.</translation>
+    </message>
+    <message>
+        <source>Fly the mission</source>
+        <translation>Fly oppdraget</translation>
+    </message>
+    <message>
+        <source>Selects the mode in which the aircraft flies the mission on board. It must be in the air.</source>
+        <translation>Velger modusen der luftfartøyet flyr oppdraget om bord. Det må være i luften.</translation>
+    </message>
+    <message>
+        <source>Use its wind</source>
+        <translation>Bruk vinden</translation>
+    </message>
+    <message>
+        <source>The mean wind of the last minute becomes the wind of the scenario.</source>
+        <translation>Middelvinden det siste minuttet blir vinden i scenarioet.</translation>
+    </message>
+    <message>
+        <source>Fly with the aircraft</source>
+        <translation>Fly med luftfartøyet</translation>
+    </message>
+    <message>
+        <source>The flight in this window follows the aircraft: charts and uncertainty show the real flight.</source>
+        <translation>Flygingen i vinduet følger luftfartøyet: diagrammer og usikkerhet viser den virkelige flygingen.</translation>
+    </message>
+    <message>
+        <source>Events of the link</source>
+        <translation>Hendelser på forbindelsen</translation>
+    </message>
+    <message>
+        <source>Address of the link</source>
+        <translation>Adresse for forbindelsen</translation>
+    </message>
+    <message>
+        <source>udp:HOST:PORT listens, udpout:HOST:PORT sends to one address; also tcp:HOST:PORT and serial:DEVICE:BAUD</source>
+        <translation>udp:VERT:PORT lytter, udpout:VERT:PORT sender til én adresse; også tcp:VERT:PORT og serial:ENHET:BAUD</translation>
+    </message>
+    <message>
+        <source>Off: not a byte is sent. On: heartbeats, requests for telemetry and what you choose below are sent.</source>
+        <translation>Av: ikke en byte sendes. På: livstegn, forespørsler om telemetri og det du velger nedenfor, sendes.</translation>
+    </message>
+    <message>
+        <source>Aircraft heard</source>
+        <translation>Hørte luftfartøyer</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Luftfartøyer</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Last position</source>
+        <translation>Siste posisjon</translation>
+    </message>
+    <message>
+        <source>Flies as</source>
+        <translation>Flyr som</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>Styring</translation>
+    </message>
+    <message>
+        <source>Do not steer</source>
+        <translation>Ikke styr</translation>
+    </message>
+    <message>
+        <source>Replace the mission when the plan changes</source>
+        <translation>Erstatt oppdraget når planen endres</translation>
+    </message>
+    <message>
+        <source>Guide from iceberg to iceberg</source>
+        <translation>Led fra isfjell til isfjell</translation>
+    </message>
+    <message>
+        <source>Ship that the asset follows</source>
+        <translation>Skip som objektet følger</translation>
+    </message>
+    <message>
+        <source>The asset follows no ship</source>
+        <translation>Objektet følger ikke noe skip</translation>
+    </message>
+    <message>
+        <source>No UAV</source>
+        <translation>Ingen UAV</translation>
+    </message>
+    <message>
+        <source>The link is off.</source>
+        <translation>Forbindelsen er av.</translation>
+    </message>
+    <message>
+        <source>Listening. No aircraft has been heard yet.</source>
+        <translation>Lytter. Ingen luftfartøyer er hørt ennå.</translation>
+    </message>
+    <message>
+        <source>No position yet. Some autopilots report it only while Send is on.</source>
+        <translation>Ingen posisjon ennå. Noen autopiloter melder den bare mens Send er på.</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translation>ingen kontakt</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>ingen ennå</translation>
+    </message>
+    <message>
+        <source>The asset follows %1</source>
+        <translation>Objektet følger %1</translation>
+    </message>
+    <message>
+        <source>The flight follows the aircraft</source>
+        <translation>Flygingen følger luftfartøyet</translation>
+    </message>
+    <message>
+        <source>%1  Attention: %2</source>
+        <translation>%1  Obs: %2</translation>
+    </message>
+</context>
+<context>
     <name>berg::AlarmStrip</name>
     <message>
         <source>Acknowledge</source>
@@ -7772,6 +8129,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Second chart</source>
         <translation>Andre diagram</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Luftfartøyer</translation>
     </message>
 </context>
 <context>
@@ -10509,6 +10870,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>The replay of this run differs from the recording: %1</source>
         <translation>Avspillingen av denne flygingen avviker fra opptaket: %1</translation>
     </message>
+    <message>
+        <source>There is no plan to upload.</source>
+        <translation>Det er ingen plan å laste opp.</translation>
+    </message>
 </context>
 <context>
     <name>berg::NumberField</name>
@@ -12563,6 +12928,14 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Restore flight</source>
         <translation>Hent flygingen tilbake</translation>
+    </message>
+    <message>
+        <source>Move UAVs to their aircraft</source>
+        <translation>Flytt UAV-ene til luftfartøyene</translation>
+    </message>
+    <message>
+        <source>Move asset</source>
+        <translation>Flytt objektet</translation>
     </message>
 </context>
 </TS>

@@ -17,6 +17,9 @@
 #include <QSettings>
 #include <QUndoView>
 
+#include <algorithm>
+#include <iterator>
+
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -94,9 +97,27 @@ void FlightView::showFlight()
         record.instant ? std::optional(record.shown().time_s) : workspace().lookedAt_s();
     panels().alarms->showState(record.inFlight(), lookBack_s, fault);
     panels().tradeoff->setLookingBack(record.inFlight() && workspace().lookedAt_s().has_value());
-    panels().alarms->showNotices(flightNotices(record, locale()));
+    showNotices();
     showPhase(record.now.phase, fault);
     m_flightPanels.showSoon();
+}
+
+/** Worst first, those of aircraft before others of their rank. */
+void FlightView::showNotices()
+{
+    std::vector<FlightNotice> notices = m_aircraftNotices;
+    std::ranges::move(flightNotices(workspace().record(), locale()), std::back_inserter(notices));
+    std::ranges::stable_sort(notices, {},
+                             [](const FlightNotice& notice) { return rankOf(notice.kind); });
+    panels().alarms->showNotices(notices);
+}
+
+void FlightView::setAircraftNotices(const std::vector<FlightNotice>& notices)
+{
+    if (notices == m_aircraftNotices)
+        return;
+    m_aircraftNotices = notices;
+    showNotices();
 }
 
 /** Take-off, a pause and the end are heard, too; planning comes and goes with every edit. */

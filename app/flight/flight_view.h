@@ -2,6 +2,7 @@
 
 #include "app/layout/window_part.h"
 #include "widgets/map/picture/mission_picture.h"
+#include "widgets/panels/flight/flight_notices.h"
 
 namespace berg {
 
@@ -21,12 +22,16 @@ public:
     [[nodiscard]] bool truthIsShown() const { return m_truthShown; }
     /** True positions. */
     void setTruthShown(bool shown);
+    /** Shows notices about real aircraft among those of the flight. */
+    void setAircraftNotices(const std::vector<FlightNotice>& notices);
 
 private:
+    void showNotices();
     void showPhase(RunPhase phase, const QString& fault);
 
     FlightPanels& m_flightPanels;
     StatusLine& m_status;
+    std::vector<FlightNotice> m_aircraftNotices;
     SweptPaths m_swept;
     QString m_phase; ///< as announced last
     bool m_truthShown;

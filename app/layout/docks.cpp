@@ -5,6 +5,7 @@
 #include "widgets/charts/comparison_chart.h"
 #include "widgets/charts/pareto_chart.h"
 #include "widgets/map/view/map_view.h"
+#include "widgets/panels/aircraft/aircraft_panel.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
 #include "widgets/panels/flight/message_list.h"
@@ -195,6 +196,10 @@ void Docks::addStudies()
     QDockWidget* messages = add("messagesDock", tr("Messages"), panels().messages, kArea);
     window().tabifyDockWidget(dock(Dock::Events), messages);
     messages->hide();
+    QDockWidget* aircraft =
+        add("aircraftDock", tr("Aircraft"), scrolling(panels().aircraft), Qt::RightDockWidgetArea);
+    window().tabifyDockWidget(layers, aircraft);
+    aircraft->hide();
     dock(Dock::Sigma)->raise();
     dock(Dock::Plan)->raise();
 }
@@ -272,7 +277,7 @@ void Docks::fitScreen() const
     if (window().minimumSizeHint().height() <= window().screen()->availableSize().height())
         return;
     for (const Dock other :
-         {Dock::Plan, Dock::Inspector, Dock::Pareto, Dock::History, Dock::Layers})
+         {Dock::Plan, Dock::Inspector, Dock::Pareto, Dock::History, Dock::Layers, Dock::Aircraft})
         window().tabifyDockWidget(dock(Dock::Tradeoff), dock(other));
     dock(Dock::Tradeoff)->raise();
 }

@@ -29,7 +29,8 @@ enum class Dock
     Comparison,
     Icebergs,
     Layers,
-    Messages
+    Messages,
+    Aircraft
 };
 
 /** Arrangements of the docks for one kind of work each. */

@@ -5,6 +5,7 @@
 #include "widgets/map/paint/overview_inset.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/map/view/place_mark.h"
+#include "widgets/panels/aircraft/aircraft_panel.h"
 #include "widgets/panels/flight/alarm_strip.h"
 #include "widgets/panels/flight/chart_panel.h"
 #include "widgets/panels/flight/event_panel.h"
@@ -111,6 +112,7 @@ Panels::Panels(Workspace& workspace, const Theme& theme)
     , layers(new LayersPanel)
     , messages(new MessageList)
     , announcer(new Announcer)
+    , aircraft(new AircraftPanel)
 {
     ChartPanel::linkTimes(*charts.front(), *charts.back());
     overview->hide();
@@ -127,7 +129,7 @@ void Panels::setTheme(const Theme& theme) const
     const auto paint = [&theme](auto*... panels) { (panels->setTheme(theme), ...); };
     paint(alarms, overview, findBox, placeMark, map, tradeoff, plan, inspector, playback,
           charts.front(), charts.back(), comparison, comparisonChart, pareto, solveTime, study,
-          events, checks, icebergs, messages);
+          events, checks, icebergs, messages, aircraft);
     history->setCleanIcon(icon(IconName::Save, theme));
 }
 

@@ -7,6 +7,7 @@ class QWidget;
 
 namespace berg {
 
+class AircraftPanel;
 class AlarmStrip;
 class Announcer;
 class ChartPanel;
@@ -64,6 +65,7 @@ struct Panels
     LayersPanel* layers;
     MessageList* messages;
     Announcer* announcer;
+    AircraftPanel* aircraft;
 };
 
 } // namespace berg

@@ -114,6 +114,7 @@ WindowParts::WindowParts(WindowContext& context)
     , flightView(context, flightPanels, status)
     , sound(context)
     , runEnd(context, docks, results)
+    , aircraft(context, flightView)
     , mapLinks(context, docks)
     , backdrop(context, mapLinks)
     , appearance(context)
@@ -187,6 +188,7 @@ void MainWindow::takeOver(MainWindow& other)
     m_parts->studyFlights.takeOver(other.m_parts->studyFlights);
     m_parts->safety.takeOver(other.m_parts->safety);
     m_parts->runEnd.takeOver(other.m_parts->runEnd);
+    m_parts->aircraft.takeOver(other.m_parts->aircraft);
     const Panels& shown = other.m_panels;
     m_panels.messages->takeOver(*shown.messages);
     m_panels.alarms->takeOver(*shown.alarms);

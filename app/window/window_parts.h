@@ -5,6 +5,7 @@
 #include "app/files/scenario_files.h"
 #include "app/files/sightings_import.h"
 #include "app/files/start_page_controller.h"
+#include "app/flight/aircraft_controller.h"
 #include "app/flight/alarm_sound.h"
 #include "app/flight/flight_panels.h"
 #include "app/flight/flight_view.h"
@@ -45,6 +46,7 @@ struct WindowParts
     FlightView flightView;
     AlarmSound sound;
     RunSummaryController runEnd;
+    AircraftController aircraft;
     MapController mapLinks;
     BackdropFile backdrop;
     AppearanceChoice appearance;

@@ -84,8 +84,8 @@ struct LinkUpdate
  * The ground station's end of a link. It discovers vehicles and follows their state. Only while
  * sending is switched on, it sends heartbeats, requests telemetry, sends commands and transfers
  * missions; otherwise not a byte is sent. The numbers of vehicles, senders and texts are bounded.
- * Single-threaded; it must run on the thread of the planner, so that a planner that hangs looks
- * dead. The caller supplies the times.
+ * Single-threaded. The caller supplies the times. It must stop calling `advance` when planner or
+ * window hang, so that they look dead to the vehicles.
  */
 class LinkSession
 {

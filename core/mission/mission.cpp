@@ -40,6 +40,7 @@ Mission::Mission(const Scenario& scenario, const MissionOptions& options,
     , m_options(options)
     , m_icebergs(scenario.icebergs)
     , m_simulation(scenario, noise)
+    , m_poseTracks(scenario.uavs.size())
     , m_planner(scenario.planner, std::move(solver), makeFlownPolicy)
     , m_recorder(options.sampleInterval_s, options.keyframeInterval_s, scenario.dt_s)
     , m_visits(scenario.uavs.size())
@@ -60,7 +61,8 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
             return AdvanceStatus::Cancelled;
         if (m_simulation.step() >= untilStep)
             return AdvanceStatus::Reached;
-        m_simulation.advanceStep();
+        const World& world = m_simulation.world();
+        m_simulation.advanceStep(m_poseTracks.posesAt(world.time_s() + world.dt_s()));
         noteStep();
         if (m_options.record)
             m_recorder.record(m_simulation);

@@ -45,9 +45,10 @@ enum class AdvanceStatus
 };
 
 /**
- * The closed loop of `Simulation` and `Planner`. The result depends on scenario, options and
- * interventions only, not on how calls divide the time; a wall-clock limit on solves is the one
- * exception. Simulated time stands still during a solve. One thread at a time may use a mission.
+ * The closed loop of `Simulation` and `Planner`. The result depends on scenario, options,
+ * interventions and fixes only, not on how calls divide the time; a wall-clock limit on solves is
+ * the one exception. Simulated time stands still during a solve. One thread at a time may use a
+ * mission.
  */
 class Mission
 {
@@ -69,6 +70,16 @@ public:
      */
     AdvanceStatus advance(double until_s, const std::stop_token& stop = {},
                           const std::function<void(double)>& onProgress = {});
+
+    /**
+     * Adds a pose of a real aircraft: from now on its UAV flies along the fixes instead of the
+     * Dubins model (`PoseTracks::add`). To fly with them, advance no further than
+     * `poseTracks().knownUntil_s()`.
+     */
+    void addFix(const PoseFix& fix) { m_poseTracks.add(fix, m_simulation.time_s()); }
+    /** Restores the fixes of a recorded run, before it is flown again. */
+    void restoreFixes(std::span<const PoseFix> fixes) { m_poseTracks.restore(fixes); }
+    [[nodiscard]] const PoseTracks& poseTracks() const { return m_poseTracks; }
 
     /**
      * Passes samples to `sink` from now on: `Recorder::streamTo`. The mission must keep a record,
@@ -151,6 +162,7 @@ private:
     MissionOptions m_options;
     std::vector<Iceberg> m_icebergs;
     Simulation m_simulation;
+    PoseTracks m_poseTracks;
     Planner m_planner;
     Recorder m_recorder;
     std::vector<PlanPointer> m_plans;

@@ -22,7 +22,8 @@ public:
     void flyTo(std::int64_t step)
     {
         while (m_world.step() < step) {
-            m_world.advanceStep();
+            const World& world = m_world.world();
+            m_world.advanceStep(m_mission.poseTracks().posesAt(world.time_s() + world.dt_s()));
             apply();
         }
     }

@@ -98,22 +98,26 @@ bool Fleet::clusterable(int uav, int iceberg) const
            std::ranges::find(m_unclustered, iceberg) == m_unclustered.end();
 }
 
-void Fleet::advance(std::span<const DubinsState> poses)
+void Fleet::advance(std::span<const std::optional<ExternalPose>> poses)
 {
     m_observer.world().tick(); // steering uses the estimates at the end of the step
     m_report.trigger = PlanReason::None;
     for (int uav = 0; uav < count(); ++uav) {
         Autopilot& me = m_autopilots[toIndex(uav)];
+        const std::optional<ExternalPose> given =
+            poses.empty() ? std::nullopt : poses[toIndex(uav)];
         if (!me.command(uav, m_observer, m_report))
             noteHomeward(uav);
-        if (poses.empty())
+        if (!given)
             enforceSeparation(uav);
-        me.move(uav, poses.empty() ? nullptr : &poses[toIndex(uav)], m_report);
+        me.move(uav, given ? &given->pose : nullptr, m_report);
         if (me.isOnGround())
             m_separation.leave(uav);
-        else if (!poses.empty())
+        else if (given)
             enterLayer(uav);
         m_observer.cameras().setPose(uav, me.pose(), me.mode());
+        if (given && !given->hasView)
+            m_observer.cameras().switchOff(uav);
     }
     watchSeparation();
     m_observer.observe(m_observer.world().dt_s(), m_report);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/sim/autopilot.h"
+#include "core/sim/pose_tracks.h"
 #include "core/sim/separation.h"
 
 namespace berg {
@@ -80,7 +81,7 @@ public:
     }
 
     /** Advances one step; `poses` as for `Simulation::advanceStep`. */
-    void advance(std::span<const DubinsState> poses);
+    void advance(std::span<const std::optional<ExternalPose>> poses);
     /**
      * Sends the UAV to a target. With `mayContinueLeg` a UAV already on a straight leg to it
      * continues that leg. With `keepsSearch` plans continue to search for lost icebergs although

@@ -77,6 +77,13 @@ void RehearsalVehicle::flyMission()
     setMode(modesOf(m_options.side.autopilot).mission);
 }
 
+void RehearsalVehicle::setProgress(double altitude_m, int item)
+{
+    m_altitude_m = m_targetAltitude_m = altitude_m;
+    m_item = static_cast<std::size_t>(std::max(0, item));
+    updateReadings(0, 0);
+}
+
 void RehearsalVehicle::execute(const VehicleOrder& order)
 {
     const RehearsedModes modes = modesOf(m_options.side.autopilot);

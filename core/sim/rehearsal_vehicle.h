@@ -51,6 +51,8 @@ public:
      * Switches the mode as the pilot's transmitter does; `mode` is the custom_mode of HEARTBEAT.
      */
     void setMode(std::uint32_t mode);
+    /** Sets altitude above mean sea level and present item, from 0 and without home. */
+    void setProgress(double altitude_m, int item);
     /**
      * Restarts the autopilot: for `off_s` seconds the link receives and sends nothing. The aircraft
      * flies on.

@@ -40,12 +40,12 @@ void Simulation::setTarget(int uav, std::optional<int> iceberg, const std::optio
                       mayContinueLeg, keepsSearch);
 }
 
-void Simulation::advanceStep(std::span<const DubinsState> poses)
+void Simulation::advanceStep(std::span<const std::optional<ExternalPose>> poses)
 {
     require(planReason() == PlanReason::None, "advanceStep: a plan is needed first");
     require(!finished(), "advanceStep: the run is over");
     require(poses.empty() || poses.size() == static_cast<std::size_t>(uavCount()),
-            "advanceStep: a pose for each UAV");
+            "advanceStep: an entry for each UAV");
     m_fleet.advance(poses);
     m_zeta_m2s += observer().sigmaSum_m2() * world().dt_s();
     m_trigger.update(m_fleet);

@@ -73,11 +73,12 @@ public:
                    std::span<const int> members = {}, bool keepsSearch = false);
 
     /**
-     * Advances one time step. Must not be called while a plan is needed or after the end. `poses`,
-     * if not empty, are the UAVs' poses at the end of the step, as telemetry reports them, in place
-     * of the Dubins model. Throws `std::logic_error` if one of these conditions is violated.
+     * Advances one time step. Must not be called while a plan is needed or after the end. `poses`
+     * is empty or has an entry for each UAV: its pose at the end of the step, as telemetry reports
+     * it, or nullopt for the Dubins model. Throws `std::logic_error` if one of these conditions is
+     * violated.
      */
-    void advanceStep(std::span<const DubinsState> poses = {});
+    void advanceStep(std::span<const std::optional<ExternalPose>> poses = {});
 
     /** Sets the wind from now on and requests a plan. */
     void setWind(const Point& wind_mps);

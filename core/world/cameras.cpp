@@ -45,6 +45,12 @@ void Cameras::setPose(int uav, const DubinsState& pose, FlightMode mode)
     m_views[toIndex(uav)].reset();
 }
 
+void Cameras::switchOff(int uav)
+{
+    m_cameras[toIndex(uav)].isOn = false;
+    m_views[toIndex(uav)].reset();
+}
+
 std::vector<FieldOfView> Cameras::views() const
 {
     std::vector<FieldOfView> views;

@@ -50,6 +50,8 @@ public:
     void add(const Camera& camera);
     /** Sets the pose of the UAV. Its camera is off in mode Ground. */
     void setPose(int uav, const DubinsState& pose, FlightMode mode);
+    /** Nothing is in view of the UAV until its next pose. */
+    void switchOff(int uav);
     void setWind(const Point& wind_mps) { m_wind_mps = wind_mps.norm(); }
 
     /** Returns the fields of view by UAV; that of a UAV on the ground contains no place. */

@@ -55,6 +55,12 @@ MissionRunner::MissionRunner(QObject* parent)
     connect(m_worker, &MissionWorker::published, this, &MissionRunner::updated);
     connect(m_worker, &MissionWorker::instantPublished, this, &MissionRunner::instantUpdated);
     connect(m_worker, &MissionWorker::refused, this, &MissionRunner::commandRefused);
+    connect(
+        m_worker, &MissionWorker::missionsReady, this,
+        [this](const std::shared_ptr<const std::vector<UavMission>>& missions, quint64 generation) {
+            if (generation == m_generation)
+                emit missionsReady(missions);
+        });
     connect(m_worker, &MissionWorker::runReady, this, &MissionRunner::runReady);
     connect(m_worker, &MissionWorker::recoveryRunReady, this, &MissionRunner::recoveryRunReady);
     connectExports();
@@ -173,6 +179,26 @@ void MissionRunner::fly(FlightRate rate)
 {
     require(!rate || *rate > 0, "rate of a flight is not positive");
     postToFlight([rate](MissionWorker& worker) { worker.fly(rate); });
+}
+
+void MissionRunner::flyLive()
+{
+    postToFlight([](MissionWorker& worker) { worker.flyLive(); });
+}
+
+void MissionRunner::addPoses(const std::vector<LivePose>& poses)
+{
+    const bool wasEmpty = m_mail.poses.put(
+        poses, [](std::vector<LivePose>& waiting, const std::vector<LivePose>& next) {
+            waiting.insert(waiting.end(), next.begin(), next.end());
+        });
+    if (wasEmpty)
+        post([](MissionWorker& worker) { worker.addPoses(); });
+}
+
+void MissionRunner::requestMissions()
+{
+    postToFlight([](MissionWorker& worker) { worker.sendMissions(); });
 }
 
 void MissionRunner::pause()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/files/run_json.h"
+#include "core/link/mission_sync.h"
 #include "widgets/flight/export_worker.h"
 #include "widgets/flight/flight_rate.h"
 #include "widgets/flight/mission_snapshot.h"
@@ -44,6 +45,23 @@ struct MissionRequest
     std::stop_token stop;
 };
 
+/** Pose of a real aircraft, for the UAV that stands for it. */
+struct LivePose
+{
+    int uav = 0;        ///< index in the scenario
+    double clock_s = 0; ///< `monotonicNow_s` when it was valid
+    DubinsState pose;
+    bool isMeasured = true; ///< as in `PoseFix`
+};
+
+/** The present plan of a UAV as an upload for its aircraft. */
+struct UavMission
+{
+    std::string uav; ///< id
+    std::vector<MissionPart> parts;
+    std::vector<std::string> order; ///< ids of the icebergs in visiting order
+};
+
 /** Mailboxes between the GUI thread and the mission thread. */
 struct MissionChannels
 {
@@ -53,6 +71,7 @@ struct MissionChannels
     Mailbox<double> instantRequests; ///< times, s
     Mailbox<MissionSnapshot> instants;
     Mailbox<ExportTask> previewRequests;
+    Mailbox<std::vector<LivePose>> poses;
 };
 
 class MissionWorker;
@@ -84,6 +103,17 @@ public:
     [[nodiscard]] std::uint64_t generation() const { return m_generation; }
 
     void fly(FlightRate rate);
+    /**
+     * Flies with real aircraft from now on, at their pace: as far as the poses of `addPoses` reach.
+     */
+    void flyLive();
+    /** Adds poses of real aircraft. They have no effect outside a live flight. */
+    void addPoses(const std::vector<LivePose>& poses);
+    /**
+     * Requests the present plans as uploads; `missionsReady` follows, or `commandRefused`. Solves
+     * nothing.
+     */
+    void requestMissions();
     void pause();
     /** Pauses and advances by `seconds` of simulated time. */
     void stepBy(double seconds);
@@ -155,6 +185,7 @@ signals:
     void commandRefused(const QString& message);
     void exportReady(const std::vector<berg::ExportFile>& files);
     void exportPreviewReady(const std::shared_ptr<const berg::ExportPreview>& preview);
+    void missionsReady(const std::shared_ptr<const std::vector<berg::UavMission>>& missions);
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
     void recoveryRunReady(const std::shared_ptr<const berg::RunFile>& run);
 

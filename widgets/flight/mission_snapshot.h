@@ -42,6 +42,7 @@ struct MissionSnapshot
 {
     std::uint64_t generation = 0; ///< generation of its scenario
     RunPhase phase = RunPhase::Planning;
+    bool isLive = false; ///< UAVs fly along the poses of real aircraft, at their pace
     double time_s = 0;
     WorldState world;
     std::vector<Iceberg> icebergs; ///< all icebergs; those added in flight come last

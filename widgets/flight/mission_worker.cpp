@@ -1,11 +1,14 @@
 #include "widgets/flight/mission_worker.h"
 
 #include "core/io/export/content/export_flight.h"
+#include "core/io/export/missions/mission_upload.h"
+#include "core/link/transport/link_clock.h"
 #include "widgets/words/error_text.h"
 #include "widgets/words/issue_text.h"
 #include "widgets/words/report_language.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -61,6 +64,7 @@ void MissionWorker::start()
     if (!request)
         return; // an earlier call has taken a newer one
     m_timer.stop();
+    m_liveZero_s.reset();
     m_request = std::move(*request);
     Flight present{.mission = std::move(m_mission), .phase = m_phase};
     m_error.reset();
@@ -144,6 +148,76 @@ void MissionWorker::fly(FlightRate rate)
     publish();
 }
 
+void MissionWorker::flyLive()
+{
+    if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
+        return;
+    m_liveZero_s = monotonicNow_s() - m_mission->simulation().time_s();
+    fly(1);
+}
+
+void MissionWorker::addPoses()
+{
+    const std::optional<std::vector<LivePose>> poses = m_mail.poses.take();
+    if (!poses || !m_mission || !m_liveZero_s)
+        return;
+    const int uavs = m_mission->simulation().uavCount();
+    for (const LivePose& pose : *poses)
+        if (pose.uav < uavs) // else it was for an earlier scenario
+            m_mission->addFix({.time_s = pose.clock_s - *m_liveZero_s,
+                               .uav = pose.uav,
+                               .pose = pose.pose,
+                               .isMeasured = pose.isMeasured});
+}
+
+void MissionWorker::sliceLive()
+{
+    const World& world = m_mission->simulation().world();
+    const std::optional<double> known_s = m_mission->poseTracks().knownUntil_s();
+    // Only whole steps: the last one must not end after the last pose.
+    const double until_s = std::floor(known_s.value_or(0) / world.dt_s()) * world.dt_s();
+    const double before_s = world.time_s();
+    QElapsedTimer work;
+    work.start();
+    while (world.time_s() < until_s - world.dt_s() / 2 && work.elapsed() < kWork_ms &&
+           advanceTo(std::min(until_s, world.time_s() + 1))) {
+    }
+    if (world.time_s() != before_s || m_phase == RunPhase::Finished)
+        publish();
+}
+
+void MissionWorker::sendMissions()
+{
+    if (!m_mission || m_mission->plans().empty()) {
+        emit refused(tr("There is no plan to upload."));
+        return;
+    }
+    const auto failure = failureOf([&] {
+        const PlanAnswer plan = startPlan(*m_mission);
+        const ExportSource source{.scenario = m_mission->scenario(),
+                                  .plan = plan,
+                                  .mission =
+                                      m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
+        bool isAimed = false; // then straight legs over the icebergs are not what is planned
+        for (std::size_t row = 0; row < source.scenario.uavs.size(); ++row)
+            isAimed = isAimed || !presentOrder(source, row).legs.empty();
+        const ExportContent content = exportContent(
+            source, {.what = isAimed ? ExportScope::Path : ExportScope::Order, .returnHome = true});
+        auto missions = std::make_shared<std::vector<UavMission>>();
+        for (const ExportUav& uav : content.uavs) {
+            UavMission& mission = missions->emplace_back(
+                UavMission{.uav = uav.uav.id, .parts = missionParts(content, uav)});
+            for (const Visit& visit : uav.visits)
+                if (visit.iceberg)
+                    for (std::string& id : idsOf(content, visit))
+                        mission.order.push_back(std::move(id));
+        }
+        emit missionsReady(missions, m_request.generation);
+    });
+    if (failure)
+        emit refused(failure->report);
+}
+
 void MissionWorker::pause()
 {
     if (m_phase != RunPhase::Flying)
@@ -156,6 +230,7 @@ void MissionWorker::pause()
 void MissionWorker::stepBy(double seconds)
 {
     m_timer.stop();
+    m_liveZero_s.reset();
     if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
         return;
     m_phase = RunPhase::Paused;
@@ -166,6 +241,10 @@ void MissionWorker::stepBy(double seconds)
 
 void MissionWorker::slice()
 {
+    if (m_liveZero_s) {
+        sliceLive();
+        return;
+    }
     if (!m_rate) {
         sliceAsFastAsPossible();
     } else {
@@ -232,8 +311,10 @@ void MissionWorker::continueFrom(const ContinueRequest& request)
     if (m_mission->simulation().time_s() < request.seenUntil_s - kRounding_s)
         return;
     m_timer.stop();
+    m_liveZero_s.reset();
     RunFile run = runOf(*m_mission);
     run.flownUntil_s = std::clamp(request.time_s, 0.0, run.flownUntil_s);
+    run.fixes = m_mission->poseTracks().until(run.flownUntil_s);
     std::erase_if(run.interventions,
                   [&run](const Intervention& change) { return change.time_s > run.flownUntil_s; });
     run.interventions.resize(std::min(run.interventions.size(),
@@ -381,6 +462,7 @@ MissionSnapshot MissionWorker::present()
     }
     snapshot.generation = m_request.generation;
     snapshot.phase = m_phase;
+    snapshot.isLive = m_liveZero_s.has_value();
     snapshot.error = m_error;
     return snapshot;
 }

@@ -38,6 +38,10 @@ public:
     /** Returns the generation of the last request taken. */
     [[nodiscard]] std::uint64_t generation() const { return m_request.generation; }
     void fly(FlightRate rate);
+    void flyLive();
+    /** Takes the waiting poses; a live flight continues up to them. */
+    void addPoses();
+    void sendMissions();
     void pause();
     void stepBy(double seconds);
     /** Applies the waiting interventions at the present instant. */
@@ -60,6 +64,8 @@ signals:
     void previewPrepared(const std::shared_ptr<const berg::ExportJob>& job);
     void previewRefused(const std::shared_ptr<const berg::ExportPreview>& preview,
                         quint64 generation);
+    void missionsReady(const std::shared_ptr<const std::vector<berg::UavMission>>& missions,
+                       quint64 generation);
     void runReady(const QString& path, const std::shared_ptr<const berg::RunFile>& run);
     void recoveryRunReady(const std::shared_ptr<const berg::RunFile>& run);
 
@@ -77,6 +83,7 @@ private:
     [[nodiscard]] Flight nextFlight(Flight present, const RestartOptions& restartOptions);
     void resume(Flight flight);
     void slice();
+    void sliceLive();
     void sliceAsFastAsPossible();
     /** Advances and updates the phase; returns false if the run has ended or was stopped. */
     bool advanceTo(double until_s);
@@ -99,6 +106,7 @@ private:
     RunPhase m_phase = RunPhase::Planning;
     /** Whether this generation continues from the flight then put into `m_discarded`. */
     bool m_hasContinued = false;
+    std::optional<double> m_liveZero_s; ///< clock at run time 0 in a live flight
     QTimer m_timer;
     QElapsedTimer m_clock;
     FlightRate m_rate = 1;

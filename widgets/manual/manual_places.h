@@ -38,6 +38,7 @@ inline constexpr std::array kManualPlaces{
     ManualPlace{"icebergsDock", "window#icebergs"},
     ManualPlace{"layersDock", "window#layers"},
     ManualPlace{"messagesDock", "window#messages"},
+    ManualPlace{"aircraftDock", "window#aircraft"},
     ManualPlace{"startPage", "start#start-page"},
     ManualPlace{"tour", "start#first-flight"},
     ManualPlace{"berg::ExportDialog", "window#export"},

@@ -1,5 +1,6 @@
 #include "widgets/workspace/workspace.h"
 
+#include "core/base/angles.h"
 #include "widgets/document/scenario_edits.h"
 #include "widgets/words/intervention_text.h"
 
@@ -287,6 +288,24 @@ void Workspace::fly(FlightRate rate)
     prepareTakeOff();
     flyTau(); // settings requested earlier take effect first
     m_runner.fly(rate);
+}
+
+void Workspace::flyLive(const std::vector<std::optional<DubinsState>>& starts)
+{
+    seekLatest();
+    if (!inFlight()) {
+        emit aboutToTakeOff();
+        m_document.edit(tr("Move UAVs to their aircraft"), [&](Scenario& scenario) {
+            for (std::size_t i = 0; i < std::min(starts.size(), scenario.uavs.size()); ++i)
+                if (starts[i]) {
+                    scenario.uavs[i].position_m = starts[i]->position_m;
+                    scenario.uavs[i].heading_deg = headingFromPsi(starts[i]->psi_rad);
+                }
+        });
+    }
+    prepareTakeOff();
+    flyTau();
+    m_runner.flyLive();
 }
 
 void Workspace::setRate(FlightRate rate)

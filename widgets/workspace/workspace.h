@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/aircraft/link_monitor.h"
 #include "widgets/document/autosaver.h"
 #include "widgets/document/document_file.h"
 #include "widgets/document/scenario_document.h"
@@ -40,6 +41,8 @@ public:
     [[nodiscard]] Autosaver& autosaver() { return m_autosaver; }
     [[nodiscard]] Selection& selection() { return m_selection; }
     [[nodiscard]] MissionRunner& runner() { return m_runner; }
+    /** Returns the live link to real aircraft, which is off at first. */
+    [[nodiscard]] LinkMonitor& link() { return m_link; }
     /** Returns the trade-off curve of the plan in force, before take-off and in flight. */
     [[nodiscard]] CurveRunner& curve() { return m_curve; }
     /** Forecasts of the flight from the start, made before take-off. */
@@ -107,6 +110,8 @@ public:
     void setWind(const Point& wind_mps);
     /** In flight: moves the asset to its present position. */
     void moveAsset(const Point& position_m);
+    /** Sets the present position and the velocity of the asset, before take-off and in flight. */
+    void setAssetMotion(const Point& position_m, const Point& velocity_mps);
     /** In flight: adds an iceberg at its present position, under a fresh id. */
     void addIceberg(Iceberg iceberg);
     /** Returns the change that `undoChange` reverts, or nullopt if there is none. */
@@ -136,6 +141,11 @@ public:
     void restore(FoundRecovery found);
     /** Takes off or continues. */
     void fly(FlightRate rate);
+    /**
+     * Flies with real aircraft (`MissionRunner::flyLive`). Before take-off, UAVs are first moved to
+     * `starts`, by UAV, which is an edit; an entry without a value leaves its UAV.
+     */
+    void flyLive(const std::vector<std::optional<DubinsState>>& starts);
     /** Pauses the flight, or the playing of its record. */
     void pause();
     /** Flies one second, or shows the instant one second later if an earlier one is shown. */
@@ -210,6 +220,7 @@ private:
     void setPlanner(const QString& text, const std::function<void(PlannerSettings&)>& change,
                     const QString& gesture = {});
 
+    LinkMonitor m_link;
     ScenarioDocument m_document;
     DocumentFile m_file{m_document};
     Autosaver m_autosaver{m_document};

@@ -113,6 +113,28 @@ void Workspace::moveAsset(const Point& position_m)
     m_runner.intervene({.asset = asset});
 }
 
+void Workspace::setAssetMotion(const Point& position_m, const Point& velocity_mps)
+{
+    if (!inFlight()) {
+        m_document.edit(
+            tr("Move asset"),
+            [&](Scenario& scenario) {
+                if (!scenario.asset)
+                    return;
+                scenario.asset->position_m = position_m;
+                scenario.asset->velocity_mps = velocity_mps;
+            },
+            u"asset motion"_s);
+        return;
+    }
+    if (!m_record.now.asset || !mayIntervene())
+        return; // it comes again
+    Asset asset = *m_record.now.asset;
+    asset.velocity_mps = velocity_mps;
+    asset.position_m = position_m - velocity_mps * m_record.now.time_s;
+    m_runner.intervene({.asset = asset});
+}
+
 void Workspace::addIceberg(Iceberg iceberg)
 {
     if (!inFlight() || refuseIntervention())

@@ -335,6 +335,7 @@ RunFile readRun(ObjectReader& run)
     if (!run.faults().empty())
         return file;
     const RunContext context = contextOf(file);
+    file.fixes = readFixes(run, context);
     file.plans = readPlans(run, context);
     file.keyframes = readKeyframes(run, context);
     return file;
@@ -359,6 +360,10 @@ void writeRun(const RunFile& run, const TextSink& put)
     put(std::string_view(members).substr(0, members.size() - 2)); // without the end of the object
     put(",\n \"interventions\": ");
     putJsonLines(put, run.interventions, 1, interventionText);
+    if (!run.fixes.empty()) {
+        put(",\n \"fixes\": ");
+        putJsonLines(put, run.fixes, 1, fixText);
+    }
     put(",\n \"plans\": ");
     putJsonLines(put, run.plans, 1, planText);
     put(",\n \"metrics\": " + metrics.inLine() + ",\n \"keyframes\": ");

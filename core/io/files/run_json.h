@@ -19,6 +19,7 @@ struct RunFile
     MissionOptions options;
     double flownUntil_s = 0;
     std::vector<Intervention> interventions;
+    std::vector<PoseFix> fixes; ///< poses of real aircraft, as `PoseTracks::until`
     /** Only what `writeRun` writes of them counts. A plan read from a file is for one UAV. */
     std::vector<PlanPointer> plans;
     std::vector<WorldState> keyframes;

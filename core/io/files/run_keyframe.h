@@ -182,6 +182,11 @@ void uavMembers(Io& io, U& uav)
  */
 [[nodiscard]] std::string keyframeText(const WorldState& state);
 
+/** Returns the JSON object of a pose of a real aircraft. */
+[[nodiscard]] std::string fixText(const PoseFix& fix);
+/** Reads the member `fixes` of a run; errors add faults. */
+[[nodiscard]] std::vector<PoseFix> readFixes(ObjectReader& run, const RunContext& context);
+
 /** Reads the object of `keyframeText` and checks it against `context`; errors add faults. */
 [[nodiscard]] WorldState readKeyframe(const Json& value, const std::string& path, Faults& faults,
                                       const RunContext& context);

@@ -234,6 +234,8 @@ RunFile runOf(const Mission& mission)
                 .options = mission.options(),
                 .flownUntil_s = mission.simulation().time_s(),
                 .interventions = mission.interventions(),
+                .fixes = mission.poseTracks().until(mission.simulation().time_s()),
+                .plans = {},
                 .plans = mission.plans(),
                 .keyframes = {},
                 .metrics = mission.metrics()};
@@ -246,6 +248,7 @@ Mission replay(const RunFile& run, const std::stop_token& stop,
                const std::function<void(double)>& onProgress, SampleSink sink)
 {
     Mission mission(run.scenario, run.options);
+    mission.restoreFixes(run.fixes);
     if (sink)
         mission.streamSamplesTo(std::move(sink));
     for (std::size_t i = 0; i < run.interventions.size(); ++i) {

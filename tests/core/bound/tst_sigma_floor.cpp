@@ -235,8 +235,8 @@ private slots:
             while (!world.finished()) {
                 if (world.planReason() != PlanReason::None)
                     world.setTarget(0, std::nullopt);
-                const DubinsState pose = hoverer.next(world);
-                world.advanceStep(std::span(&pose, 1));
+                world.advanceStep(
+                    std::array{std::optional(ExternalPose{.pose = hoverer.next(world)})});
                 const QString fault = checked.fault(world);
                 QVERIFY2(fault.isEmpty(), qPrintable(u"seed %1 "_s.arg(seed) + fault));
             }

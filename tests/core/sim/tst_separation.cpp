@@ -188,8 +188,10 @@ private slots:
             for (const int uav : {0, 1})
                 simulation.setTarget(uav, std::nullopt);
             const double x_m = 2.2 * step;
-            simulation.advanceStep(std::array{DubinsState{.position_m = {x_m, 0}},
-                                              DubinsState{.position_m = {1000, 0}}});
+            const auto at = [](double east_m) {
+                return std::optional(ExternalPose{.pose = {.position_m = {east_m, 0}}});
+            };
+            simulation.advanceStep(std::array{at(x_m), at(1000)});
             QVERIFY(simulation.uav(0).pose.position_m == Point(x_m, 0));
             std::ranges::copy_if(
                 simulation.drainEvents(), std::back_inserter(close),

@@ -446,9 +446,9 @@ private slots:
                 if (fed.planReason() != PlanReason::None)
                     fed.setTarget(0, isWilful ? std::nullopt : target);
                 flown.advanceStep();
-                const std::array pose{flown.uav(0).pose};
-                fed.advanceStep(pose);
-                QVERIFY(fed.uav(0).pose == pose[0]);
+                const DubinsState pose = flown.uav(0).pose;
+                fed.advanceStep(std::array{std::optional(ExternalPose{.pose = pose})});
+                QVERIFY(fed.uav(0).pose == pose);
                 QVERIFY(fed.observer().tracks() == flown.observer().tracks());
                 QCOMPARE(fed.observer().newlySeen().size(), flown.observer().newlySeen().size());
                 QCOMPARE(fed.zeta_m2s(), flown.zeta_m2s());
@@ -458,7 +458,7 @@ private slots:
             QVERIFY(isWilful || fed.state() == flown.state());
             fed = Simulation(scenario);
             fed.setTarget(0, 0);
-            const std::array<DubinsState, 2> tooMany;
+            const std::array<std::optional<ExternalPose>, 2> tooMany;
             QVERIFY_THROWS_EXCEPTION(std::logic_error, fed.advanceStep(tooMany));
         }
     }

@@ -1,9 +1,12 @@
 #include "widgets/map/paint/map_marks.h"
 
+#include "core/base/angles.h"
 #include "widgets/map/paint/map_layout.h"
 #include "widgets/map/paint/map_overlays.h"
+#include "widgets/map/paint/map_paint.h"
 #include "widgets/map/paint/map_symbols.h"
 #include "widgets/theme/painter_state.h"
+#include "widgets/theme/palette.h"
 
 #include <QFontMetricsF>
 
@@ -27,7 +30,72 @@ void drawRing(QPainter& painter, const QPointF& centre, double radius_px, double
     painter.drawEllipse(centre, radius_px, radius_px);
 }
 
+/** Draws a label to the right of a symbol. */
+void drawLiveLabel(const MapPaint& p, const QPointF& at, const QString& text, const QColor& colour)
+{
+    p.painter.setFont(p.theme.small());
+    const QSizeF size(QFontMetricsF(p.theme.small()).size(Qt::TextSingleLine, text));
+    const QRectF box(at + QPointF(16, -size.height() / 2), size);
+    drawHaloText(p.painter, box, Qt::AlignCenter, text, colour, p.theme.sea);
+}
+
+void paintAircraft(const MapPaint& p, const MapAircraft& aircraft)
+{
+    const QColor colour = uavColour(p.theme, aircraft.place);
+    const QPointF at = p.layout.view.toPixel(aircraft.position_m);
+    QPolygonF track;
+    for (const Point& place_m : aircraft.track_m)
+        track.push_back(p.layout.view.toPixel(place_m));
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.setPen(QPen(colour, 1.2, Qt::DotLine));
+    if (!aircraft.isFlown)
+        p.painter.drawPolyline(track);
+    if (aircraft.contact_m) {
+        const QPointF contact = p.layout.view.toPixel(*aircraft.contact_m);
+        p.painter.setPen(QPen(colour, 1.6));
+        p.painter.drawEllipse(contact, 6, 6);
+        p.painter.drawEllipse(contact, 2, 2);
+        drawLiveLabel(p, contact, aircraft.contactLabel, p.theme.text);
+    }
+    if (aircraft.isFlown && !aircraft.isGhost)
+        return;
+    drawUav(p.painter, at, aircraft.psi_rad, aircraft.isGhost ? p.theme.sea : colour, p.theme);
+    if (aircraft.isGhost) { // a dashed ring, so that the shape shows it, too
+        p.painter.setPen(QPen(colour, 1.6, Qt::DashLine));
+        p.painter.drawEllipse(at, 19, 19);
+    }
+    drawLiveLabel(p, at + QPointF(6, 0), aircraft.label, p.theme.text);
+}
+
+/** Ships are hulls, aircraft are crosses with a tail. */
+void paintTraffic(const MapPaint& p, const MapTraffic& traffic)
+{
+    const PainterState saved(p.painter);
+    const QPointF at = p.layout.view.toPixel(traffic.position_m);
+    drawLiveLabel(p, at, traffic.label, p.theme.mutedText);
+    p.painter.translate(at);
+    p.painter.rotate(-degFromRad(traffic.psi_rad.value_or(kPi / 2)));
+    p.painter.setPen(QPen(p.theme.ink, 1.4));
+    p.painter.setBrush(p.theme.panel);
+    if (traffic.isShip) {
+        p.painter.drawPolygon(QPolygonF{{11, 0}, {5, -4.5}, {-9, -4.5}, {-9, 4.5}, {5, 4.5}});
+        return;
+    }
+    p.painter.drawLine(QPointF(-9, 0), QPointF(10, 0));
+    p.painter.drawLine(QPointF(2, -9), QPointF(2, 9));
+    p.painter.drawLine(QPointF(-8, -4), QPointF(-8, 4));
+}
+
 } // namespace
+
+void paintLive(const MapPaint& p)
+{
+    const PainterState saved(p.painter);
+    for (const MapTraffic& traffic : p.picture.live.traffic)
+        paintTraffic(p, traffic);
+    for (const MapAircraft& aircraft : p.picture.live.aircraft)
+        paintAircraft(p, aircraft);
+}
 
 void paintSelectionMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme)
 {

@@ -7,6 +7,8 @@
 
 namespace berg {
 
+struct MapPaint;
+
 /** Direction step while Shift is pressed. */
 inline constexpr double kDirectionStep_deg = 15;
 
@@ -41,6 +43,9 @@ void paintTag(QPainter& painter, const QPointF& centre, const QString& text, con
 /** Draws lines of text on a panel beside the cursor, inside `area`. */
 void paintBubble(QPainter& painter, const QPointF& at, const QString& text, const QRectF& area,
                  const Theme& theme);
+
+/** Draws aircraft, traffic and expected contacts of the live link, with their tracks. */
+void paintLive(const MapPaint& p);
 
 /** Draws a frame inside the edge of a widget with keyboard focus. */
 void paintFocusFrame(QPainter& painter, const QRectF& rect, const Theme& theme);

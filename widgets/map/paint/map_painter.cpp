@@ -357,6 +357,7 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     for (const MapUav& uav : p.picture.uavs)
         drawUav(painter, p.layout.view.toPixel(uav.position_m), uav.psi_rad,
                 uavColour(p.theme, uav.place), p.theme);
+    paintLive(p);
     withOpacity(p, layers.opacity(MapLayer::Labels), [&] { paintUavLabels(p); });
 }
 

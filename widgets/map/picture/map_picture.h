@@ -3,6 +3,7 @@
 #include "core/earth/geodesy.h"
 #include "core/permit/operation.h"
 #include "core/tracking/observer.h"
+#include "widgets/map/picture/map_live.h"
 #include "widgets/theme/mission_clock.h"
 
 #include <QString>
@@ -188,6 +189,7 @@ struct MapPicture
     std::optional<MapAsset> asset;
     std::optional<MapStation> station;
     MapAir air;
+    MapLive live;
     bool hidesTruth = false;  ///< shows only what the observer has estimated
     double sigmaFull_m2 = 10; ///< end of the colour scale, > 0
     QString emptyTitle;       ///< shown if there is no iceberg

@@ -55,6 +55,7 @@ void MapScene::setPicture(MapPicture picture)
         m_graticule.reset();
         m_isGroundOld = true;
     }
+    picture.live = std::move(m_picture.live);
     m_picture = std::move(picture);
     m_layout.reset();
 }

@@ -31,7 +31,9 @@ public:
     MapScene();
 
     [[nodiscard]] const MapPicture& picture() const { return m_picture; }
+    /** The picture keeps what `setLive` has set. */
     void setPicture(MapPicture picture);
+    void setLive(MapLive live) { m_picture.live = std::move(live); }
     [[nodiscard]] const Theme& theme() const { return m_theme; }
     void setTheme(const Theme& theme);
     /** Call it also if only the language has changed, because cached drawings contain text. */

@@ -29,6 +29,13 @@ public:
 
     /** Shows a picture; the first one of each scenario is fitted. */
     void setPicture(MapPicture picture);
+    /** Shows aircraft and traffic of the live link over the picture. */
+    void setLive(MapLive live)
+    {
+        m_scene.setLive(std::move(live));
+        update();
+    }
+    [[nodiscard]] const MapLive& live() const { return m_scene.picture().live; }
     void setTheme(const Theme& theme);
     /** Locks the map in flight: no edits; the picture is shown as is; clicks still select. */
     void setLocked(bool locked);

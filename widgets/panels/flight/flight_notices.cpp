@@ -260,10 +260,12 @@ NoticeRank rankOf(NoticeKind kind)
     case NoticeKind::UavsClose:
     case NoticeKind::LateHome:
     case NoticeKind::RingEntry:
+    case NoticeKind::ContactLost:
         return NoticeRank::Alarm;
     case NoticeKind::PlannerFailed:
     case NoticeKind::WindLimit:
     case NoticeKind::LostIceberg:
+    case NoticeKind::Aircraft:
         return NoticeRank::Warning;
     case NoticeKind::Mode:
         return NoticeRank::Note;

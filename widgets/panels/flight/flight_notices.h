@@ -25,7 +25,9 @@ enum class NoticeKind
     PlannerFailed,
     WindLimit,
     LostIceberg,
-    Mode
+    Mode,
+    ContactLost, ///< with a real aircraft
+    Aircraft     ///< the pilot has taken over, or the mission on board is not the plan
 };
 
 [[nodiscard]] NoticeRank rankOf(NoticeKind kind);

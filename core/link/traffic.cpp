@@ -1,0 +1,93 @@
+#include "core/link/traffic.h"
+
+#include "core/base/angles.h"
+
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+constexpr std::size_t kMostTargets = 500;
+constexpr double kAircraftKept_s = 60;
+constexpr double kShipKept_s = 600;
+// Flags of valid fields.
+constexpr std::int64_t kAdsbPosition = 1;
+constexpr std::int64_t kAdsbAltitude = 2;
+constexpr std::int64_t kAdsbHeading = 4;
+constexpr std::int64_t kAdsbVelocity = 8;
+constexpr std::int64_t kAisCourse = 2;
+constexpr std::int64_t kAisVelocity = 4;
+
+double hundredths(const LinkMessage& message, const char* field)
+{
+    return message.real(field) / 100;
+}
+
+TrafficTarget aircraftOf(const LinkMessage& message)
+{
+    const std::int64_t flags = message.integer("flags");
+    TrafficTarget target{.kind = TrafficTarget::Kind::Aircraft,
+                         .id = static_cast<std::uint32_t>(message.integer("ICAO_address")),
+                         .name = message.text("callsign")};
+    if ((flags & kAdsbAltitude) != 0)
+        target.altitude_m = message.real("altitude") / 1000;
+    if ((flags & kAdsbHeading) != 0)
+        target.course_rad = radFromDeg(hundredths(message, "heading"));
+    if ((flags & kAdsbVelocity) != 0)
+        target.speed_mps = hundredths(message, "hor_velocity");
+    return target;
+}
+
+TrafficTarget shipOf(const LinkMessage& message)
+{
+    const std::int64_t flags = message.integer("flags");
+    TrafficTarget target{.kind = TrafficTarget::Kind::Ship,
+                         .id = static_cast<std::uint32_t>(message.integer("MMSI")),
+                         .name = message.text("name")};
+    if ((flags & kAisCourse) != 0)
+        target.course_rad = radFromDeg(hundredths(message, "COG"));
+    if ((flags & kAisVelocity) != 0)
+        target.speed_mps = hundredths(message, "velocity");
+    return target;
+}
+
+} // namespace
+
+void TrafficList::receive(const LinkMessage& message, double now_s)
+{
+    const bool isAircraft = message.id() == MessageId::AdsbVehicle;
+    if (!isAircraft && message.id() != MessageId::AisVessel)
+        return;
+    if (isAircraft && (message.integer("flags") & kAdsbPosition) == 0)
+        return;
+    TrafficTarget target = isAircraft ? aircraftOf(message) : shipOf(message);
+    target.place = {.latitude_deg = message.real("lat") / 1e7,
+                    .longitude_deg = message.real("lon") / 1e7};
+    target.received_s = now_s;
+    // AIS reports 91 and 181 degrees for an unknown position.
+    if (std::abs(target.place.latitude_deg) > 90 || std::abs(target.place.longitude_deg) > 180)
+        return;
+    const std::pair key(target.kind, target.id);
+    if (m_targets.size() < kMostTargets || m_targets.contains(key))
+        m_targets[key] = std::move(target);
+}
+
+void TrafficList::advance(double now_s)
+{
+    std::erase_if(m_targets, [now_s](const auto& entry) {
+        const TrafficTarget& target = entry.second;
+        const bool isShip = target.kind == TrafficTarget::Kind::Ship;
+        return now_s - target.received_s > (isShip ? kShipKept_s : kAircraftKept_s);
+    });
+}
+
+std::vector<TrafficTarget> TrafficList::targets() const
+{
+    std::vector<TrafficTarget> targets;
+    for (const auto& [key, target] : m_targets)
+        targets.push_back(target);
+    return targets;
+}
+
+} // namespace berg

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/link/link_session.h"
+#include "core/link/traffic.h"
+#include "core/link/transport/transport_link.h"
+#include "core/sim/ghost_aircraft.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berg {
+
+/** An aircraft without contact where it should be now. */
+struct GhostReport
+{
+    LinkAddress address;
+    VehicleReadings readings;
+    double silentFor_s = 0; ///< since its last position
+    /** Place where contact should return; nullopt without a ground station, or if it never returns.
+     */
+    std::optional<ExpectedContact> expected;
+};
+
+/** An event of the link with its time. */
+struct TimedLinkEvent
+{
+    LinkTime time;
+    LinkEvent event;
+};
+
+/** State of the live link at one instant. */
+struct LinkStatus
+{
+    bool isListening = false;
+    LinkCondition condition;
+    bool isSending = false;
+    double now_s = 0; ///< `monotonicNow_s`, the clock of all times of the vehicles
+    std::vector<LinkVehicle> vehicles;
+    std::vector<GhostReport> ghosts; ///< of vehicles whose position is old
+    std::vector<TrafficTarget> traffic;
+    std::vector<TimedLinkEvent> events;                      ///< new ones
+    std::map<LinkAddress, std::vector<MissionPart>> onBoard; ///< as read back last
+};
+
+/** Data besides telemetry that predict the flight of an aircraft without contact. */
+struct AircraftData
+{
+    UavSpec uav;
+    Point wind_mps = Point::Zero();
+    std::optional<LatLon> station; ///< ground station
+    double range_m = 0;            ///< of its link
+};
+
+} // namespace berg

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "core/link/steering.h"
+#include "widgets/aircraft/link_status.h"
+#include "widgets/theme/theme.h"
+
+#include <QWidget>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QTreeWidget;
+class QVBoxLayout;
+
+namespace berg {
+
+/** State of one aircraft besides its telemetry. */
+struct AircraftNotes
+{
+    std::string uav;     ///< id of the UAV that it flies as; empty for none
+    QString onBoard;     ///< whether the mission on board is the plan
+    bool isSame = false; ///< it is
+    Steering steering;
+};
+
+/**
+ * The live link: its address, the choices to listen and to send, the aircraft heard with the age of
+ * their last position, and events. Shows values and reports intents.
+ */
+class AircraftPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit AircraftPanel(QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    void setAddress(const QString& address);
+    [[nodiscard]] QString address() const;
+    /** Sets the UAVs of the scenario that an aircraft may fly as. */
+    void setUavs(const std::vector<std::string>& ids);
+    void showStatus(const LinkStatus& status, const std::map<LinkAddress, AircraftNotes>& notes);
+    /** Shows whether the flight in the window follows the aircraft, and whether it can. */
+    void showFlight(bool isLive, bool isRehearsing);
+    /** Appends a line to the events. */
+    void addEvent(const QString& time, const QString& text, bool isAlarm);
+    /** Shows a problem with the address; empty for none. */
+    void showFault(const QString& fault);
+
+    /** Returns the aircraft that is chosen in the list; nullopt if there is none. */
+    [[nodiscard]] std::optional<LinkAddress> chosen() const;
+
+signals:
+    void listenEdited(bool isOn);
+    void sendEdited(bool isOn);
+    void rehearsalEdited(bool isOn);
+    void flyLiveRequested();
+    void uploadRequested();
+    void compareRequested();
+    void flyMissionRequested();
+    void windRequested();
+    void uavEdited(const std::string& id);
+    void steeringEdited(berg::SteeringKind kind);
+    /** Emitted with the MMSI of the ship that the asset follows; 0 for none. */
+    void assetShipEdited(quint32 mmsi);
+
+private:
+    void addConnection(QVBoxLayout& column);
+    void addDetails(QVBoxLayout& column);
+    void showDetails();
+    void showShips();
+
+    QLineEdit* m_address;
+    QPushButton* m_listen;
+    QCheckBox* m_send;
+    QPushButton* m_rehearse;
+    QLabel* m_state;
+    QTreeWidget* m_list;
+    QLabel* m_details;
+    QComboBox* m_uav;
+    QLabel* m_onBoard;
+    QLabel* m_steeringState;
+    QComboBox* m_steering;
+    QPushButton* m_upload;
+    QPushButton* m_compare;
+    QPushButton* m_flyMission;
+    QPushButton* m_wind;
+    QPushButton* m_flyLive;
+    QComboBox* m_assetShip;
+    QPlainTextEdit* m_events;
+    LinkStatus m_status;
+    std::map<LinkAddress, AircraftNotes> m_notes;
+    Theme m_theme;
+    bool m_isLive = false;
+};
+
+} // namespace berg
