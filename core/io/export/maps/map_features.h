@@ -79,14 +79,14 @@ struct Rgb
 };
 
 /** Appearance of the features of a kind. */
-struct MapStyle
+struct FeatureStyle
 {
     std::string_view kind;
     Rgb colour;
     bool isFilled = false; ///< polygons are filled and not only outlined
 };
 /** Styles of the kinds of features; those of a UAV have the colour of `uavColour`. */
-inline constexpr std::array<MapStyle, 10> kMapStyles{{{"iceberg", {120, 200, 240}},
+inline constexpr std::array<FeatureStyle, 10> kMapStyles{{{"iceberg", {120, 200, 240}},
                                                       {"asset", {220, 60, 60}},
                                                       {"area", {128, 128, 128}},
                                                       {"airspace", {48, 120, 200}},
@@ -102,6 +102,6 @@ inline constexpr std::array<MapStyle, 10> kMapStyles{{{"iceberg", {120, 200, 240
  */
 [[nodiscard]] Rgb uavColour(std::size_t row);
 /** Returns the style of a feature. */
-[[nodiscard]] MapStyle styleOf(const MapFeature& feature);
+[[nodiscard]] FeatureStyle styleOf(const MapFeature& feature);
 
 } // namespace berg
