@@ -296,12 +296,12 @@ Rgb uavColour(std::size_t row)
     return kColours[row % kColours.size()];
 }
 
-MapStyle styleOf(const MapFeature& feature)
+FeatureStyle styleOf(const MapFeature& feature)
 {
     if (feature.uav)
         return {.kind = feature.kind, .colour = uavColour(*feature.uav)};
-    const auto* const style = std::ranges::find(kMapStyles, feature.kind, &MapStyle::kind);
-    require(style != kMapStyles.end(), "a kind with a style");
+    const auto* const style = std::ranges::find(kFeatureStyles, feature.kind, &FeatureStyle::kind);
+    require(style != kFeatureStyles.end(), "a kind with a style");
     return *style;
 }
 
