@@ -300,8 +300,8 @@ FeatureStyle styleOf(const MapFeature& feature)
 {
     if (feature.uav)
         return {.kind = feature.kind, .colour = uavColour(*feature.uav)};
-    const auto* const style = std::ranges::find(kMapStyles, feature.kind, &FeatureStyle::kind);
-    require(style != kMapStyles.end(), "a kind with a style");
+    const auto* const style = std::ranges::find(kFeatureStyles, feature.kind, &FeatureStyle::kind);
+    require(style != kFeatureStyles.end(), "a kind with a style");
     return *style;
 }
 

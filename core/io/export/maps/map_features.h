@@ -86,16 +86,16 @@ struct FeatureStyle
     bool isFilled = false; ///< polygons are filled and not only outlined
 };
 /** Styles of the kinds of features; those of a UAV have the colour of `uavColour`. */
-inline constexpr std::array<FeatureStyle, 10> kMapStyles{{{"iceberg", {120, 200, 240}},
-                                                      {"asset", {220, 60, 60}},
-                                                      {"area", {128, 128, 128}},
-                                                      {"airspace", {48, 120, 200}},
-                                                      {kVolumePartIds[0], {40, 160, 80}},
-                                                      {kVolumePartIds[1], {240, 160, 30}},
-                                                      {kVolumePartIds[2], {200, 40, 40}},
-                                                      {kVolumePartIds[3], {120, 120, 120}},
-                                                      {"no-fly", {200, 40, 40}, true},
-                                                      {"stand-off", {200, 40, 40}, true}}};
+inline constexpr std::array<FeatureStyle, 10> kFeatureStyles{{{"iceberg", {120, 200, 240}},
+                                                              {"asset", {220, 60, 60}},
+                                                              {"area", {128, 128, 128}},
+                                                              {"airspace", {48, 120, 200}},
+                                                              {kVolumePartIds[0], {40, 160, 80}},
+                                                              {kVolumePartIds[1], {240, 160, 30}},
+                                                              {kVolumePartIds[2], {200, 40, 40}},
+                                                              {kVolumePartIds[3], {120, 120, 120}},
+                                                              {"no-fly", {200, 40, 40}, true},
+                                                              {"stand-off", {200, 40, 40}, true}}};
 /**
  * Returns the colour of UAV `row` in files: the palette of Okabe and Ito, distinguishable with
  * colour blindness, used cyclically.

@@ -5,6 +5,8 @@
 #include "core/geometry/covering_outline.h"
 #include "core/geometry/outline.h"
 #include "core/io/import/fields/area_outline.h"
+#include "core/io/import/fields/feature_scene.h"
+#include "core/io/import/fields/geojson_places.h"
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/import_source.h"
 #include "core/io/import/fields/json_members.h"
@@ -107,46 +109,32 @@ FileAirspace describedBy(const Json* properties)
  * Adds one area for each polygon, because those of a MultiPolygon may be apart. Holes count as
  * airspace.
  */
-void addPolygons(const Json* geometry, const FileAirspace& area, bool isClear, AirspaceTable& table,
-                 ReadBudget& budget)
-{
-    const Json* coordinates = arrayOf(geometry, "coordinates");
-    const std::string type = textOf(memberOf(geometry, "type"));
-    if (const Json* parts = arrayOf(geometry, "geometries"); parts && type == "GeometryCollection")
-        for (const Json& part : *parts)
-            addPolygons(&part, area, isClear, table, budget);
-    if (type != "Polygon" && type != "MultiPolygon")
-        return;
-    const auto add = [&](const Json& rings) {
-        std::optional<std::vector<LatLon>> ring;
-        if (rings.is_array() && !rings.empty())
-            ring = placesOf(&rings.front(), AxisOrder::LongitudeFirst);
-        if (!ring || !isClear) {
-            table.rejected.add({.line = area.line,
-                                .fault = ring ? IssueId::AirspaceUnit : IssueId::AirspaceUnreadable,
-                                .detail = cleanText(area.name, 60)});
-            return;
-        }
-        budget.takeRow(sizeof area + area.name.size() + ring->size() * sizeof(LatLon));
-        table.areas.push_back(area);
-        table.areas.back().rings.push_back(std::move(*ring));
-    };
-    if (coordinates == nullptr)
-        add(Json());
-    else if (type == "Polygon")
-        add(*coordinates);
-    else
-        std::ranges::for_each(*coordinates, add);
-}
-
 void addFeature(const Json& feature, std::size_t number, AirspaceTable& table, ReadBudget& budget)
 {
     const Json* properties = memberOf(&feature, "properties");
+    const Json* geometry = memberOf(&feature, "geometry");
     FileAirspace area = describedBy(properties);
     area.line = number;
     const bool isClear = !lacksUnit(properties, "floor_m", kFloors) &&
                          !lacksUnit(properties, "ceiling_m", kCeilings);
-    addPolygons(memberOf(&feature, "geometry"), area, isClear, table, budget);
+    const auto reject = [&](IssueId fault) {
+        table.rejected.add({.line = number, .fault = fault, .detail = cleanText(area.name, 60)});
+    };
+    const GeometryParts parts = partsOf(geometry);
+    for (const Json* polygon : parts.polygons) {
+        const Json& rings = listOf(*polygon);
+        std::optional<std::vector<LatLon>> ring =
+            rings.empty() ? std::nullopt : placesOf(&rings.front(), AxisOrder::LongitudeFirst);
+        if (!ring || !isClear) {
+            reject(ring ? IssueId::AirspaceUnit : IssueId::AirspaceUnreadable);
+            continue;
+        }
+        budget.takeRow(sizeof area + area.name.size() + ring->size() * sizeof(LatLon));
+        table.areas.push_back(area);
+        table.areas.back().rings.push_back(std::move(*ring));
+    }
+    if (parts.broken > 0 && textOf(memberOf(geometry, "type")).ends_with("Polygon"))
+        reject(IssueId::AirspaceUnreadable);
 }
 
 /** Returns the corners in the plane, without those that were inserted for a map if `isOfMap`. */
@@ -213,14 +201,12 @@ AirspaceTable readAirspaceGeoJson(std::string_view text, ReadBudget& budget)
         addFeature(file.root, 1, table, budget);
         return table;
     }
-    const bool isOwn = std::ranges::any_of(*features, [](const Json& feature) {
-        return isOwnGeoJson(memberOf(&feature, "properties"));
-    });
+    const bool isOwn = isOwnExport(text);
     std::size_t number = 0;
     for (const Json& feature : *features) {
         budget.throwIfStopped();
         ++number;
-        if (!isOwn || kindOf(memberOf(&feature, "properties")) == "airspace")
+        if (!isOwn || textOf(memberOf(memberOf(&feature, "properties"), "kind")) == "airspace")
             addFeature(feature, number, table, budget);
     }
     return table;

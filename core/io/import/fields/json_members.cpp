@@ -2,6 +2,7 @@
 
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/import_scene.h"
+#include "core/io/text/byte_order_mark.h"
 
 namespace berg {
 
@@ -37,16 +38,6 @@ std::optional<double> numberAt(const Json* value, const char* name)
                                                     : std::nullopt;
 }
 
-std::string kindOf(const Json* properties)
-{
-    return textOf(memberOf(properties, "kind"));
-}
-
-bool isOwnGeoJson(const Json* properties)
-{
-    return kindOf(properties) == "uav" && memberOf(properties, "airspeed_mps") != nullptr;
-}
-
 std::optional<LatLon> placeOf(const Json* position, AxisOrder order)
 {
     if (position == nullptr || !position->is_array() || position->size() < 2 ||
@@ -72,9 +63,12 @@ std::optional<std::vector<LatLon>> placesOf(const Json* positions, AxisOrder ord
     return places;
 }
 
-bool isJsonObject(std::string_view text)
+char firstOfJson(std::string_view text)
 {
-    return text.substr(0, 16).find('{') != std::string_view::npos && trimmed(text)[0] != '<';
+    std::string_view rest = trimmed(withoutByteOrderMark(trimmed(text)));
+    if (rest.starts_with('\x1E'))
+        rest = trimmed(rest.substr(1));
+    return rest.empty() ? '\0' : rest.front();
 }
 
 } // namespace berg

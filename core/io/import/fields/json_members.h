@@ -13,8 +13,11 @@
 
 namespace berg {
 
-/** Returns true if the text begins as JSON with an object: { is among its first 16 bytes. */
-[[nodiscard]] bool isJsonObject(std::string_view text);
+/**
+ * Returns the first character of a JSON text behind a byte order mark and the record separator of a
+ * text sequence (RFC 8142), or 0 if there is none: '{' for an object, '[' for a list.
+ */
+[[nodiscard]] char firstOfJson(std::string_view text);
 /** Returns a member of an object, or null if it is missing or `value` is not an object. */
 [[nodiscard]] const Json* memberOf(const Json* value, const char* name);
 /** Returns a member that is an array, or null otherwise. */
@@ -25,14 +28,6 @@ namespace berg {
 [[nodiscard]] std::string textOf(const Json* value);
 /** Returns the member as a number, or nullopt if it is not one. */
 [[nodiscard]] std::optional<double> numberAt(const Json* value, const char* name);
-
-/**
- * Returns the `kind` of a feature of a Bergwatch export from its properties (may be null); empty if
- * it has none.
- */
-[[nodiscard]] std::string kindOf(const Json* properties);
-/** Returns true if a feature with these properties shows that the file is a Bergwatch export. */
-[[nodiscard]] bool isOwnGeoJson(const Json* properties);
 
 /** Calls `use` for each entry and then frees its memory for the objects made from it. */
 template <class Use>

@@ -1,12 +1,10 @@
 #include "core/base/error.h"
 #include "core/io/import/fields/feature_ids.h"
-#include "core/io/import/fields/import_fields.h"
-#include "core/io/import/fields/json_members.h"
-#include "core/io/import/maps/geojson_places.h"
-#include "core/io/import/maps/geojson_scene.h"
+#include "core/io/import/fields/geojson_places.h"
+#include "core/io/import/maps/feature_sightings.h"
 #include "core/io/import/maps/map_readers.h"
-#include "core/io/text/json_writer.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
@@ -21,14 +19,6 @@ std::string typeOf(const Json* object)
     return textOf(memberOf(object, "type"));
 }
 
-/** Returns a value in the form of a table cell. */
-std::string cellText(const Json& value)
-{
-    if (value.is_string())
-        return value.get<std::string>();
-    return value.is_number() ? jsonText(value) : std::string();
-}
-
 /** Returns the times of the corners of a line, or null if there are none. */
 const Json* timesOf(const Json* properties)
 {
@@ -38,23 +28,6 @@ const Json* timesOf(const Json* properties)
         if (times != nullptr && times->is_array())
             return times;
     return nullptr;
-}
-
-/** Returns the drift in a Bergwatch export; the texts are empty without it. */
-DriftTexts driftOf(const Json* properties)
-{
-    const Json* drift = memberOf(properties, "drift_mps");
-    if (drift == nullptr || !drift->is_array() || drift->size() != 2)
-        return {};
-    return {.east = cellText((*drift)[0]), .north = cellText((*drift)[1])};
-}
-
-/** Returns the seconds from the time of an iceberg of a Bergwatch export until it appears. */
-std::optional<double> appearsIn_s(const Json* properties)
-{
-    const std::optional<double> appears_s = numberAt(properties, "appears_s");
-    const std::optional<double> time_s = numberAt(properties, "time_s");
-    return appears_s && time_s ? std::optional(*appears_s - *time_s) : std::nullopt;
 }
 
 bool isCollection(const Json& object)
@@ -72,36 +45,71 @@ std::span<Json> featuresOf(Json& root)
     return root.find("features")->get_ref<Json::array_t&>();
 }
 
-/** Parts of a feature's geometry and their coordinate system. */
+/** Reads a place, or the outlines of polygons, which are all read or none. */
+SceneGeometry sceneGeometry(const Json* geometry)
+{
+    SceneGeometry read{.place =
+                           placeOf(memberOf(geometry, "coordinates"), AxisOrder::LongitudeFirst)};
+    for (const Json* polygon : partsOf(geometry).polygons) {
+        const Json& rings = listOf(*polygon);
+        std::optional<std::vector<LatLon>> exterior =
+            rings.empty() ? std::nullopt : placesOf(&rings.front(), AxisOrder::LongitudeFirst);
+        if (!exterior) {
+            read.rings.clear();
+            break;
+        }
+        read.rings.push_back(std::move(*exterior));
+        read.holes += rings.size() - 1;
+    }
+    return read;
+}
+
+/** Places of a feature in its coordinate system. */
 struct PlacedFeature
 {
-    const Json* properties = nullptr;
+    PlacedFeature(const Json* geometry, const Json* timesOfPlaces, const GeoJsonSystem& ofFile)
+        : system(ofFile), times(timesOfPlaces)
+    {
+        GeometryParts parts = partsOf(geometry);
+        for (const Json* position : parts.points)
+            if (const std::optional<Point> point = positionOf(*position))
+                points.push_back(*point);
+        for (const Json* polygon : parts.polygons)
+            if (AreaRings rings = ringsOf(*polygon, system); !rings.empty())
+                areas.push_back(std::move(rings));
+        broken = parts.broken + parts.points.size() - points.size() + parts.polygons.size() -
+                 areas.size();
+        lines = std::move(parts.lines);
+        other = std::move(parts.other);
+    }
+
     const GeoJsonSystem& system;
-    GeometryParts parts;
+    const Json* times; ///< times of the corners; null if there are none
+    std::vector<Point> points;
+    std::vector<AreaRings> areas;
+    std::vector<const Json*> lines; ///< lists of positions
+    std::size_t broken = 0;         ///< number of faulty points and areas
+    std::string other;              ///< type of a geometry of another kind
 };
 
 /** Collects the sightings of one file. */
-class GeoJsonSightings
+class GeoJsonReader
 {
 public:
-    explicit GeoJsonSightings(const ImportText& source)
-        : m_source(source), m_names(source.mapping), m_featureIds(source.budget)
+    explicit GeoJsonReader(const ImportText& source)
+        : m_source(source), m_found(source, "feature"), m_featureIds(source.budget)
     {
     }
 
     SightingTable take()
     {
-        m_table.rejected.place = "feature";
-        m_table.noted.place = "feature";
         const std::vector<std::string_view> texts = jsonTextsOf(m_source.text);
         if (texts.size() == 1)
             readWhole(texts.front());
         else
             readSequence(texts);
-        m_featureIds.finish(m_table);
-        m_names.requireMapped(m_source.budget.subject());
-        m_table.idCandidates = m_names.unknown();
-        return std::move(m_table);
+        m_featureIds.finish(m_found.table());
+        return m_found.take();
     }
 
 private:
@@ -123,8 +131,8 @@ private:
         for (const std::string_view text : texts)
             if (!withParsed(text, m_source.budget,
                             [this](const Json& root) { addObject(root, {}); })) {
-                ++m_feature;
-                reject(IssueId::FeatureBroken, std::string(text.substr(0, 200)));
+                m_found.begin(++m_feature);
+                m_found.reject(IssueId::FeatureBroken, std::string(text.substr(0, 200)));
             }
     }
 
@@ -151,7 +159,7 @@ private:
         return true;
     }
 
-    /** Determines properties of the file as a whole. */
+    /** Determines whether the file is a route: no feature has a place of its own. */
     void survey(const Json& object)
     {
         m_source.budget.throwIfStopped();
@@ -162,19 +170,7 @@ private:
         }
         const bool isBare = typeOf(&object) != "Feature";
         m_isRoute = m_isRoute && !hasPlaces(isBare ? &object : memberOf(&object, "geometry"));
-        m_isOwn = m_isOwn || isOwnGeoJson(memberOf(&object, "properties"));
     }
-
-    void reject(IssueId fault, const std::string& detail = {})
-    {
-        reject({.fault = fault, .detail = cleanText(detail, 60)});
-    }
-    void reject(RejectedRow row)
-    {
-        row.line = m_feature;
-        addRow(m_table, std::move(row), m_source.budget);
-    }
-    void note(IssueId what) { m_table.noted.add({.line = m_feature, .fault = what, .detail = {}}); }
 
     /** Adds a feature, or each feature of a collection or list. */
     void addObject(const Json& object, const GeoJsonSystem& outer)
@@ -190,185 +186,139 @@ private:
 
     void addFeature(const Json& feature, const GeoJsonSystem& system)
     {
-        m_source.budget.throwIfStopped();
-        ++m_feature;
+        m_found.begin(++m_feature);
         const bool bare = typeOf(&feature) != "Feature";
         const Json* geometry = bare ? &feature : memberOf(&feature, "geometry");
         const Json* properties = bare ? nullptr : memberOf(&feature, "properties");
-        if (m_isOwn && !kindOf(properties).empty() && kindOf(properties) != "iceberg") {
-            addSceneFeature(m_table.scene, feature);
+        m_found.setProperties(properties);
+        if (m_found.addToScene({}, [geometry] { return sceneGeometry(geometry); }))
             return;
-        }
-        FieldTexts texts;
-        readProperties(properties, texts);
+        FieldTexts& texts = m_found.texts();
         const bool isProperty = !texts.text(SightingField::Id).empty();
-        const Json* id = bare ? nullptr : memberOf(&feature, "id");
-        if (id != nullptr)
-            texts.set({.field = SightingField::Id, .rank = kFeatureIdRank}, cellText(*id));
-        const std::size_t first = m_table.sightings.size();
-        addPlaces(texts,
-                  {.properties = properties, .system = system, .parts = partsOf(geometry, system)});
-        m_featureIds.add(m_table, first, id == nullptr ? std::string() : cellText(*id), isProperty);
+        const Json* member = bare ? nullptr : memberOf(&feature, "id");
+        const std::string id = member == nullptr ? std::string() : cellText(*member);
+        texts.set({.field = SightingField::Id, .rank = kFeatureIdRank}, id);
+        const std::size_t first = m_found.table().sightings.size();
+        addPlaces(PlacedFeature(geometry, timesOf(properties), system));
+        m_featureIds.add(m_found.table(), first, id, isProperty);
     }
 
-    void addPlaces(const FieldTexts& texts, const PlacedFeature& feature)
+    void addPlaces(const PlacedFeature& feature)
     {
-        const GeometryParts& parts = feature.parts;
-        const Json* times = timesOf(feature.properties);
-        if (!parts.lines.empty() && times != nullptr)
-            addTrack(texts, feature, *times);
-        else if (!parts.points.empty())
-            addPoints(texts, feature, parts.points, times);
-        else if (!parts.areas.empty())
-            addAreas(texts, feature);
-        else if (m_isRoute && !parts.lines.empty())
+        const GeometryKinds kinds{.tracks = !feature.lines.empty() && feature.times != nullptr,
+                                  .points = !feature.points.empty(),
+                                  .areas = !feature.areas.empty(),
+                                  .lines = !feature.lines.empty()};
+        if (kinds.tracks)
+            addTrack(feature);
+        else if (kinds.points && feature.times && feature.times->size() == feature.points.size())
+            addPointTrack(feature);
+        else if (kinds.points)
+            addEach(feature.points, feature.system);
+        else if (kinds.areas)
+            addAreas(feature);
+        else if (m_isRoute && kinds.lines)
             addRoute(feature);
-        else if (parts.broken == 0)
-            reject(IssueId::NotAPoint, parts.lines.empty() ? parts.other : "LineString");
-        for (std::size_t i = 0; i < parts.broken; ++i)
-            reject(IssueId::NoPosition);
-        noteOtherParts(parts, times != nullptr);
+        else if (feature.broken == 0)
+            m_found.reject(IssueId::NotAPoint, kinds.lines ? "LineString" : feature.other);
+        for (std::size_t i = 0; i < feature.broken; ++i)
+            m_found.reject(IssueId::NoPosition);
+        m_found.noteUnused(kinds);
     }
 
-    void readProperties(const Json* properties, FieldTexts& texts)
+    /** Adds points, an iceberg each. */
+    void addEach(const std::vector<Point>& points, const GeoJsonSystem& system)
     {
-        if (properties == nullptr || !properties->is_object())
-            return;
-        for (const auto& [name, value] : properties->items()) {
-            const std::optional<FieldUse> use = m_names.of(name);
-            // The geometry determines the place.
-            if (use && use->field != SightingField::Latitude &&
-                use->field != SightingField::Longitude)
-                texts.set(*use, cellText(value));
-        }
+        m_found.addPlaces(
+            points,
+            [&system](FieldTexts& texts, const Point& point) {
+                return setPlace(texts, point, system);
+            },
+            [](const Point&) {});
     }
 
-    /** Notes the parts of a collection that are not used. */
-    void noteOtherParts(const GeometryParts& parts, bool hasTimes)
+    void addPointTrack(const PlacedFeature& feature)
     {
-        const bool hasLines = !parts.lines.empty();
-        const bool hasPoints = !parts.points.empty();
-        const bool hasAreas = !parts.areas.empty();
-        if (hasLines && hasTimes && (hasPoints || hasAreas))
-            note(IssueId::TrackAlone);
-        else if (hasPoints && (hasLines || hasAreas))
-            note(IssueId::PointsAlone);
-        else if (hasLines && hasAreas)
-            note(IssueId::AreasAlone);
+        const std::size_t first = m_found.table().sightings.size();
+        for (std::size_t i = 0; i < feature.points.size(); ++i) {
+            FieldTexts texts = m_found.texts();
+            texts.set(SightingField::Time, cellText((*feature.times)[i]));
+            if (auto fault = setPlace(texts, feature.points[i], feature.system))
+                m_found.reject(std::move(*fault));
+            else
+                m_found.addPlace(texts);
+        }
+        m_found.endTrack(first);
     }
 
-    /** Adds points: with a time each they are a track, otherwise an iceberg each. */
-    void addPoints(const FieldTexts& common, const PlacedFeature& feature,
-                   const std::vector<Point>& points, const Json* times)
+    void addAreas(const PlacedFeature& feature)
     {
-        const std::size_t first = m_table.sightings.size();
-        const bool isTrack = times != nullptr && times->size() == points.size();
-        const bool areSeveral = points.size() > 1 && !isTrack;
-        if (areSeveral)
-            note(IssueId::SeveralPlaces);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const std::size_t before = m_table.sightings.size();
-            FieldTexts texts = common;
-            if (isTrack)
-                texts.set(SightingField::Time, cellText((*times)[i]));
-            addPoint(texts, feature, points[i]);
-            if (areSeveral && m_table.sightings.size() > before)
-                m_table.sightings.back().part = static_cast<std::uint32_t>(i) + 1;
-        }
-        if (isTrack) {
-            m_tracks.give(m_table, first);
-        }
-    }
-
-    void addPoint(FieldTexts& texts, const PlacedFeature& feature, const Point& point)
-    {
-        if (std::optional<RejectedRow> fault = setPlace(texts, point, feature.system)) {
-            reject(std::move(*fault));
-            return;
-        }
-        const Json* properties = feature.properties;
-        std::variant<Sighting, RejectedRow> row = withDrift(
-            m_table, sightingIn(m_table, m_source, texts, m_feature, false), driftOf(properties));
-        if (auto* const sighting = std::get_if<Sighting>(&row)) {
-            sighting->appearsIn_s = appearsIn_s(properties);
-            sighting->change =
-                changeOf([&](const char* name) { return numberAt(properties, name); });
-        }
-        addRow(m_table, std::move(row), m_source.budget);
-    }
-
-    void addAreas(const FieldTexts& texts, const PlacedFeature& feature)
-    {
-        for (const AreaRings& area : feature.parts.areas)
+        for (const AreaRings& area : feature.areas)
             for (const Point& corner : area.front()) {
                 FieldTexts unused; // only checks the corner, as the centroid of coordinates in
                                    // metres could pass for a longitude
                 if (std::optional<RejectedRow> fault = setPlace(unused, corner, feature.system)) {
-                    reject(std::move(*fault));
+                    m_found.reject(std::move(*fault));
                     return;
                 }
             }
         const double turn = feature.system.unprojected ? 0 : kTurn_deg;
-        addPoints(texts, feature, centroidsOf(feature.parts.areas, turn), nullptr);
+        addEach(centroidsOf(feature.areas, turn), feature.system);
     }
 
     /** Adds corners of lines with a time for each, in one list or in one list per line. */
-    void addTrack(const FieldTexts& common, const PlacedFeature& feature, const Json& times)
+    void addTrack(const PlacedFeature& feature)
     {
-        const std::size_t first = m_table.sightings.size();
+        const Json& times = *feature.times;
+        const std::size_t first = m_found.table().sightings.size();
         const bool areApart = !times.empty() && times.front().is_array();
         std::size_t line = 0;
         std::size_t before = 0; // number of corners of the previous lines
         bool isLeft = false;
-        for (const Json* corners : feature.parts.lines) {
+        for (const Json* corners : feature.lines) {
             const bool isTimed = !areApart || line < times.size();
             const Json& own = listOf(areApart && isTimed ? times[line] : times);
             std::size_t at = areApart ? 0 : before;
             for (const Json& corner : listOf(*corners)) {
-                FieldTexts texts = common;
+                FieldTexts texts = m_found.texts();
                 if (isTimed && at < own.size())
                     texts.set(SightingField::Time, cellText(own[at]));
                 ++at;
-                addCorner(texts, feature, corner, true);
+                addCorner(texts, feature.system, corner, true);
             }
             isLeft = isLeft || (areApart && isTimed && at < own.size());
             ++line;
             before += listOf(*corners).size();
         }
         if (isLeft || (areApart ? times.size() > line : times.size() > before))
-            note(IssueId::TimesLeft);
-        m_tracks.give(m_table, first);
+            m_found.note(IssueId::TimesLeft);
+        m_found.endTrack(first);
     }
 
     void addRoute(const PlacedFeature& feature)
     {
-        for (const Json* corners : feature.parts.lines)
+        for (const Json* corners : feature.lines)
             for (const Json& corner : listOf(*corners)) {
                 FieldTexts texts;
-                addCorner(texts, feature, corner, false);
+                addCorner(texts, feature.system, corner, false);
             }
     }
 
-    void addCorner(FieldTexts& texts, const PlacedFeature& feature, const Json& corner,
+    void addCorner(FieldTexts& texts, const GeoJsonSystem& system, const Json& corner,
                    bool timeNeeded)
     {
-        m_source.budget.throwIfStopped();
         const std::optional<Point> position = positionOf(corner);
         if (!position)
-            reject(IssueId::NoPosition);
-        else if (std::optional<RejectedRow> fault = setPlace(texts, *position, feature.system))
-            reject(std::move(*fault));
+            m_found.reject(IssueId::NoPosition);
+        else if (std::optional<RejectedRow> fault = setPlace(texts, *position, system))
+            m_found.reject(std::move(*fault));
         else
-            addRow(m_table, sightingIn(m_table, m_source, texts, m_feature, timeNeeded),
-                   m_source.budget);
+            m_found.addTrackPlace(texts, m_feature, timeNeeded);
     }
 
     const ImportText& m_source;
-    ColumnNames m_names;
-    SightingTable m_table;
-    TrackIds m_tracks;
+    FeatureSightings m_found;
     FeatureIds m_featureIds;
-    bool m_isOwn = false;  ///< the file is a Bergwatch export
     bool m_isRoute = true; ///< no feature has a place of its own
     std::size_t m_feature = 0;
 };
@@ -377,12 +327,13 @@ private:
 
 SightingTable readGeoJson(const ImportText& source)
 {
-    return GeoJsonSightings(source).take();
+    return GeoJsonReader(source).take();
 }
 
 bool isGeoJson(std::string_view text)
 {
-    return isJsonObject(text) && text.find("\"coordinates\"") != std::string_view::npos;
+    const char first = firstOfJson(text);
+    return (first == '{' || first == '[') && text.find("\"coordinates\"") != std::string_view::npos;
 }
 
 bool isMetno(std::string_view text)

@@ -1,26 +1,19 @@
 #include "core/base/error.h"
 #include "core/io/import/fields/area_centroid.h"
 #include "core/io/import/fields/import_xml.h"
+#include "core/io/import/maps/feature_sightings.h"
 #include "core/io/import/maps/kml_geometry.h"
 #include "core/io/import/maps/kmz_documents.h"
 #include "core/io/import/maps/map_readers.h"
 #include "core/io/text/json_writer.h"
 #include "core/io/text/zip_file.h"
-#include "core/permit/operation.h"
 
-#include <algorithm>
 #include <deque>
 #include <utility>
 
 namespace berg {
 
 namespace {
-
-bool isOwnKml(std::string_view text)
-{
-    return text.find("\"airspeed_mps\"") != std::string_view::npos &&
-           text.find("<Style id=\"uav-") != std::string_view::npos;
-}
 
 /**
  * Collects the sightings of a KML file or of the documents of an archive, Placemark by Placemark.
@@ -29,18 +22,18 @@ class KmlSightings
 {
 public:
     explicit KmlSightings(const ImportText& source)
-        : m_source(source), m_names(source.mapping), m_geometry(source.budget)
+        : m_budget(source.budget), m_found(source), m_geometry(source.budget)
     {
     }
 
     void read(std::string_view text)
     {
-        m_isOwn = isOwnKml(text);
+        m_found.beginText(text);
         m_inside = false;
         m_folderTimes.clear();
         const XmlEvents events{.opened = [this](XmlPath path) { opened(path); },
                                .closed = [this](XmlPath path) { closed(path); }};
-        readXml(text, events, m_source.budget);
+        readXml(text, events, m_budget);
     }
 
     /** Returns the links of the documents since the last call. */
@@ -51,17 +44,14 @@ public:
     }
     void reject(std::size_t line, IssueId fault, const std::string& detail = {})
     {
-        addRow(m_table, RejectedRow{.line = line, .fault = fault, .detail = detail},
-               m_source.budget);
+        m_found.reject({.line = line, .fault = fault, .detail = detail});
     }
-    SightingTable& table() { return m_table; }
+    SightingTable& table() { return m_found.table(); }
 
     SightingTable take()
     {
         rejectDecimalCommas();
-        m_names.requireMapped(m_source.budget.subject());
-        m_table.idCandidates = m_names.unknown();
-        return std::move(m_table);
+        return m_found.take();
     }
 
 private:
@@ -73,17 +63,16 @@ private:
         if (element.name != "Placemark")
             return;
         m_inside = true;
-        m_line = element.line;
-        m_texts.clear();
+        m_found.begin(element.line);
         m_name.clear();
         m_style.clear();
-        m_data.clear();
         m_geometry.clear();
         // A name or an id of the extended data names the iceberg better than this id.
-        m_texts.set({.field = SightingField::Id, .rank = kFeatureIdRank}, element.attribute("id"));
+        FieldTexts& texts = m_found.texts();
+        texts.set({.field = SightingField::Id, .rank = kFeatureIdRank}, element.attribute("id"));
         if (!m_folderTimes.empty())
-            m_texts.set({.field = SightingField::Time, .rank = kFeatureIdRank},
-                        m_folderTimes.back().text);
+            texts.set({.field = SightingField::Time, .rank = kFeatureIdRank},
+                      m_folderTimes.back().text);
     }
 
     void closed(XmlPath path)
@@ -106,16 +95,16 @@ private:
         else if (element.name == "styleUrl" && parent == "Placemark")
             m_style = trimmed(element.text);
         else if (element.name == "value" && parent == "Data")
-            property(path[path.size() - 2].attribute("name"), element.text);
+            m_found.setProperty(path[path.size() - 2].attribute("name"), element.text);
         else if (element.name == "SimpleData")
-            property(element.attribute("name"), element.text);
+            m_found.setProperty(element.attribute("name"), element.text);
     }
 
     void addLink(XmlPath path)
     {
         if (parentName(path.first(path.size() - 1)) != "NetworkLink")
             return; // link of a model or an image
-        m_source.budget.take(2 * sizeof(KmlText) + path.back().text.capacity());
+        m_budget.take(2 * sizeof(KmlText) + path.back().text.capacity());
         m_links.push_back(
             {.line = path.back().line, .text = std::string(trimmed(path.back().text))});
     }
@@ -133,7 +122,7 @@ private:
         const std::size_t rank = path.back().name == "end" ? 1 : 0;
         const std::string_view text = trimmed(path.back().text);
         if (of == "Placemark" && m_inside) {
-            m_texts.set({.field = SightingField::Time, .rank = rank}, text);
+            m_found.texts().set({.field = SightingField::Time, .rank = rank}, text);
         } else if ((of == "Folder" || of == "Document") && !text.empty()) {
             const std::size_t depth = path.size() - 2;
             if (m_folderTimes.empty() || m_folderTimes.back().depth < depth)
@@ -141,100 +130,47 @@ private:
         }
     }
 
-    void property(const std::string& name, const std::string& text)
-    {
-        m_data[name] = text;
-        if (isVectorPart(name))
-            return;
-        if (const std::optional<FieldUse> use = m_names.of(name))
-            m_texts.set(*use, text);
-    }
-
     void finish()
     {
         m_inside = false;
-        setName(m_texts, m_name);
-        if (m_isOwn && (m_style == "#area" || m_style == "#no-fly" || m_style == "#stand-off" ||
-                        m_style == "#asset" || isOfAircraft() || isOfPermit()))
-            readOwn();
-        else
+        m_found.setTitle(m_name);
+        if (!m_found.addToScene(m_style, [this] { return sceneGeometry(); }))
             addPlaces();
+    }
+
+    [[nodiscard]] SceneGeometry sceneGeometry() const
+    {
+        SceneGeometry read;
+        if (!m_geometry.points().empty())
+            if (const auto tuples = kmlTuples(m_geometry.points().front());
+                tuples && !tuples->empty())
+                read.place = placeOf(tuples->front().latitude, tuples->front().longitude);
+        for (const KmlArea& area : m_geometry.areas()) {
+            if (std::optional<std::vector<LatLon>> ring = placesOfTuples(area.outline))
+                read.rings.push_back(std::move(*ring));
+            read.holes += area.holes.size();
+        }
+        if (read.rings.size() != m_geometry.areas().size())
+            read.rings.clear();
+        return read;
     }
 
     void addPlaces()
     {
-        const bool hasPoints = !m_geometry.points().empty();
         // In a Bergwatch export, a shape of another program is somebody's note and not an iceberg.
-        const bool hasAreas = !m_geometry.areas().empty() && !m_isOwn;
-        if (!m_geometry.tracks().empty()) {
+        const GeometryKinds kinds{.tracks = !m_geometry.tracks().empty(),
+                                  .points = !m_geometry.points().empty(),
+                                  .areas = !m_geometry.areas().empty() && !m_found.isOwn(),
+                                  .lines = m_geometry.hasLines()};
+        if (kinds.tracks)
             addTracks();
-        } else if (hasPoints) {
+        else if (kinds.points)
             addPoints();
-        } else if (hasAreas) {
+        else if (kinds.areas)
             addAreas();
-        } else {
-            reject(m_line, IssueId::NotAPoint);
-        }
-        if (!m_geometry.tracks().empty() && (hasPoints || hasAreas))
-            note(IssueId::TrackAlone);
-        else if (hasPoints && (m_geometry.hasLines() || hasAreas))
-            note(IssueId::PointsAlone);
-        else if (hasAreas && m_geometry.hasLines())
-            note(IssueId::AreasAlone);
-    }
-
-    void note(IssueId what)
-    {
-        m_table.noted.add({.line = m_line, .fault = what, .detail = cleanText(m_name, 60)});
-    }
-
-    /**
-     * Whether the placemark is airspace or an operation volume, which is rebuilt from a scenario.
-     */
-    [[nodiscard]] bool isOfPermit() const
-    {
-        return m_style == "#airspace" ||
-               std::ranges::any_of(kVolumePartIds, [&](std::string_view id) {
-                   return m_style == "#" + std::string(id);
-               });
-    }
-    [[nodiscard]] bool isOfAircraft() const { return m_style.starts_with("#uav-"); }
-
-    /**
-     * Reads a placemark of a Bergwatch export other than an iceberg; paths and visits add nothing.
-     */
-    void readOwn()
-    {
-        if (const std::vector<std::string>& points = m_geometry.points(); !points.empty())
-            if (const auto tuples = kmlTuples(points.front()); tuples && !tuples->empty())
-                setPlace(m_texts, tuples->front());
-        const OwnPlacemark mark{.title = m_name,
-                                .place = placeOf(m_texts),
-                                .time = parseUtc(m_texts.text(SightingField::Time)),
-                                .data = m_data};
-        if (m_style == "#area" || m_style == "#no-fly")
-            readArea();
-        else if (m_style == "#asset")
-            addOwnAsset(m_table.scene, mark);
-        else if (m_data.contains("airspeed_mps"))
-            addOwnUav(m_table.scene, mark);
-    }
-
-    void readArea()
-    {
-        SceneArea area = ownArea(m_data, m_style == "#no-fly");
-        const std::vector<KmlArea>& given = m_geometry.areas();
-        for (const KmlArea& one : given) {
-            std::optional<std::vector<LatLon>> ring = placesOfTuples(one.outline);
-            if (ring)
-                area.rings.push_back(std::move(*ring));
-            for (std::size_t i = 0; i < one.holes.size(); ++i)
-                addFinding(m_table.scene.findings, SceneNote::AreaHoles);
-        }
-        if (!area.rings.empty() && area.rings.size() == given.size())
-            m_table.scene.addArea(std::move(area));
         else
-            addFinding(m_table.scene.findings, SceneNote::AreaUnreadable);
+            m_found.reject(IssueId::NotAPoint);
+        m_found.noteUnused(kinds);
     }
 
     static void setPlace(FieldTexts& texts, const KmlTuple& tuple)
@@ -255,8 +191,8 @@ private:
             }
             const bool hasNumbers = text.find_first_of("0123456789") != std::string::npos;
             m_hasDecimalCommas = m_hasDecimalCommas || text.find(',') != std::string::npos;
-            reject(m_line, hasNumbers ? IssueId::PlaceAmbiguous : IssueId::NoPosition,
-                   hasNumbers ? cleanText(text, 60) : std::string());
+            m_found.reject(hasNumbers ? IssueId::PlaceAmbiguous : IssueId::NoPosition,
+                           hasNumbers ? text : std::string());
         }
         addEach(places);
     }
@@ -271,7 +207,7 @@ private:
             if (centroidOf(rings, kTurn_deg))
                 areas.push_back(std::move(rings));
             else
-                reject(m_line, IssueId::NotAPoint);
+                m_found.reject(IssueId::NotAPoint);
         }
         std::vector<KmlTuple> places;
         for (const Point& middle : centroidsOf(areas, kTurn_deg))
@@ -291,34 +227,29 @@ private:
     /** Adds the places of one Placemark, each as an iceberg. */
     void addEach(const std::vector<KmlTuple>& places)
     {
-        if (places.size() > 1)
-            note(IssueId::SeveralPlaces);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const std::size_t before = m_table.sightings.size();
-            FieldTexts texts = m_texts;
-            setPlace(texts, places[i]);
-            addRow(m_table,
-                   withData(m_table, sightingIn(m_table, m_source, texts, m_line, false), m_data),
-                   m_source.budget);
-            if (m_table.sightings.size() == before)
-                continue;
-            if (places[i].mayHaveCommas) {
-                m_source.budget.take(2 * sizeof(std::size_t));
-                m_doubtful.push_back(before);
-            }
-            m_table.sightings.back().part = static_cast<std::uint32_t>(i) + 1;
-        }
+        m_found.addPlaces(
+            places,
+            [](FieldTexts& texts, const KmlTuple& tuple) {
+                setPlace(texts, tuple);
+                return std::optional<RejectedRow>();
+            },
+            [this](const KmlTuple& tuple) {
+                if (!tuple.mayHaveCommas)
+                    return;
+                m_budget.take(2 * sizeof(std::size_t));
+                m_doubtful.push_back(table().sightings.size() - 1);
+            });
     }
 
     void addTracks()
     {
-        const std::size_t first = m_table.sightings.size();
+        const std::size_t first = table().sightings.size();
         bool isEmpty = true;
         for (const KmlTrack& track : m_geometry.tracks()) {
             for (std::size_t i = 0; i < track.coordinates.size(); ++i) {
                 isEmpty = false;
                 const KmlText& given = track.coordinates[i];
-                FieldTexts texts = m_texts;
+                FieldTexts texts = m_found.texts();
                 texts.drop(SightingField::Time);
                 if (i < track.whens.size())
                     texts.set(SightingField::Time, track.whens[i]);
@@ -326,17 +257,16 @@ private:
                 if (tuple)
                     setPlace(texts, *tuple);
                 if (tuple || trimmed(given.text).empty())
-                    addRow(m_table, sightingIn(m_table, m_source, texts, given.line, true),
-                           m_source.budget);
+                    m_found.addTrackPlace(texts, given.line, true);
                 else
                     reject(given.line, IssueId::PlaceAmbiguous, cleanText(given.text, 60));
             }
             if (track.whens.size() > track.coordinates.size())
-                note(IssueId::TimesLeft);
+                m_found.note(IssueId::TimesLeft);
         }
         if (isEmpty)
-            reject(m_line, IssueId::NoPosition);
-        m_tracks.give(m_table, first);
+            m_found.reject(IssueId::NoPosition);
+        m_found.endTrack(first);
     }
 
     /** Rejects places of three whole numbers if another place of the file has decimal commas. */
@@ -346,17 +276,17 @@ private:
             return;
         std::deque<Sighting> kept;
         auto doubtful = m_doubtful.begin();
-        for (std::size_t row = 0; row < m_table.sightings.size(); ++row) {
-            Sighting& sighting = m_table.sightings[row];
+        for (std::size_t row = 0; row < table().sightings.size(); ++row) {
+            Sighting& sighting = table().sightings[row];
             if (doubtful == m_doubtful.end() || *doubtful != row) {
                 kept.push_back(std::move(sighting));
                 continue;
             }
             ++doubtful;
-            m_table.rejected.add(
+            table().rejected.add(
                 {.line = sighting.line, .fault = IssueId::PlaceAmbiguous, .detail = sighting.id});
         }
-        m_table.sightings = std::move(kept);
+        table().sightings = std::move(kept);
     }
 
     /** Time of a folder, which applies to its content. */
@@ -366,17 +296,11 @@ private:
         std::string text;
     };
 
-    const ImportText& m_source;
-    ColumnNames m_names;
-    bool m_isOwn = false; ///< the file is a Bergwatch export
-    SightingTable m_table;
-    TrackIds m_tracks;
+    ReadBudget& m_budget;
+    FeatureSightings m_found;
     bool m_inside = false; ///< whether a Placemark is open
-    std::size_t m_line = 0;
-    FieldTexts m_texts;
     std::string m_name;
     std::string m_style;
-    OwnData m_data;
     KmlGeometry m_geometry;
     std::vector<FolderTime> m_folderTimes;
     std::vector<KmlText> m_links;

@@ -1,5 +1,7 @@
 #include "core/io/import/maps/kml_geometry.h"
 
+#include "core/io/import/fields/import_fields.h"
+
 #include <algorithm>
 #include <utility>
 

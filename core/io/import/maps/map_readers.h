@@ -1,8 +1,9 @@
 #pragma once
 
 // Private to core/io: readers of maps and the detection of their formats. The readers throw as
-// `readSightingRows`. Each `is...` returns true if the content looks like the format; it may still
-// turn out to be broken.
+// `readSightingRows`. From a Bergwatch export they read the icebergs with their drift, and UAVs,
+// area, no-fly areas and asset as the scene; other features are ignored. Each `is...` returns true
+// if the content looks like the format; it may still turn out to be broken.
 
 #include "core/io/import/fields/import_source.h"
 
@@ -15,8 +16,7 @@ namespace berg {
  * many icebergs tracks of one name are. The time is that of TimeStamp or TimeSpan (its begin, else
  * its end) of the Placemark, else of the folder or document around it. An iceberg's id is that of
  * ExtendedData, else the Placemark's name, else its id. Rejected rows: Placemarks of any other
- * shape, places that may have decimal commas, links out of the archive. From a Bergwatch export the
- * icebergs are read with their drift, and area, asset and UAVs as the scene; visits are ignored.
+ * shape, places that may have decimal commas, links out of the archive.
  */
 [[nodiscard]] SightingTable readKml(const ImportText& source);
 [[nodiscard]] bool isKml(std::string_view text);
@@ -26,8 +26,6 @@ namespace berg {
  * seen) and points of tracks with their times; the iceberg is the name of the point or the track.
  * All segments of a track are one track; `separateSharedIds` decides how many icebergs tracks of
  * one name are. Speed and course of a point are not used, because the track is more informative.
- * From a Bergwatch export the icebergs are read with their drift, and asset and UAVs as the scene;
- * routes and tracks are ignored.
  */
 [[nodiscard]] SightingTable readGpx(const ImportText& source);
 [[nodiscard]] bool isGpx(std::string_view text);
@@ -43,9 +41,7 @@ namespace berg {
  *
  * Coordinates are degrees of WGS 84, or metres if a `crs` names a projection (`systemOf`).
  * Properties are read by their names, as columns are; for ids see `FeatureIds` and
- * `separateSharedIds`. `line` of a sighting is the number of its feature, from 1. From a Bergwatch
- * export the icebergs are read with their drift, and the UAVs, the area and the asset as the scene;
- * plans and tracks are ignored.
+ * `separateSharedIds`. `line` of a sighting is the number of its feature, from 1.
  */
 [[nodiscard]] SightingTable readGeoJson(const ImportText& source);
 [[nodiscard]] bool isGeoJson(std::string_view text);
@@ -60,8 +56,6 @@ namespace berg {
 /**
  * Reads CZML: packets with a place, and moving packets with one sighting for each sample. The
  * iceberg is the packet's name, else its id; a sighting's line is the number of its packet, from 1.
- * From a Bergwatch export the icebergs are read with their drift, and area, asset and UAVs as the
- * scene; paths are ignored.
  */
 [[nodiscard]] SightingTable readCzml(const ImportText& source);
 [[nodiscard]] bool isCzml(std::string_view text);

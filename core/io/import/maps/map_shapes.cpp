@@ -1,5 +1,6 @@
 #include "core/io/import/maps/map_shapes.h"
 
+#include "core/io/import/fields/geojson_places.h"
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/import_xml.h"
 #include "core/io/import/fields/json_members.h"
@@ -117,30 +118,13 @@ private:
     void addGeometry(const Json& geometry)
     {
         using Kind = MapShape::Kind;
-        if (const Json* geometries = arrayOf(&geometry, "geometries"))
-            for (const Json& one : *geometries)
-                addGeometry(one);
-        const Json* coordinates = arrayOf(&geometry, "coordinates");
-        if (coordinates == nullptr)
-            return;
-        const std::string type = textOf(memberOf(&geometry, "type"));
-        const std::span<const Json> entries(coordinates->get_ref<const Json::array_t&>());
-        if (type == "Point")
-            addPlace(*coordinates);
-        else if (type == "MultiPoint")
-            std::ranges::for_each(entries, [this](const Json& place) { addPlace(place); });
-        else if (type == "LineString")
-            add(Kind::Line, {coordinates, 1});
-        else if (type == "MultiLineString")
-            std::ranges::for_each(entries, [this](const Json& line) {
-                add(Kind::Line, {&line, 1});
-            });
-        else if (type == "Polygon")
-            add(Kind::Polygon, entries);
-        else if (type == "MultiPolygon")
-            for (const Json& rings : entries)
-                if (rings.is_array())
-                    add(Kind::Polygon, rings.get_ref<const Json::array_t&>());
+        const GeometryParts parts = partsOf(&geometry);
+        for (const Json* polygon : parts.polygons)
+            add(Kind::Polygon, listOf(*polygon).get_ref<const Json::array_t&>());
+        for (const Json* line : parts.lines)
+            add(Kind::Line, {line, 1});
+        for (const Json* place : parts.points)
+            addPlace(*place);
     }
 
     void addPlace(const Json& position)

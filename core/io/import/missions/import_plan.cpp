@@ -302,7 +302,7 @@ bool isPlan(std::string_view text)
     const auto holds = [&](std::string_view name) {
         return text.find(name) != std::string_view::npos;
     };
-    return isJsonObject(text) && holds("\"groundStation\"") &&
+    return firstOfJson(text) == '{' && holds("\"groundStation\"") &&
            (holds("\"fileType\"") || (holds("\"MAV_AUTOPILOT\"") && holds("\"items\"")));
 }
 

@@ -1,5 +1,6 @@
 #include "core/io/import/fields/area_centroid.h"
 #include "core/io/import/fields/import_source.h"
+#include "core/io/import/fields/json_members.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/files/import_fixtures.h"
 
@@ -57,6 +58,39 @@ class TestImportGeoJson : public QObject
     Q_OBJECT
 
 private slots:
+    void firstCharacterTellsObjectFromList_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<char>("first");
+        QTest::newRow("object") << QByteArray(" {}") << '{';
+        QTest::newRow("list of objects") << QByteArray("[{}]") << '[';
+        QTest::newRow("mark") << QByteArray("\xEF\xBB\xBF\n{}") << '{';
+        QTest::newRow("text sequence") << QByteArray("\x1E[{}]") << '[';
+        QTest::newRow("mark and text sequence") << QByteArray("\xEF\xBB\xBF\x1E{}") << '{';
+        QTest::newRow("XML") << QByteArray("<a b='{'>") << '<';
+        QTest::newRow("only a mark") << QByteArray("\xEF\xBB\xBF \x1E ") << '\0';
+    }
+
+    void firstCharacterTellsObjectFromList()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(char, first);
+        QCOMPARE(firstOfJson(text.toStdString()), first);
+    }
+
+    /** A list may hold features, but a mission is one object. */
+    void listsAreFeaturesAndNoMission()
+    {
+        const std::string one = feature("\"a\"", {}, point(-48, 47));
+        QCOMPARE(readText('[' + one + ']').format, std::string("geojson"));
+        QCOMPARE(readText("\xEF\xBB\xBF\x1E" + one + "\n\x1E" + one).format,
+                 std::string("geojson"));
+        const std::string mission = R"({"fileType": "Plan", "groundStation": "QGroundControl"})";
+        const std::optional<Error> error = errorOf([&] { (void)readText('[' + mission + ']'); });
+        QVERIFY(error.has_value());
+        QCOMPARE(error->issues().at(0).reason.id, IssueId::UnknownFormat);
+    }
+
     void everyGeometryHasItsPlaces()
     {
         const SightingTable table = readFixture("geometries.geojson");

@@ -42,14 +42,16 @@ struct GeoJsonSystem
 /** Parts of a geometry, including those of nested collections. */
 struct GeometryParts
 {
-    std::vector<Point> points;
-    std::vector<AreaRings> areas;   ///< polygons that have a centroid
-    std::vector<const Json*> lines; ///< lists of positions
-    std::size_t broken = 0;         ///< number of faulty points and areas
-    std::string other;              ///< type of a geometry of another kind; empty if there is none
+    std::vector<const Json*> points;   ///< positions
+    std::vector<const Json*> polygons; ///< lists of rings
+    std::vector<const Json*> lines;    ///< lists of positions
+    std::size_t broken = 0;            ///< number of geometries without coordinates
+    std::string other; ///< type of a geometry of another kind; empty if there is none
 };
-/** Splits a geometry into its parts; null has one broken part. */
-[[nodiscard]] GeometryParts partsOf(const Json* geometry, const GeoJsonSystem& system);
+/** Splits a geometry into its parts; null is a broken one. */
+[[nodiscard]] GeometryParts partsOf(const Json* geometry);
+/** Returns the rings of a polygon; none if it has no centroid. */
+[[nodiscard]] AreaRings ringsOf(const Json& polygon, const GeoJsonSystem& system);
 
 /** Returns true if a geometry (may be null) contains a point or an area. */
 [[nodiscard]] bool hasPlaces(const Json* geometry);

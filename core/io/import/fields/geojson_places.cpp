@@ -1,4 +1,4 @@
-#include "core/io/import/maps/geojson_places.h"
+#include "core/io/import/fields/geojson_places.h"
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
@@ -61,82 +61,33 @@ bool isWgs84(const std::string& name)
            plain == "wgs1984";
 }
 
-/** Returns the rings of a polygon; none if it has no centroid. */
-AreaRings ringsOf(const Json& polygon, const GeoJsonSystem& system)
+void addParts(const Json* geometry, GeometryParts& parts)
 {
-    AreaRings rings;
-    for (const Json& corners : listOf(polygon)) {
-        AreaRing& ring = rings.emplace_back();
-        for (const Json& corner : listOf(corners)) {
-            const std::optional<Point> position = positionOf(corner);
-            if (!position)
-                return {};
-            ring.push_back(*position);
-        }
+    constexpr std::string_view kMulti = "Multi";
+    const std::string type = typeOf(geometry);
+    if (type == "GeometryCollection") {
+        if (const Json* geometries = arrayOf(geometry, "geometries"))
+            for (const Json& one : *geometries)
+                addParts(&one, parts);
+        return;
     }
-    return centroidOf(rings, system.unprojected ? 0 : kTurn_deg) ? rings : AreaRings();
+    const Json* coordinates = arrayOf(geometry, "coordinates");
+    const bool isMulti = type.starts_with(kMulti);
+    const std::string kind = type.substr(isMulti ? kMulti.size() : 0);
+    std::vector<const Json*>* const list = kind == "Point"        ? &parts.points
+                                           : kind == "Polygon"    ? &parts.polygons
+                                           : kind == "LineString" ? &parts.lines
+                                                                  : nullptr;
+    if (coordinates == nullptr)
+        ++parts.broken;
+    else if (list == nullptr)
+        parts.other = type.empty() ? "?" : type;
+    else if (!isMulti)
+        list->push_back(coordinates);
+    else
+        for (const Json& one : *coordinates)
+            list->push_back(&one);
 }
-
-class Parts
-{
-public:
-    explicit Parts(const GeoJsonSystem& system) : m_system(system) {}
-
-    void add(const Json* geometry)
-    {
-        const std::string type = typeOf(geometry);
-        if (type == "GeometryCollection") {
-            if (const Json* geometries = arrayOf(geometry, "geometries"))
-                for (const Json& one : *geometries)
-                    add(&one);
-            return;
-        }
-        const Json* coordinates = arrayOf(geometry, "coordinates");
-        if (coordinates == nullptr)
-            ++m_parts.broken;
-        else if (type == "Point")
-            addPoint(*coordinates);
-        else if (type == "MultiPoint")
-            addEach(*coordinates, &Parts::addPoint);
-        else if (type == "Polygon")
-            addArea(*coordinates);
-        else if (type == "MultiPolygon")
-            addEach(*coordinates, &Parts::addArea);
-        else if (type == "LineString")
-            addLine(*coordinates);
-        else if (type == "MultiLineString")
-            addEach(*coordinates, &Parts::addLine);
-        else
-            m_parts.other = type.empty() ? "?" : type;
-    }
-
-    GeometryParts take() { return std::move(m_parts); }
-
-private:
-    void addEach(const Json& list, void (Parts::*addOne)(const Json&))
-    {
-        for (const Json& one : list)
-            (this->*addOne)(one);
-    }
-    void addPoint(const Json& position)
-    {
-        if (const std::optional<Point> point = positionOf(position))
-            m_parts.points.push_back(*point);
-        else
-            ++m_parts.broken;
-    }
-    void addArea(const Json& polygon)
-    {
-        if (AreaRings rings = ringsOf(polygon, m_system); !rings.empty())
-            m_parts.areas.push_back(std::move(rings));
-        else
-            ++m_parts.broken;
-    }
-    void addLine(const Json& corners) { m_parts.lines.push_back(&corners); }
-
-    const GeoJsonSystem& m_system;
-    GeometryParts m_parts;
-};
 
 /** Whether a line of a text is a complete object, so that another may follow it. */
 bool isWholeObject(std::string_view line)
@@ -212,11 +163,26 @@ std::optional<Point> positionOf(const Json& position)
     return Point(position[0].get<double>(), position[1].get<double>());
 }
 
-GeometryParts partsOf(const Json* geometry, const GeoJsonSystem& system)
+GeometryParts partsOf(const Json* geometry)
 {
-    Parts parts(system);
-    parts.add(geometry);
-    return parts.take();
+    GeometryParts parts;
+    addParts(geometry, parts);
+    return parts;
+}
+
+AreaRings ringsOf(const Json& polygon, const GeoJsonSystem& system)
+{
+    AreaRings rings;
+    for (const Json& corners : listOf(polygon)) {
+        AreaRing& ring = rings.emplace_back();
+        for (const Json& corner : listOf(corners)) {
+            const std::optional<Point> position = positionOf(corner);
+            if (!position)
+                return {};
+            ring.push_back(*position);
+        }
+    }
+    return centroidOf(rings, system.unprojected ? 0 : kTurn_deg) ? rings : AreaRings();
 }
 
 bool hasPlaces(const Json* geometry)
