@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/layout/window_part.h"
-#include "core/link/steering.h"
+#include "core/sim/steering.h"
 #include "widgets/aircraft/link_status.h"
 #include "widgets/aircraft/rehearsal_fleet.h"
 #include "widgets/flight/mission_runner.h"

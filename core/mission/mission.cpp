@@ -239,7 +239,7 @@ Metrics Mission::metrics() const
 {
     return {.zeta_m2s = m_simulation.zeta_m2s(),
             .visits = std::accumulate(m_visits.begin(), m_visits.end(), 0),
-            .replans = static_cast<int>(std::ranges::count(m_plans, false, &Plan::interim)),
+            .replans = static_cast<int>(std::ranges::count(m_plans, true, &Plan::isCounted)),
             .flown_m = m_simulation.state().flown_m()};
 }
 

@@ -56,7 +56,7 @@ private:
         const auto first = m_mission.plans().begin();
         return static_cast<int>(
             std::count_if(first, first + static_cast<std::ptrdiff_t>(m_plan),
-                          [](const PlanPointer& plan) { return !plan->interim; }));
+                          [](const PlanPointer& plan) { return plan->isCounted; }));
     }
     [[nodiscard]] std::int64_t stepOf(double time_s) const
     {

@@ -64,9 +64,11 @@ bool Mission::planWhenDue(const std::stop_token& stop)
 bool Mission::putPendingInForce()
 {
     Plan plan = std::exchange(m_pending, std::nullopt)->plan;
-    std::erase_if(plan.uavs, [this](const UavPlan& own) {
+    const auto isLeft = [this](const UavPlan& own) {
         return !m_simulation.fleet().autopilot(own.uav).isPlanned();
-    });
+    };
+    plan.isCounted = !isLeft(plan.uavs.front());
+    std::erase_if(plan.uavs, isLeft);
     plan.time_s = m_simulation.time_s();
     bool isTimely = true;
     for (UavPlan& own : plan.uavs) {
@@ -193,6 +195,7 @@ void Mission::flyOn(int uav)
     activate({.time_s = time_s,
               .zeta_m2s = m_simulation.zeta_m2s(),
               .interim = true,
+              .isCounted = false,
               .uavs = {std::move(own)}});
 }
 

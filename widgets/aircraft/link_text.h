@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/link/steering.h"
+#include "core/sim/steering.h"
 #include "widgets/aircraft/link_status.h"
 
 #include <QLocale>

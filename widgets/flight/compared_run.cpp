@@ -66,7 +66,7 @@ ComparedRun comparedRun(const FlightRecord& record)
         run.unseen = unseenIntervals(run.samples, record.history.rows);
     }
     for (const PlanPointer& plan : record.history.plans)
-        if (!plan->interim)
+        if (plan->isCounted)
             run.plans_s.push_back(plan->time_s);
     run.uavVisits_s.resize(record.scenario.uavs.size());
     for (const MissionEvent& event : record.history.events) {

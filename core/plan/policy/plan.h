@@ -77,6 +77,11 @@ struct Plan
     double time_s = 0;    ///< instant from which it is flown; set by missions, as the next two
     double zeta_m2s = 0;  ///< Eq. (24) up to that instant
     bool interim = false; ///< rest of the previous plan, flown while the next one is being made
+    /**
+     * Whether `Metrics::replans` counts it: not if it is interim, nor if its first UAV was no
+     * longer planned when it came into force.
+     */
+    bool isCounted = true;
     /** One entry for each UAV planned; no two orders begin with the same iceberg. */
     std::vector<UavPlan> uavs = {};
     SolveOutcome outcome = {}; ///< result of the solver; its nodes are those of `problem`

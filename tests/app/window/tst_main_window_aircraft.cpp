@@ -1,5 +1,5 @@
-#include "core/link/steering.h"
 #include "core/link/transport/link_clock.h"
+#include "core/sim/steering.h"
 #include "tests/support/flight/scenario_builder.h"
 #include "tests/support/window/window_fixture.h"
 #include "widgets/aircraft/rehearsal_fleet.h"

@@ -1,5 +1,5 @@
-#include "core/link/steering.h"
 #include "core/link/transport/link_clock.h"
+#include "core/sim/steering.h"
 #include "tests/support/window/patience.h"
 #include "widgets/aircraft/link_monitor.h"
 #include "widgets/aircraft/rehearsal_fleet.h"

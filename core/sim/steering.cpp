@@ -1,4 +1,4 @@
-#include "core/link/steering.h"
+#include "core/sim/steering.h"
 
 #include <array>
 #include <cmath>
