@@ -29,7 +29,6 @@ namespace berg {
 namespace {
 
 constexpr const char* kAddressKey = "link/address";
-constexpr const char* kListenEverywhere = "udp:0.0.0.0:14550";
 constexpr const char* kListenHere = "udp:127.0.0.1:14550";
 
 QString nowText()
@@ -57,7 +56,7 @@ AircraftController::AircraftController(WindowContext& context, FlightView& fligh
     m_mark->hide();
     window().statusBar()->addPermanentWidget(m_mark);
     panels().aircraft->setAddress(
-        settings().value(kAddressKey, QLatin1String(kListenEverywhere)).toString());
+        settings().value(kAddressKey, QLatin1String(kListenHere)).toString());
     connectPanel();
     connect(&workspace().link(), &LinkMonitor::updated, this, &AircraftController::showStatus);
     connect(&workspace().runner(), &MissionRunner::missionsReady, this,

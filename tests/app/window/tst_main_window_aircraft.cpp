@@ -75,7 +75,7 @@ private slots:
     {
         WindowFixture w(px4Scenario());
         auto& address = child<QLineEdit>(w.window(), u"linkAddress"_s);
-        QCOMPARE(address.text(), u"udp:0.0.0.0:14550"_s);
+        QCOMPARE(address.text(), u"udp:127.0.0.1:14550"_s);
         address.setText(u"pigeon"_s);
         clickButton(w, u"listenButton"_s);
         QVERIFY(textOf(w, u"linkState"_s).contains(u"pigeon"_s));
