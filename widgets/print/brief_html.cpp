@@ -11,7 +11,8 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr double kCell_px = 8;     // padding and border of a cell
+constexpr double kCell_px = 6;     // padding and border of a cell
+constexpr double kGutter_px = 8;   // between tables side by side
 constexpr double kWidestName = 18; // of an iceberg, relative to the font size
 constexpr double kLeastName = 5.5;
 
@@ -70,7 +71,9 @@ public:
         : m_content(content)
         , m_fit(fit)
         , m_colours(colours)
-        , m_widths_px(columnWidths(content, fit, width_px / static_cast<double>(fit.columns)))
+        , m_widths_px(columnWidths(content, fit,
+                                   width_px / static_cast<double>(fit.columns) -
+                                       (fit.columns > 1 ? kGutter_px : 0)))
     {
     }
 

@@ -50,15 +50,19 @@ public:
             if (const auto spare = spare_px(fit))
                 return grown(fit, *spare);
         BriefFit fit = kFits.back();
-        fit.columns = 2;
-        fit.rows = fit.routes = 1;
-        if (!spare_px(fit)) // too wide
-            fit.columns = 1;
-        fit.routes = BriefFit::kAll;
-        setMost(fit, fit.rows, mostLines(fit));
-        if (!spare_px(fit))
+        for (const std::size_t columns : {std::size_t{2}, std::size_t{1}}) {
+            fit.columns = columns;
+            setMost(fit, fit.rows, mostLines(fit));
+            if (const auto spare = spare_px(fit); spare && fit.rows > 1)
+                return grown(fit, *spare);
+        }
+        for (const std::size_t columns : {std::size_t{2}, std::size_t{1}}) {
+            fit.columns = columns;
             setMost(fit, fit.routes, m_content.routes.size());
-        return grown(fit, spare_px(fit).value_or(0));
+            if (const auto spare = spare_px(fit))
+                return grown(fit, *spare);
+        }
+        return grown(fit, 0);
     }
 
 private:

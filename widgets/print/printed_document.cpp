@@ -30,7 +30,7 @@ th, td { padding: 0 3px 1px 3px; text-align: right; font-weight: normal; vertica
 thead th { border-bottom: 1px solid #000000; }
 tbody th, tbody td { border-bottom: 1px solid #d0d0d0; }
 [scope="row"], .text { text-align: left; }
-.nowrap th, .nowrap td { padding: 0 3px; white-space: nowrap; }
+.nowrap th, .nowrap td { padding: 0 2px; white-space: nowrap; }
 .facts td, .plain td { border: 0px; padding: 0 10px 3px 0; text-align: left; }
 .plain .end { padding-right: 0; text-align: right; }
 .blank td { padding-top: 9px; text-align: left; border-bottom: 1px solid #b0b0b0; }
