@@ -120,7 +120,7 @@ void addFeature(const Json& feature, std::size_t number, AirspaceTable& table, R
     const auto reject = [&](IssueId fault) {
         table.rejected.add({.line = number, .fault = fault, .detail = cleanText(area.name, 60)});
     };
-    const GeometryParts parts = partsOf(geometry);
+    const GeometryParts parts = geometryParts(geometry);
     for (const Json* polygon : parts.polygons) {
         const Json& rings = listOf(*polygon);
         std::optional<std::vector<LatLon>> ring =

@@ -163,7 +163,7 @@ std::optional<Point> positionOf(const Json& position)
     return Point(position[0].get<double>(), position[1].get<double>());
 }
 
-GeometryParts partsOf(const Json* geometry)
+GeometryParts geometryParts(const Json* geometry)
 {
     GeometryParts parts;
     addParts(geometry, parts);

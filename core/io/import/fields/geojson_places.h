@@ -49,7 +49,7 @@ struct GeometryParts
     std::string other; ///< type of a geometry of another kind; empty if there is none
 };
 /** Splits a geometry into its parts; null is a broken one. */
-[[nodiscard]] GeometryParts partsOf(const Json* geometry);
+[[nodiscard]] GeometryParts geometryParts(const Json* geometry);
 /** Returns the rings of a polygon; none if it has no centroid. */
 [[nodiscard]] AreaRings ringsOf(const Json& polygon, const GeoJsonSystem& system);
 

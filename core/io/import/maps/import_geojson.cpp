@@ -50,7 +50,7 @@ SceneGeometry sceneGeometry(const Json* geometry)
 {
     SceneGeometry read{.place =
                            placeOf(memberOf(geometry, "coordinates"), AxisOrder::LongitudeFirst)};
-    for (const Json* polygon : partsOf(geometry).polygons) {
+    for (const Json* polygon : geometryParts(geometry).polygons) {
         const Json& rings = listOf(*polygon);
         std::optional<std::vector<LatLon>> exterior =
             rings.empty() ? std::nullopt : placesOf(&rings.front(), AxisOrder::LongitudeFirst);
@@ -70,7 +70,7 @@ struct PlacedFeature
     PlacedFeature(const Json* geometry, const Json* timesOfPlaces, const GeoJsonSystem& ofFile)
         : system(ofFile), times(timesOfPlaces)
     {
-        GeometryParts parts = partsOf(geometry);
+        GeometryParts parts = geometryParts(geometry);
         for (const Json* position : parts.points)
             if (const std::optional<Point> point = positionOf(*position))
                 points.push_back(*point);

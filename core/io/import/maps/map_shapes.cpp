@@ -118,7 +118,7 @@ private:
     void addGeometry(const Json& geometry)
     {
         using Kind = MapShape::Kind;
-        const GeometryParts parts = partsOf(&geometry);
+        const GeometryParts parts = geometryParts(&geometry);
         for (const Json* polygon : parts.polygons)
             add(Kind::Polygon, listOf(*polygon).get_ref<const Json::array_t&>());
         for (const Json* line : parts.lines)
