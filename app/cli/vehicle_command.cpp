@@ -72,7 +72,7 @@ AutopilotKind kindOf(const Uav& uav, const VehicleArguments& arguments)
 }
 
 /** Puts fence, rally point and mission of the scenario's plan on board and begins to fly it. */
-void flyPlan(RehearsalVehicle& vehicle, const Scenario& scenario, const PlanAnswer& plan,
+void flyPlan(RehearsalVehicle& vehicle, const Scenario& scenario, const Plan& plan,
              const std::string& uav)
 {
     const ExportContent content = exportContent({.scenario = scenario, .plan = plan}, {.uav = uav});
@@ -140,7 +140,7 @@ int runVehicle(const VehicleArguments& arguments, const std::stop_token& stop)
         reading([&] { return scenarioFromJson(readFile(arguments.file), arguments.file); });
     printWarnings(arguments.file, validate(scenario));
     const std::vector<std::size_t> rows = chosenUavs(scenario, arguments);
-    std::optional<PlanAnswer> plan;
+    std::optional<Plan> plan;
     if (arguments.fly)
         plan = naming(arguments.file, [&] { return planFromStart(scenario, {.stop = stop}); });
     if (stop.stop_requested())
