@@ -235,7 +235,6 @@ RunFile runOf(const Mission& mission)
                 .flownUntil_s = mission.simulation().time_s(),
                 .interventions = mission.interventions(),
                 .fixes = mission.poseTracks().until(mission.simulation().time_s()),
-                .plans = {},
                 .plans = mission.plans(),
                 .keyframes = {},
                 .metrics = mission.metrics()};
