@@ -38,7 +38,7 @@ std::vector<std::string> AircraftController::orderInForce(int uav) const
 {
     const MissionSnapshot& now = workspace().record().now;
     std::vector<std::string> ids;
-    if (const PlanEvent* plan = planOf(now, uav))
+    if (const UavPlan* plan = planOf(now, uav))
         for (const int iceberg : plan->order)
             ids.push_back(now.icebergs[static_cast<std::size_t>(iceberg)].id);
     return ids;

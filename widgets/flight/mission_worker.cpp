@@ -193,14 +193,14 @@ void MissionWorker::sendMissions()
         return;
     }
     const auto failure = failureOf([&] {
-        const PlanAnswer plan = startPlan(*m_mission);
         const ExportSource source{.scenario = m_mission->scenario(),
-                                  .plan = plan,
+                                  .plan = *m_mission->plans().front(),
                                   .mission =
                                       m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
-        bool isAimed = false; // then straight legs over the icebergs are not what is planned
-        for (std::size_t row = 0; row < source.scenario.uavs.size(); ++row)
-            isAimed = isAimed || !presentOrder(source, row).legs.empty();
+        // Straight legs over the icebergs are not what a plan of aimed legs means.
+        const bool isAimed =
+            std::ranges::any_of(m_mission->plans().back()->uavs,
+                                [](const UavPlan& own) { return !own.legs.empty(); });
         const ExportContent content = exportContent(
             source, {.what = isAimed ? ExportScope::Path : ExportScope::Order, .returnHome = true});
         auto missions = std::make_shared<std::vector<UavMission>>();
