@@ -332,7 +332,7 @@ void AircraftController::showOnMap()
         MapAircraft& shown = live.aircraft.emplace_back(MapAircraft{
             .position_m = pose->position_m,
             .psi_rad = pose->psi_rad,
-            .label = u"%1, %2"_s.arg(aircraftName(vehicle.address), ageText(age_s, locale())),
+            .label = u"%1, %2"_s.arg(aircraftName(vehicle.address), positionAgeText(age_s, locale())),
             .place = uav.value_or(0),
             .isFlown = isLive && uav.has_value()});
         for (const LatLon& place : workspace().link().trackOf(vehicle.address))

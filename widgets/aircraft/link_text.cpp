@@ -92,7 +92,7 @@ QString linkConditionText(const LinkCondition& condition)
     return {};
 }
 
-QString ageText(double age_s, const QLocale& locale)
+QString positionAgeText(double age_s, const QLocale& locale)
 {
     constexpr double kMinute_s = 60;
     return LinkText::tr("%1 ago").arg(age_s < kMinute_s ? u"%1 s"_s.arg(fixedText(age_s, 1, locale))

@@ -15,7 +15,7 @@ namespace berg {
 /** Returns whether a link is open, or why not. */
 [[nodiscard]] QString linkConditionText(const LinkCondition& condition);
 /** Returns an age in words, e.g. "0.4 s ago" or "02:10 ago". */
-[[nodiscard]] QString ageText(double age_s, const QLocale& locale);
+[[nodiscard]] QString positionAgeText(double age_s, const QLocale& locale);
 /** Returns the progress or result of an upload or comparison, in a sentence. */
 [[nodiscard]] QString syncText(const SyncStatus& sync);
 /** Returns the sentence of an event; `vehicle` may be null. */

@@ -312,7 +312,7 @@ void AircraftPanel::showStatus(const LinkStatus& status,
                                : QString::fromStdString(modeName(vehicle.autopilot, vehicle.mode)));
         const std::optional<AircraftPosition>& position = vehicle.state.position;
         const double age_s = position ? status.now_s - position->received_s : 0;
-        item.setText(Age, position ? ageText(age_s, locale()) : tr("none yet"));
+        item.setText(Age, position ? positionAgeText(age_s, locale()) : tr("none yet"));
         const bool isOld = vehicle.isLost || !position || age_s > kOld_s;
         for (const int column : {Mode, Age})
             item.setForeground(column, isOld ? QBrush(m_theme.warning) : QBrush());

@@ -197,7 +197,7 @@ private slots:
         std::array<char, 64> name{};
         QCOMPARE(::openpty(&far, &near, name.data(), nullptr, nullptr), 0);
         const Descriptor farEnd(far);
-        std::optional<Descriptor> nearEnd(near);
+        auto nearEnd = std::make_unique<Descriptor>(near);
         const std::unique_ptr<TransportLink> link =
             openLink({.kind = Kind::Serial, .device = name.data()});
         QVERIFY(isOpened(*link));

@@ -11,6 +11,8 @@
 
 #include <QtTest>
 
+#include <utility>
+
 using namespace berg;
 
 namespace {
@@ -125,11 +127,12 @@ QString faultOfArcs(const TvpProblem& problem, const VisitOrder& best, const Vis
 {
     const std::vector<MilpArc> arcs =
         survivingArcs(VisitCosts(problem), given, {.workLimit = workLimit});
-    MilpArc arc;
+    int from = 0;
+    int position = 0;
     for (const int to : best) {
-        arc = {.from = arc.to, .to = to, .position = arc.position + 1};
+        const MilpArc arc{.from = std::exchange(from, to), .to = to, .position = ++position};
         if (std::find(arcs.begin(), arcs.end(), arc) == arcs.end())
-            return QStringLiteral("arc %1 of the optimum lost").arg(arc.position);
+            return QStringLiteral("arc %1 of the optimum lost").arg(position);
     }
     return {};
 }
