@@ -100,7 +100,7 @@ public:
             QTest::mouseMove(m_slider, at(static_cast<double>(i) / kPositions));
             static_cast<void>(QTest::qWaitFor([&] { return isFinal; }, kPatience_ms));
             m_application.onPainted = {};
-            if (present().plan && present().plan->status == SolveStatus::Optimal)
+            if (present().plan && present().plan->outcome.status == SolveStatus::Optimal)
                 ++proven;
             else if (present().plan && present().plan->gap)
                 gaps.push_back(100 * *present().plan->gap);
