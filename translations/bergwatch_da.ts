@@ -1931,6 +1931,10 @@
         <translation>Retning, °</translation>
     </message>
     <message>
+        <source>Drift direction, degrees clockwise from north</source>
+        <translation>Driftens retning, i grader med uret fra nord</translation>
+    </message>
+    <message>
         <source>Last seen, s ago</source>
         <translation>Sidst set, s siden</translation>
     </message>
@@ -1983,8 +1987,16 @@
         <translation>Drift øst, %1</translation>
     </message>
     <message>
+        <source>Known drift to the east, without the current</source>
+        <translation>Kendt drift mod øst, uden strømmen</translation>
+    </message>
+    <message>
         <source>Drift north, %1</source>
         <translation>Drift nord, %1</translation>
+    </message>
+    <message>
+        <source>Known drift to the north, without the current</source>
+        <translation>Kendt drift mod nord, uden strømmen</translation>
     </message>
     <message>
         <source>Latitude</source>
@@ -6491,10 +6503,6 @@ Tilstødende område %4</translation>
 <context>
     <name>Report</name>
     <message>
-        <source>Policy</source>
-        <translation>Strategi</translation>
-    </message>
-    <message>
         <source>Seed</source>
         <translation>Startværdi</translation>
     </message>
@@ -7005,10 +7013,6 @@ Tilstødende område %4</translation>
     <message>
         <source>Something was changed in flight: the prediction was for another flight.</source>
         <translation>Noget blev ændret under flyvningen: forudsigelsen gjaldt en anden flyvning.</translation>
-    </message>
-    <message>
-        <source>Nothing was flown</source>
-        <translation>Intet blev fløjet</translation>
     </message>
     <message>
         <source>Sum of σ, m²</source>
@@ -10196,6 +10200,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>UAV</source>
         <translation>Drone</translation>
     </message>
+    <message>
+        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
+        <translation>Id&apos;et »%1« er optaget. Hvert isbjerg og hver drone skal have et unikt id.</translation>
+    </message>
 </context>
 <context>
     <name>berg::LayersPanel</name>
@@ -12936,6 +12944,10 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Move asset</source>
         <translation>Flyt objekt</translation>
+    </message>
+    <message>
+        <source>The scenario is locked in flight. Stop the flight to change it.</source>
+        <translation>Scenariet er låst under flyvning. Stop flyvningen for at ændre det.</translation>
     </message>
 </context>
 </TS>

@@ -1931,6 +1931,10 @@
         <translation>Retning, °</translation>
     </message>
     <message>
+        <source>Drift direction, degrees clockwise from north</source>
+        <translation>Retningen på driften, i grader med klokken fra nord</translation>
+    </message>
+    <message>
         <source>Last seen, s ago</source>
         <translation>Sist sett, s siden</translation>
     </message>
@@ -1983,8 +1987,16 @@
         <translation>Drift øst, %1</translation>
     </message>
     <message>
+        <source>Known drift to the east, without the current</source>
+        <translation>Kjent drift mot øst, uten strømmen</translation>
+    </message>
+    <message>
         <source>Drift north, %1</source>
         <translation>Drift nord, %1</translation>
+    </message>
+    <message>
+        <source>Known drift to the north, without the current</source>
+        <translation>Kjent drift mot nord, uten strømmen</translation>
     </message>
     <message>
         <source>Latitude</source>
@@ -6491,10 +6503,6 @@ Tilstøtende område %4</translation>
 <context>
     <name>Report</name>
     <message>
-        <source>Policy</source>
-        <translation>Strategi</translation>
-    </message>
-    <message>
         <source>Seed</source>
         <translation>Startfrø</translation>
     </message>
@@ -7005,10 +7013,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>Something was changed in flight: the prediction was for another flight.</source>
         <translation>Noe ble endret under flygingen: forutsigelsen gjaldt en annen flyging.</translation>
-    </message>
-    <message>
-        <source>Nothing was flown</source>
-        <translation>Ingenting ble fløyet</translation>
     </message>
     <message>
         <source>Sum of σ, m²</source>
@@ -10196,6 +10200,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>UAV</source>
         <translation>UAV</translation>
     </message>
+    <message>
+        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
+        <translation>Id-en «%1» er opptatt. Hvert isfjell og hver UAV trenger en unik id.</translation>
+    </message>
 </context>
 <context>
     <name>berg::LayersPanel</name>
@@ -12936,6 +12944,10 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Move asset</source>
         <translation>Flytt objektet</translation>
+    </message>
+    <message>
+        <source>The scenario is locked in flight. Stop the flight to change it.</source>
+        <translation>Scenarioet er låst under flyging. Stopp flygingen for å endre det.</translation>
     </message>
 </context>
 </TS>

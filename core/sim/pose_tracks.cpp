@@ -9,6 +9,9 @@ namespace berg {
 
 namespace {
 
+/** Times of steps are rounded, so a fix this near to a step counts as at its time. */
+constexpr double kSame_s = 1e-6;
+
 DubinsState between(const PoseFix& before, const PoseFix& after, double time_s)
 {
     const double share = (time_s - before.time_s) / (after.time_s - before.time_s);
@@ -20,10 +23,10 @@ DubinsState between(const PoseFix& before, const PoseFix& after, double time_s)
 
 std::optional<ExternalPose> poseAt(const std::vector<PoseFix>& track, double time_s)
 {
-    const auto after = std::ranges::lower_bound(track, time_s, {}, &PoseFix::time_s);
+    const auto after = std::ranges::lower_bound(track, time_s - kSame_s, {}, &PoseFix::time_s);
     if (after == track.end())
         return std::nullopt;
-    if (after->time_s == time_s)
+    if (after->time_s <= time_s + kSame_s)
         return ExternalPose{.pose = after->pose, .hasView = after->isMeasured};
     if (after->isFirst)
         return std::nullopt;
@@ -37,9 +40,9 @@ std::optional<ExternalPose> poseAt(const std::vector<PoseFix>& track, double tim
 void PoseTracks::add(PoseFix fix, double now_s)
 {
     std::vector<PoseFix>& track = m_tracks.at(static_cast<std::size_t>(fix.uav));
-    if (fix.time_s <= now_s || (!track.empty() && fix.time_s <= track.back().time_s))
+    if (fix.time_s <= now_s + kSame_s || (!track.empty() && fix.time_s <= track.back().time_s))
         return;
-    fix.isFirst = track.empty() || track.back().time_s < now_s;
+    fix.isFirst = track.empty() || track.back().time_s < now_s - kSame_s;
     track.push_back(fix);
 }
 
@@ -79,7 +82,7 @@ std::vector<PoseFix> PoseTracks::until(double until_s) const
 {
     std::vector<PoseFix> fixes;
     for (const std::vector<PoseFix>& track : m_tracks) {
-        const auto last = std::ranges::lower_bound(track, until_s, {}, &PoseFix::time_s);
+        const auto last = std::ranges::lower_bound(track, until_s - kSame_s, {}, &PoseFix::time_s);
         fixes.insert(fixes.end(), track.begin(), last == track.end() ? last : std::next(last));
     }
     return fixes;

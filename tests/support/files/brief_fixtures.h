@@ -38,7 +38,8 @@ inline Scenario fleetScenario(int uavs, int icebergs)
 inline Plan fleetPlan(int uavs, int icebergs)
 {
     Plan plan;
-    plan.uavs.resize(static_cast<std::size_t>(uavs));
+    for (int i = 0; i < uavs; ++i)
+        plan.uavs.push_back({.uav = i});
     for (int i = 0; i < icebergs; ++i)
         plan.uavs[static_cast<std::size_t>(i % uavs)].order.push_back(i);
     return plan;

@@ -124,10 +124,7 @@ private slots:
     void idleUavsAreNamed()
     {
         const ExportContent content = planContent(fleetScenario(3, 4), [] {
-            Plan plan;
-            plan.uavs.resize(3);
-            plan.uavs[1].order = {0, 1, 2, 3};
-            return plan;
+            return Plan{.uavs = {{.uav = 0}, {.uav = 1, .order = {0, 1, 2, 3}}, {.uav = 2}}};
         }());
         QVERIFY(briefWarnings(content, kEnglish).contains(u"Nothing to visit for uav-1, uav-3"_s));
     }

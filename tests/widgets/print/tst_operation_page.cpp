@@ -48,7 +48,8 @@ private slots:
               u"S_AA = v · 180 s, %1 … %2 m = %1 m"_s.arg(fixedText(5000, 0, kEnglish),
                                                           fixedText(35'000, 0, kEnglish)),
               u"Digisky"_s, u"A. Pilot"_s})
-            QVERIFY2(words.contains(part), qPrintable(part + u" in\n"_s + words));
+            QVERIFY2(words.simplified().contains(part.simplified()),
+                     qPrintable(part + u" in\n"_s + words));
         for (const QString& never : {u"SAIL"_s, u"approved"_s, u"risk class"_s})
             QVERIFY2(!words.contains(never, Qt::CaseInsensitive), qPrintable(never));
     }

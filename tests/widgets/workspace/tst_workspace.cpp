@@ -165,7 +165,8 @@ private slots:
         QVERIFY(until([&] { return workspace.assignedUavOf(second) == "uav-2"; }));
         QCOMPARE(workspace.assignedUavOf(first), "uav-2"); // the later one has not taken its place
         QVERIFY(workspace.document().scenario() == scenario);
-        for (const int iceberg : ordersOf(workspace.record().now)[0])
+        const OrdersByUav orders = ordersOf(workspace.record().now);
+        for (const int iceberg : orders[0])
             QVERIFY(iceberg > 1);
         workspace.assign({first}, {});
         QVERIFY(until([&] { return workspace.assignedUavOf(first).empty(); }));

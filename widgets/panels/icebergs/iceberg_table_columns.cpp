@@ -102,11 +102,8 @@ std::array<IcebergColumnSpec, 4> driftColumns(const std::vector<InspectorRow>& r
         IcebergColumnSpec spec =
             inEditor(key, title.contains(u'%') ? title.arg(speedUnit().name) : title, toolTip, {});
         spec.isInEditor = isThere;
-        if (isThere) {
+        if (isThere)
             spec.number = inspectorRow(rows, inspectorKey);
-            if (toolTip.isEmpty())
-                spec.toolTip = spec.number->words.toolTip;
-        }
         spec.unit = speedUnit();
         return spec;
     };
@@ -115,15 +112,19 @@ std::array<IcebergColumnSpec, 4> driftColumns(const std::vector<InspectorRow>& r
               IcebergColumnText::tr("Known drift; in flight it includes the current"),
               u"icebergVelocitySpeed"_s, !isComponents);
     speed.isInFlight = true;
-    IcebergColumnSpec direction = drift(u"direction"_s, IcebergColumnText::tr("Direction, °"), {},
-                                        u"icebergVelocityDirection"_s, !isComponents);
+    IcebergColumnSpec direction =
+        drift(u"direction"_s, IcebergColumnText::tr("Direction, °"),
+              IcebergColumnText::tr("Drift direction, degrees clockwise from north"),
+              u"icebergVelocityDirection"_s, !isComponents);
     direction.unit = {};
     if (direction.number)
         direction.number->range = always(kDirection_deg);
     return {speed, direction,
-            drift(u"driftEast"_s, IcebergColumnText::tr("Drift east, %1"), {},
+            drift(u"driftEast"_s, IcebergColumnText::tr("Drift east, %1"),
+                  IcebergColumnText::tr("Known drift to the east, without the current"),
                   u"icebergVelocityEast"_s, isComponents),
-            drift(u"driftNorth"_s, IcebergColumnText::tr("Drift north, %1"), {},
+            drift(u"driftNorth"_s, IcebergColumnText::tr("Drift north, %1"),
+                  IcebergColumnText::tr("Known drift to the north, without the current"),
                   u"icebergVelocityNorth"_s, isComponents)};
 }
 

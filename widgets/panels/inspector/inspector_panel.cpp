@@ -1,6 +1,5 @@
 #include "widgets/panels/inspector/inspector_panel.h"
 
-#include "core/scenario/text_checks.h"
 #include "widgets/document/scenario_edits.h"
 #include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/panel_labels.h"
@@ -480,16 +479,10 @@ bool InspectorPanel::isConcerned(const Issue& issue) const
 QString InspectorPanel::whyTaken(const QString& id) const
 {
     const Scenario& scenario = m_document.scenario();
-    const std::string taken = id.toStdString();
-    const auto sentence = [&](const char* list, int index) {
-        return issueSentence(IssueId::IdTaken,
-                             {taken, FieldPath{entryPath(list, static_cast<std::size_t>(index))}});
-    };
-    if (const auto iceberg = indexOfId(scenario.icebergs, taken))
-        return sentence("icebergs", *iceberg);
-    if (const auto uav = indexOfId(scenario.uavs, taken))
-        return sentence("uavs", *uav);
-    return {};
+    const std::vector<std::string> ids{id.toStdString()};
+    if (idsAmong(scenario.icebergs, ids).empty() && idsAmong(scenario.uavs, ids).empty())
+        return {};
+    return tr("The id \"%1\" is taken. Each iceberg and UAV needs a unique id.").arg(id);
 }
 
 void InspectorPanel::rename(const std::string& before, const std::string& after)

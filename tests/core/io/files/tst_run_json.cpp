@@ -250,21 +250,6 @@ private slots:
         QVERIFY(loadRun(BERG_TEST_DATA "/scenarios/small.bergrun").keyframes.size() == 3);
     }
 
-    /** If target and order of a file contradict each other, the target is what was flown to. */
-    void theTargetIsFirstInTheOrder()
-    {
-        std::string text = runToJson(recorded());
-        const std::vector<int>& order = recorded().plans[0]->uavs[0].order;
-        const std::string target = "\"target\": ";
-        const std::size_t at = text.find(target + std::to_string(order[0]));
-        QVERIFY(at != std::string::npos);
-        text.replace(at + target.size(), std::to_string(order[0]).size(), std::to_string(order[1]));
-        const RunFile read = runFromJson(text, "text");
-        QCOMPARE(read.plans[0]->uavs[0].target(), std::optional(order[1]));
-        QCOMPARE(read.plans[0]->uavs[0].order.size(), order.size());
-        QCOMPARE(compareRun(read, recorded())[0].field, std::string("plans[0].target"));
-    }
-
     void replayRepeatsBitForBit()
     {
         const QTemporaryDir dir;
@@ -274,8 +259,6 @@ private slots:
         double progress_s = 0;
         const Mission mission = replay(file, {}, [&](double time_s) { progress_s = time_s; });
         const RunFile flown = runOf(mission);
-        QVERIFY(flown.keyframes == recorded().keyframes);
-        QVERIFY(flown.metrics == recorded().metrics);
         QVERIFY(flown == recorded());
         QVERIFY(compareRun(file, flown).empty());
         QCOMPARE(progress_s, 200.0);

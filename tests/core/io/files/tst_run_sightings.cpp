@@ -10,7 +10,7 @@
 using namespace berg;
 using namespace berg::test;
 
-/** Tests of the times of last sightings in run files. */
+/** Tests of what older run files lack and of what run files may contradict. */
 class TestRunSightings : public QObject
 {
     Q_OBJECT
@@ -44,6 +44,24 @@ private slots:
         QVERIFY(older.size() < text.size());
         const RunFile read = runFromJson(older, "text");
         QVERIFY(compareRun(read, runOf(mission)).empty());
+    }
+
+    /** If target and order of a file contradict each other, the target is what was flown to. */
+    void theTargetIsFirstInTheOrder()
+    {
+        Mission mission(randomScenario(3));
+        mission.advance(60);
+        const RunFile run = runOf(mission);
+        std::string text = runToJson(run);
+        const std::vector<int>& order = run.plans[0]->uavs[0].order;
+        const std::string target = "\"target\": ";
+        const std::size_t at = text.find(target + std::to_string(order[0]));
+        QVERIFY(at != std::string::npos);
+        text.replace(at + target.size(), std::to_string(order[0]).size(), std::to_string(order[1]));
+        const RunFile read = runFromJson(text, "text");
+        QCOMPARE(read.plans[0]->uavs[0].target(), std::optional(order[1]));
+        QCOMPARE(read.plans[0]->uavs[0].order.size(), order.size());
+        QCOMPARE(compareRun(read, run)[0].field, std::string("plans[0].target"));
     }
 };
 
