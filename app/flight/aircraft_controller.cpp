@@ -329,12 +329,13 @@ void AircraftController::showOnMap()
             continue;
         const std::optional<int> uav = uavIndex(found->second);
         const double age_s = status.now_s - vehicle.state.position->received_s;
-        MapAircraft& shown = live.aircraft.emplace_back(MapAircraft{
-            .position_m = pose->position_m,
-            .psi_rad = pose->psi_rad,
-            .label = u"%1, %2"_s.arg(aircraftName(vehicle.address), positionAgeText(age_s, locale())),
-            .place = uav.value_or(0),
-            .isFlown = isLive && uav.has_value()});
+        MapAircraft& shown = live.aircraft.emplace_back(
+            MapAircraft{.position_m = pose->position_m,
+                        .psi_rad = pose->psi_rad,
+                        .label = u"%1, %2"_s.arg(aircraftName(vehicle.address),
+                                                 positionAgeText(age_s, locale())),
+                        .place = uav.value_or(0),
+                        .isFlown = isLive && uav.has_value()});
         for (const LatLon& place : workspace().link().trackOf(vehicle.address))
             shown.track_m.push_back(frame.toPlane(place));
         const auto ghost = std::ranges::find(status.ghosts, vehicle.address, &GhostReport::address);

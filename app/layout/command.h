@@ -19,7 +19,7 @@ class QMenuBar;
 
 namespace berg {
 
-/** What must hold for a command to be possible. */
+/** Conditions under which a command is possible. */
 enum class When : unsigned
 {
     Always = 0,
@@ -49,7 +49,7 @@ struct Keys
     QList<QKeySequence> list;
 };
 
-/** What a command that is a switch shows and sets. */
+/** State that a switch shows and sets. */
 struct Switch
 {
     std::function<bool()> isOn;
@@ -104,7 +104,7 @@ struct Command
     When when = When::Always;
     QList<QKeySequence> keys;
     Icon icon;
-    QString tip; ///< in the status bar; empty: `text`
+    QString tip; ///< shown in the status bar; `text` is shown if it is empty
     std::function<void(QMenu&)> fill;
 };
 

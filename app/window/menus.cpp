@@ -316,7 +316,7 @@ void Menus::buildToolBar()
     }
 }
 
-/** Of all that decides which commands are possible, which are set, and what they are called. */
+/** State that decides which commands are possible, which are set, and their names. */
 void Menus::followState()
 {
     const auto follow = [this](const auto* sender, auto signal) {

@@ -198,9 +198,8 @@ void MissionWorker::sendMissions()
                                   .mission =
                                       m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
         // Straight legs over the icebergs are not what a plan of aimed legs means.
-        const bool isAimed =
-            std::ranges::any_of(m_mission->plans().back()->uavs,
-                                [](const UavPlan& own) { return !own.legs.empty(); });
+        const bool isAimed = std::ranges::any_of(
+            m_mission->plans().back()->uavs, [](const UavPlan& own) { return !own.legs.empty(); });
         const ExportContent content = exportContent(
             source, {.what = isAimed ? ExportScope::Path : ExportScope::Order, .returnHome = true});
         auto missions = std::make_shared<std::vector<UavMission>>();

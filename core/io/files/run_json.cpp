@@ -262,6 +262,7 @@ std::vector<PlanPointer> readPlans(ObjectReader& run, const RunContext& context)
     double before_s = 0;
     return readEach(run, "plans", [&](const Json& value, const std::string& path) {
         ObjectReader object(value, path, run.faults());
+        run.faults().take(sizeof(Plan) + sizeof(UavPlan));
         UavPlan own;
         before_s = readTime(object, context.flownUntil_s, before_s);
         own.uav = asInt(object.whole(

@@ -39,7 +39,7 @@ constexpr std::array<KindRow, 5> kKindRows{{
 constexpr std::array kBaudRates{9600,   19200,  38400,  57600,  115200,
                                 230400, 460800, 500000, 921600, 1000000};
 constexpr int kTcpPort = 5760;
-constexpr std::size_t kLongestHost = 253; ///< Of a name in DNS.
+constexpr std::size_t kLongestHost = 253; ///< This is the limit of DNS.
 
 /** Returns the number if the text consists of digits only. */
 std::optional<int> wholeNumber(std::string_view text)

@@ -19,7 +19,7 @@ constexpr int kMostLatencyBySubsets = 16;
 /** Work of one restart of the local search, per iceberg squared; measured. */
 constexpr std::int64_t kWorkOfRestart = 11;
 constexpr std::int64_t kSearchShare = 10; ///< see `EngineLoop`
-/** The same for a re-plan in flight, before the bound: the order at hand is a good one. */
+/** Share for a re-plan in flight, whose present order is good already. */
 constexpr std::int64_t kSearchShareInFlight = 3;
 /** Steps of the first relaxation in flight, with multipliers of the last plan; measured. */
 constexpr int kStepsInFlight = 80;

@@ -88,7 +88,7 @@ bool fliesPatrols(const Mission& mission)
 
 } // namespace
 
-/** Patrols together with fence, wind, pad, sightings on the way and a UAV that drops out. */
+/** Tests patrols with fence, wind, pad, sightings en route and a UAV that drops out. */
 class TestPatrolSurroundings : public QObject
 {
     Q_OBJECT

@@ -8,7 +8,7 @@
 
 namespace berg::test {
 
-/** What one UAV flies, with members of its plan that tests compare. */
+/** The plan of one UAV, with the members that tests compare. */
 struct FlownPlan : UavPlan
 {
     PlanPointer plan;

@@ -66,7 +66,7 @@ private:
             m_found.endTrack(m_first);
     }
 
-    /** Of extensions, only those of Bergwatch are fields of a sighting. */
+    /** Only the extensions of Bergwatch are fields of a sighting. */
     void extension(const XmlElement& element)
     {
         constexpr std::array<std::string_view, 4> kFields{"id", "sigma_m2", "q_m2ps", "radius_m"};

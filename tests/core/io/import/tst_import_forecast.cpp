@@ -204,7 +204,7 @@ private slots:
     {
         const std::string deep = std::string(200, '[') + std::string(200, ']');
         QCOMPARE(codeOf([&] { (void)read(deep); }), std::string("SyntaxError"));
-        // Of a hundred faults and more the first hundred are listed.
+        // Only the first hundred faults are listed.
         std::string many = R"({"geometry": {"coordinates": [-59, 64]}, "properties": {"meta": {}, )"
                            R"("timeseries": [0)";
         for (int i = 0; i < 5000; ++i)
