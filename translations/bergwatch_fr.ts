@@ -25,7 +25,7 @@
     </message>
     <message>
         <source>Drag a corner or the middle of an edge; clicking starts a new area. Esc leaves the tool.</source>
-        <translation>Faites glisser un sommet ou le milieu d&apos;un côté&#xa0;; un clic commence une autre zone. Esc quitte l&apos;outil.</translation>
+        <translation>Faites glisser un sommet ou le milieu d&apos;un côté ; un clic commence une autre zone. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Click to set the first corner of the area. Esc leaves the tool.</source>
@@ -66,7 +66,7 @@
     <name>CommandLine</name>
     <message>
         <source>--backends: %1 is none of %2</source>
-        <translation>--backends&#xa0;: %1 n&apos;est aucun des suivants&#xa0;: %2</translation>
+        <translation>--backends : %1 n&apos;est aucun des suivants : %2</translation>
     </message>
     <message>
         <source>solving</source>
@@ -74,7 +74,7 @@
     </message>
     <message>
         <source>interrupted: the table is incomplete</source>
-        <translation>interrompu&#xa0;: le tableau est incomplet</translation>
+        <translation>interrompu : le tableau est incomplet</translation>
     </message>
     <message>
         <source>warning</source>
@@ -90,7 +90,7 @@
     </message>
     <message>
         <source>%1: %2 is not a number</source>
-        <translation>%1&#xa0;: %2 n&apos;est pas un nombre</translation>
+        <translation>%1 : %2 n&apos;est pas un nombre</translation>
     </message>
     <message>
         <source>interrupted, nothing written</source>
@@ -102,39 +102,39 @@
     </message>
     <message>
         <source>note: %1</source>
-        <translation>remarque&#xa0;: %1</translation>
+        <translation>remarque : %1</translation>
     </message>
     <message>
         <source>--format: %1 is none of %2</source>
-        <translation>--format&#xa0;: %1 n&apos;est aucun des suivants&#xa0;: %2</translation>
+        <translation>--format : %1 n&apos;est aucun des suivants : %2</translation>
     </message>
     <message>
         <source>--output: no format has the suffix of %1; choose one with --format: %2</source>
-        <translation>--output&#xa0;: aucun format n&apos;a le suffixe de %1&#xa0;; choisissez-en un avec --format&#xa0;: %2</translation>
+        <translation>--output : aucun format n&apos;a le suffixe de %1 ; choisissez-en un avec --format : %2</translation>
     </message>
     <message>
         <source>--format %1: the program bergwatch paints this format, but it is neither in this folder nor on the PATH</source>
-        <translation>--format %1&#xa0;: le programme bergwatch dessine ce format, mais il n&apos;est ni dans ce dossier ni dans PATH</translation>
+        <translation>--format %1 : le programme bergwatch dessine ce format, mais il n&apos;est ni dans ce dossier ni dans PATH</translation>
     </message>
     <message>
         <source>%1: %2 is not a UTC time such as 2026-05-01T12:00:00Z</source>
-        <translation>%1&#xa0;: %2 n&apos;est pas une heure UTC comme 2026-05-01T12:00:00Z</translation>
+        <translation>%1 : %2 n&apos;est pas une heure UTC comme 2026-05-01T12:00:00Z</translation>
     </message>
     <message>
         <source>--area: %1 is not SOUTH,WEST,NORTH,EAST in degrees</source>
-        <translation>--area&#xa0;: %1 n&apos;est pas SOUTH,WEST,NORTH,EAST (sud, ouest, nord, est) en degrés</translation>
+        <translation>--area : %1 n&apos;est pas SOUTH,WEST,NORTH,EAST (sud, ouest, nord, est) en degrés</translation>
     </message>
     <message>
         <source>--map: %1 is not FIELD=COLUMN with a field of %2</source>
-        <translation>--map&#xa0;: %1 n&apos;est pas FIELD=COLUMN avec un champ parmi %2</translation>
+        <translation>--map : %1 n&apos;est pas FIELD=COLUMN avec un champ parmi %2</translation>
     </message>
     <message>
         <source>--position-error: %1 is neither a number of metres nor one of %2</source>
-        <translation>--position-error&#xa0;: %1 n&apos;est ni un nombre de mètres ni l&apos;un des suivants&#xa0;: %2</translation>
+        <translation>--position-error : %1 n&apos;est ni un nombre de mètres ni l&apos;un des suivants : %2</translation>
     </message>
     <message>
         <source>--with-tracks needs --at: tracks consist of the sightings after that time</source>
-        <translation>--with-tracks a besoin de --at&#xa0;: les traces se composent des observations postérieures à cet instant</translation>
+        <translation>--with-tracks a besoin de --at : les traces se composent des observations postérieures à cet instant</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -154,7 +154,7 @@
     </message>
     <message>
         <source>%1 is none of %2</source>
-        <translation>%1 n&apos;est aucun des suivants&#xa0;: %2</translation>
+        <translation>%1 n&apos;est aucun des suivants : %2</translation>
     </message>
     <message>
         <source>%1 is not a whole number from %2 to %3</source>
@@ -166,15 +166,15 @@
     </message>
     <message>
         <source>%1 is an input of this command; name another file</source>
-        <translation>%1 est une entrée de cette commande&#xa0;: nommez un autre fichier</translation>
+        <translation>%1 est une entrée de cette commande : nommez un autre fichier</translation>
     </message>
     <message>
         <source>%1 is an input of this command (%2); name another file</source>
-        <translation>%1 est une entrée de cette commande (%2)&#xa0;: nommez un autre fichier</translation>
+        <translation>%1 est une entrée de cette commande (%2) : nommez un autre fichier</translation>
     </message>
     <message>
         <source>%1 is already the file of %2; name another file</source>
-        <translation>%1 est déjà le fichier de %2&#xa0;: nommez un autre fichier</translation>
+        <translation>%1 est déjà le fichier de %2 : nommez un autre fichier</translation>
     </message>
     <message>
         <source>%1 and --json both need standard output</source>
@@ -182,11 +182,11 @@
     </message>
     <message>
         <source>%1 exists; use --force to overwrite it</source>
-        <translation>%1 existe&#xa0;; utilisez --force pour l&apos;écraser</translation>
+        <translation>%1 existe ; utilisez --force pour l&apos;écraser</translation>
     </message>
     <message>
         <source>%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order.</source>
-        <translation>%1&#xa0;: %2 et %3 se contredisent. L&apos;un des deux est faux&#xa0;; n&apos;utilisez pas cet ordre.</translation>
+        <translation>%1 : %2 et %3 se contredisent. L&apos;un des deux est faux ; n&apos;utilisez pas cet ordre.</translation>
     </message>
     <message>
         <source>there is not enough memory</source>
@@ -194,27 +194,27 @@
     </message>
     <message>
         <source>This is a planning problem: use &apos;solve&apos;.</source>
-        <translation>Ceci est un problème de planification&#xa0;: utilisez «&#xa0;solve&#xa0;».</translation>
+        <translation>Ceci est un problème de planification : utilisez « solve ».</translation>
     </message>
     <message>
         <source>This is a scenario: use &apos;plan&apos;, &apos;simulate&apos; or &apos;export&apos;.</source>
-        <translation>Ceci est un scénario&#xa0;: utilisez «&#xa0;plan&#xa0;», «&#xa0;simulate&#xa0;» ou «&#xa0;export&#xa0;».</translation>
+        <translation>Ceci est un scénario : utilisez « plan », « simulate » ou « export ».</translation>
     </message>
     <message>
         <source>This is a run: use &apos;simulate&apos; or &apos;export&apos;.</source>
-        <translation>Ceci est un vol&#xa0;: utilisez «&#xa0;simulate&#xa0;» ou «&#xa0;export&#xa0;».</translation>
+        <translation>Ceci est un vol : utilisez « simulate » ou « export ».</translation>
     </message>
     <message>
         <source>This is a study: use &apos;study&apos;.</source>
-        <translation>Ceci est une étude&#xa0;: utilisez «&#xa0;study&#xa0;».</translation>
+        <translation>Ceci est une étude : utilisez « study ».</translation>
     </message>
     <message>
         <source>Name the columns of a table: --map latitude=COLUMN --map longitude=COLUMN.</source>
-        <translation>Nommez les colonnes d&apos;un tableau&#xa0;: --map latitude=COLUMN --map longitude=COLUMN.</translation>
+        <translation>Nommez les colonnes d&apos;un tableau : --map latitude=COLUMN --map longitude=COLUMN.</translation>
     </message>
     <message>
         <source>This is not a Bergwatch file. To read sightings, use &apos;import&apos;.</source>
-        <translation>Ce n&apos;est pas un fichier de Bergwatch. Pour lire des observations, utilisez «&#xa0;import&#xa0;».</translation>
+        <translation>Ce n&apos;est pas un fichier de Bergwatch. Pour lire des observations, utilisez « import ».</translation>
     </message>
     <message>
         <source>there is no completion script for %1</source>
@@ -222,7 +222,7 @@
     </message>
     <message>
         <source>Try &apos;%1 --help&apos;.</source>
-        <translation>Essayez «&#xa0;%1 --help&#xa0;».</translation>
+        <translation>Essayez « %1 --help ».</translation>
     </message>
     <message>
         <source>took %1 s of processor time and %2 MB of memory</source>
@@ -238,7 +238,7 @@
     </message>
     <message>
         <source>a run file is replayed exactly as flown; --tau, --policy, --duration, --dt, --seed and --no-noise apply to scenarios only</source>
-        <translation>un fichier de vol est rejoué exactement comme il a été effectué&#xa0;; --tau, --policy, --duration, --dt, --seed et --no-noise ne valent que pour les scénarios</translation>
+        <translation>un fichier de vol est rejoué exactement comme il a été effectué ; --tau, --policy, --duration, --dt, --seed et --no-noise ne valent que pour les scénarios</translation>
     </message>
     <message>
         <source>replaying</source>
@@ -258,35 +258,35 @@
     </message>
     <message>
         <source>interrupted: the flight is complete, but its lower bound is missing</source>
-        <translation>interrompu&#xa0;: le vol est complet, mais sa borne inférieure manque</translation>
+        <translation>interrompu : le vol est complet, mais sa borne inférieure manque</translation>
     </message>
     <message>
         <source>incomplete: %1 of %2 missions are flown; the results use only cases with all settings</source>
-        <translation>incomplet&#xa0;: %1 missions sur %2 ont été effectuées&#xa0;; les résultats n&apos;utilisent que les cas avec tous les réglages</translation>
+        <translation>incomplet : %1 missions sur %2 ont été effectuées ; les résultats n&apos;utilisent que les cas avec tous les réglages</translation>
     </message>
     <message>
         <source>--reference: %1 is not POLICY[:TAU] with one of %2</source>
-        <translation>--reference&#xa0;: %1 n&apos;est pas POLICY[:TAU] avec l&apos;un des suivants&#xa0;: %2</translation>
+        <translation>--reference : %1 n&apos;est pas POLICY[:TAU] avec l&apos;un des suivants : %2</translation>
     </message>
     <message>
         <source>--reference: this study does not contain %1</source>
-        <translation>--reference&#xa0;: cette étude ne contient pas %1</translation>
+        <translation>--reference : cette étude ne contient pas %1</translation>
     </message>
     <message>
         <source>--tau: %1 is not A:B:STEP with 0 &lt;= A &lt;= B &lt;= 100</source>
-        <translation>--tau&#xa0;: %1 n&apos;est pas A:B:STEP avec 0 &lt;= A &lt;= B &lt;= 100</translation>
+        <translation>--tau : %1 n&apos;est pas A:B:STEP avec 0 &lt;= A &lt;= B &lt;= 100</translation>
     </message>
     <message>
         <source>--tau: with %1 there are more than %2 values</source>
-        <translation>--tau&#xa0;: avec %1, il y a plus de %2 valeurs</translation>
+        <translation>--tau : avec %1, il y a plus de %2 valeurs</translation>
     </message>
     <message>
         <source>--policies: %1 is none of %2</source>
-        <translation>--policies&#xa0;: %1 n&apos;est aucun des suivants&#xa0;: %2</translation>
+        <translation>--policies : %1 n&apos;est aucun des suivants : %2</translation>
     </message>
     <message>
         <source>--regime needs --random N; scenario files define their own drift</source>
-        <translation>--regime a besoin de --random N&#xa0;; les fichiers de scénario définissent leur propre dérive</translation>
+        <translation>--regime a besoin de --random N ; les fichiers de scénario définissent leur propre dérive</translation>
     </message>
     <message>
         <source>name scenarios, or use --random N</source>
@@ -294,7 +294,7 @@
     </message>
     <message>
         <source>--shard: %1 is not I/N with 1 &lt;= I &lt;= N</source>
-        <translation>--shard&#xa0;: %1 n&apos;est pas I/N avec 1 &lt;= I &lt;= N</translation>
+        <translation>--shard : %1 n&apos;est pas I/N avec 1 &lt;= I &lt;= N</translation>
     </message>
     <message>
         <source>--shard needs --study FILE, in which the part is stored</source>
@@ -302,7 +302,7 @@
     </message>
     <message>
         <source>--shard: to write tables and reports of all shards, use &apos;study&apos;</source>
-        <translation>--shard&#xa0;: pour écrire les tableaux et rapports de toutes les parties, utilisez «&#xa0;study&#xa0;»</translation>
+        <translation>--shard : pour écrire les tableaux et rapports de toutes les parties, utilisez « study »</translation>
     </message>
     <message>
         <source>--replace-study needs --study FILE</source>
@@ -314,23 +314,23 @@
     </message>
     <message>
         <source>interrupted: %1 of %2 missions are stored in %3; repeat the command to continue</source>
-        <translation>interrompu&#xa0;: %1 missions sur %2 sont conservées dans %3&#xa0;; répétez la commande pour continuer</translation>
+        <translation>interrompu : %1 missions sur %2 sont conservées dans %3 ; répétez la commande pour continuer</translation>
     </message>
     <message>
         <source>there is no option &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas d&apos;option «&#xa0;%1&#xa0;»</translation>
+        <translation>il n&apos;y a pas d&apos;option « %1 »</translation>
     </message>
     <message>
         <source>there is no option &apos;%1&apos;; did you mean &apos;%2&apos;?</source>
-        <translation>il n&apos;y a pas d&apos;option «&#xa0;%1&#xa0;»&#xa0;; vouliez-vous dire «&#xa0;%2&#xa0;»&#xa0;?</translation>
+        <translation>il n&apos;y a pas d&apos;option « %1 » ; vouliez-vous dire « %2 » ?</translation>
     </message>
     <message>
         <source>there is no command &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de commande «&#xa0;%1&#xa0;»</translation>
+        <translation>il n&apos;y a pas de commande « %1 »</translation>
     </message>
     <message>
         <source>there is no command &apos;%1&apos;; did you mean &apos;%2&apos;?</source>
-        <translation>il n&apos;y a pas de commande «&#xa0;%1&#xa0;»&#xa0;; vouliez-vous dire «&#xa0;%2&#xa0;»&#xa0;?</translation>
+        <translation>il n&apos;y a pas de commande « %1 » ; vouliez-vous dire « %2 » ?</translation>
     </message>
     <message>
         <source>a command is required</source>
@@ -346,7 +346,7 @@
     </message>
     <message>
         <source>not expected: %1</source>
-        <translation>inattendu&#xa0;: %1</translation>
+        <translation>inattendu : %1</translation>
     </message>
     <message>
         <source>%1 is required</source>
@@ -370,15 +370,15 @@
     </message>
     <message>
         <source>--output: this format writes one file per UAV; choose a UAV with --uav</source>
-        <translation>--output&#xa0;: ce format écrit un fichier par drone&#xa0;; choisissez un drone avec --uav</translation>
+        <translation>--output : ce format écrit un fichier par drone ; choisissez un drone avec --uav</translation>
     </message>
     <message>
         <source>%1: &apos;-&apos; is not possible here; give a file name</source>
-        <translation>%1&#xa0;: «&#xa0;-&#xa0;» n&apos;est pas possible ici&#xa0;: donnez un nom</translation>
+        <translation>%1 : « - » n&apos;est pas possible ici : donnez un nom</translation>
     </message>
     <message>
         <source>--map: %1 is mapped twice</source>
-        <translation>--map&#xa0;: %1 est associé deux fois</translation>
+        <translation>--map : %1 est associé deux fois</translation>
     </message>
     <message>
         <source>feature %1</source>
@@ -390,11 +390,11 @@
     </message>
     <message>
         <source>--dt, --duration: the time step is longer than the duration</source>
-        <translation>--dt, --duration&#xa0;: le pas de temps est plus long que la durée</translation>
+        <translation>--dt, --duration : le pas de temps est plus long que la durée</translation>
     </message>
     <message>
         <source>--first-seed needs --random N; scenario files have their own seeds</source>
-        <translation>--first-seed a besoin de --random N&#xa0;; les fichiers de scénario ont leurs propres graines</translation>
+        <translation>--first-seed a besoin de --random N ; les fichiers de scénario ont leurs propres graines</translation>
     </message>
     <message>
         <source>%1 sightings are too far from the origin of the scenario, %2; import them without --into, or choose others with --area</source>
@@ -406,7 +406,7 @@
     </message>
     <message>
         <source>%1: %2 is not a position such as 64.51N,59.80W</source>
-        <translation>%1&#xa0;: %2 n&apos;est pas une position telle que 64.51N,59.80W</translation>
+        <translation>%1 : %2 n&apos;est pas une position telle que 64.51N,59.80W</translation>
     </message>
     <message>
         <source>wind</source>
@@ -430,7 +430,7 @@
     </message>
     <message>
         <source>issued %1 h before %2; get a newer forecast</source>
-        <translation>émise %1 h avant %2&#xa0;; obtenez une prévision plus récente</translation>
+        <translation>émise %1 h avant %2 ; obtenez une prévision plus récente</translation>
     </message>
     <message>
         <source>is for a place %1 km away</source>
@@ -438,11 +438,11 @@
     </message>
     <message>
         <source>%1: no values between %2 and %3</source>
-        <translation>%1&#xa0;: aucune valeur entre %2 et %3</translation>
+        <translation>%1 : aucune valeur entre %2 et %3</translation>
     </message>
     <message>
         <source>--since, --until: the forecast is from %1 to %2</source>
-        <translation>--since, --until&#xa0;: la prévision va de %1 à %2</translation>
+        <translation>--since, --until : la prévision va de %1 à %2</translation>
     </message>
     <message>
         <source>%1 needs %2</source>
@@ -450,15 +450,15 @@
     </message>
     <message>
         <source>the forecasts hold no wind: add one that does, or give %1</source>
-        <translation>les prévisions ne contiennent pas de vent&#xa0;: ajoutez-en une qui en contient, ou donnez %1</translation>
+        <translation>les prévisions ne contiennent pas de vent : ajoutez-en une qui en contient, ou donnez %1</translation>
     </message>
     <message>
         <source>the forecasts hold no current: add one that does, or give %1</source>
-        <translation>les prévisions ne contiennent pas de courant&#xa0;: ajoutez-en une qui en contient, ou donnez %1</translation>
+        <translation>les prévisions ne contiennent pas de courant : ajoutez-en une qui en contient, ou donnez %1</translation>
     </message>
     <message>
         <source>--at: wind and current are not both known then; the forecast is from %1 to %2</source>
-        <translation>--at&#xa0;: le vent ou le courant n&apos;est pas connu à cet instant&#xa0;; la prévision va de %1 à %2</translation>
+        <translation>--at : le vent ou le courant n&apos;est pas connu à cet instant ; la prévision va de %1 à %2</translation>
     </message>
     <message>
         <source>wind and current are known for %1 h only</source>
@@ -466,7 +466,7 @@
     </message>
     <message>
         <source>--latitude is required: growlers and bergy bits drift to the right of the wind in the north, to the left in the south</source>
-        <translation>--latitude est requis&#xa0;: les bourguignons et les fragments d&apos;iceberg dérivent à droite du vent au nord, à gauche au sud</translation>
+        <translation>--latitude est requis : les bourguignons et les fragments d&apos;iceberg dérivent à droite du vent au nord, à gauche au sud</translation>
     </message>
     <message>
         <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
@@ -474,15 +474,15 @@
     </message>
     <message>
         <source>%1 can be reached from the network; MAVLink is neither encrypted nor signed</source>
-        <translation>%1 est accessible depuis le réseau&#xa0;; MAVLink n&apos;est ni chiffré ni signé</translation>
+        <translation>%1 est accessible depuis le réseau ; MAVLink n&apos;est ni chiffré ni signé</translation>
     </message>
     <message>
         <source>%1 ends here: it has 1 GiB</source>
-        <translation>%1 s&apos;arrête ici&#xa0;: il fait 1 Gio</translation>
+        <translation>%1 s&apos;arrête ici : il fait 1 Gio</translation>
     </message>
     <message>
         <source>the link is broken: %1</source>
-        <translation>la liaison est rompue&#xa0;: %1</translation>
+        <translation>la liaison est rompue : %1</translation>
     </message>
     <message>
         <source>the link is open again</source>
@@ -498,7 +498,7 @@
     </message>
     <message>
         <source>--uav: choose one; a link has at most %1 vehicles</source>
-        <translation>--uav&#xa0;: choisissez-en un&#xa0;; une liaison compte au plus %1 véhicules</translation>
+        <translation>--uav : choisissez-en un ; une liaison compte au plus %1 véhicules</translation>
     </message>
 </context>
 <context>
@@ -524,19 +524,19 @@
     </message>
     <message>
         <source>%1 ahead by %2 %</source>
-        <translation>%1 en avance de %2&#xa0;%</translation>
+        <translation>%1 en avance de %2 %</translation>
     </message>
     <message>
         <source>%1 and %2: the same ζ</source>
-        <translation>%1 et %2&#xa0;: même ζ</translation>
+        <translation>%1 et %2 : même ζ</translation>
     </message>
     <message>
         <source>%1 is ahead: %2 has %3 % more ζ</source>
-        <translation>%1 est en avance&#xa0;: %2 a %3&#xa0;% de ζ en plus</translation>
+        <translation>%1 est en avance : %2 a %3 % de ζ en plus</translation>
     </message>
     <message>
         <source>%1 is ahead: it has %3 % less ζ than %2</source>
-        <translation>%1 est en avance, avec %3&#xa0;% de ζ en moins que %2</translation>
+        <translation>%1 est en avance, avec %3 % de ζ en moins que %2</translation>
     </message>
 </context>
 <context>
@@ -547,7 +547,7 @@
     </message>
     <message>
         <source>Accumulated uncertainty, Eq. (24): less is better.</source>
-        <translation>Incertitude cumulée, éq. (24)&#xa0;: une valeur plus faible est meilleure.</translation>
+        <translation>Incertitude cumulée, éq. (24) : une valeur plus faible est meilleure.</translation>
     </message>
     <message>
         <source>Mean Σσ, m²</source>
@@ -555,7 +555,7 @@
     </message>
     <message>
         <source>Mean total uncertainty of all icebergs: ζ divided by the flown time.</source>
-        <translation>Incertitude totale moyenne de tous les icebergs&#xa0;: ζ divisé par le temps de vol.</translation>
+        <translation>Incertitude totale moyenne de tous les icebergs : ζ divisé par le temps de vol.</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -637,7 +637,7 @@
     </message>
     <message>
         <source>Save the changes to &quot;%1&quot;?</source>
-        <translation>Enregistrer les modifications de «&#xa0;%1&#xa0;»&#xa0;?</translation>
+        <translation>Enregistrer les modifications de « %1 » ?</translation>
     </message>
     <message>
         <source>Your changes will be lost if you don&apos;t save them.</source>
@@ -665,7 +665,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is open in another window.</source>
-        <translation>«&#xa0;%1&#xa0;» est ouvert dans une autre fenêtre.</translation>
+        <translation>« %1 » est ouvert dans une autre fenêtre.</translation>
     </message>
     <message>
         <source>%1 has it open. You can open a copy and save it under another name. If both windows save to this file, the last one wins.</source>
@@ -681,11 +681,11 @@
     </message>
     <message>
         <source>Overwrite the file?</source>
-        <translation>Remplacer le fichier&#xa0;?</translation>
+        <translation>Remplacer le fichier ?</translation>
     </message>
     <message>
         <source>Overwrite &quot;%1&quot;?</source>
-        <translation>Remplacer «&#xa0;%1&#xa0;»&#xa0;?</translation>
+        <translation>Remplacer « %1 » ?</translation>
     </message>
     <message>
         <source>Overwrite</source>
@@ -701,7 +701,7 @@
     </message>
     <message>
         <source>Another program has changed &quot;%1&quot;.</source>
-        <translation>Un autre programme a modifié «&#xa0;%1&#xa0;».</translation>
+        <translation>Un autre programme a modifié « %1 ».</translation>
     </message>
     <message>
         <source>You have no unsaved changes.</source>
@@ -721,11 +721,11 @@
     </message>
     <message>
         <source>A flight has started in the meantime. End it?</source>
-        <translation>Un vol a commencé entre-temps. Y mettre fin&#xa0;?</translation>
+        <translation>Un vol a commencé entre-temps. Y mettre fin ?</translation>
     </message>
     <message>
         <source>A flight is in progress. End it?</source>
-        <translation>Un vol est en cours. Y mettre fin&#xa0;?</translation>
+        <translation>Un vol est en cours. Y mettre fin ?</translation>
     </message>
     <message>
         <source>The scenario can only be changed when no flight is in progress. The flight stays in the list of runs.</source>
@@ -778,8 +778,8 @@
     <message numerus="yes">
         <source>Remove %n icebergs from this run?</source>
         <translation>
-            <numerusform>Retirer %n iceberg de ce vol&#xa0;?</numerusform>
-            <numerusform>Retirer %n icebergs de ce vol&#xa0;?</numerusform>
+            <numerusform>Retirer %n iceberg de ce vol ?</numerusform>
+            <numerusform>Retirer %n icebergs de ce vol ?</numerusform>
         </translation>
     </message>
     <message>
@@ -792,7 +792,7 @@
     </message>
     <message>
         <source>Degrees from true to magnetic north, positive east, negative west:</source>
-        <translation>Degrés du nord vrai au nord magnétique, positifs vers l&apos;est, négatifs vers l&apos;ouest&#xa0;:</translation>
+        <translation>Degrés du nord vrai au nord magnétique, positifs vers l&apos;est, négatifs vers l&apos;ouest :</translation>
     </message>
     <message>
         <source>%1: the UAV will not visit them any more.</source>
@@ -808,7 +808,7 @@
     </message>
     <message>
         <source>The flight goes back to that time and continues without the change. The flight since then is discarded; &quot;Restore&quot; brings it back.</source>
-        <translation>Le vol revient à cet instant et continue sans la modification. Le vol effectué depuis est abandonné&#xa0;; «&#xa0;Rétablir le vol&#xa0;» le ramène.</translation>
+        <translation>Le vol revient à cet instant et continue sans la modification. Le vol effectué depuis est abandonné ; « Rétablir le vol » le ramène.</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -819,7 +819,7 @@
     <name>DriftArrow</name>
     <message>
         <source>The arrow shows the drift over %1. Shift snaps to steps of %2°; Esc cancels.</source>
-        <translation>La flèche montre la dérive sur %1. Maj impose des pas de %2°&#xa0;; Esc annule.</translation>
+        <translation>La flèche montre la dérive sur %1. Maj impose des pas de %2° ; Esc annule.</translation>
     </message>
     <message>
         <source>Heading %1</source>
@@ -884,7 +884,7 @@
     <name>EventText</name>
     <message>
         <source>Planned: next %1</source>
-        <translation>Plan établi&#xa0;: %1 ensuite</translation>
+        <translation>Plan établi : %1 ensuite</translation>
     </message>
     <message>
         <source>%1 reached</source>
@@ -932,7 +932,7 @@
     </message>
     <message>
         <source>The planner failed: continuing with the previous plan</source>
-        <translation>Le planificateur a échoué&#xa0;: poursuite du plan précédent</translation>
+        <translation>Le planificateur a échoué : poursuite du plan précédent</translation>
     </message>
     <message>
         <source>Wind changed</source>
@@ -948,7 +948,7 @@
     </message>
     <message>
         <source>%1 is lost: not where it should be</source>
-        <translation>%1 est perdu&#xa0;: il n&apos;est pas à l&apos;endroit prévu</translation>
+        <translation>%1 est perdu : il n&apos;est pas à l&apos;endroit prévu</translation>
     </message>
     <message>
         <source>%1 found again</source>
@@ -1000,7 +1000,7 @@
     </message>
     <message>
         <source>%1 has nothing to visit: circling</source>
-        <translation>%1 n&apos;a rien à visiter&#xa0;: vol d&apos;attente</translation>
+        <translation>%1 n&apos;a rien à visiter : vol d&apos;attente</translation>
     </message>
     <message>
         <source>%1 flies to %2 next</source>
@@ -1024,15 +1024,15 @@
     </message>
     <message>
         <source>Told to resume</source>
-        <translation>Ordre reçu&#xa0;: reprendre</translation>
+        <translation>Ordre reçu : reprendre</translation>
     </message>
     <message>
         <source>Told to return now</source>
-        <translation>Ordre reçu&#xa0;: rentrer maintenant</translation>
+        <translation>Ordre reçu : rentrer maintenant</translation>
     </message>
     <message>
         <source>Told to hold here</source>
-        <translation>Ordre reçu&#xa0;: attendre ici</translation>
+        <translation>Ordre reçu : attendre ici</translation>
     </message>
     <message>
         <source>Home cannot be reached in time</source>
@@ -1072,7 +1072,7 @@
     </message>
     <message>
         <source>Nothing to visit now: circling</source>
-        <translation>Rien à visiter pour l&apos;instant&#xa0;: vol d&apos;attente</translation>
+        <translation>Rien à visiter pour l&apos;instant : vol d&apos;attente</translation>
     </message>
 </context>
 <context>
@@ -1118,7 +1118,7 @@
     </message>
     <message>
         <source>Paths in the colours of the UAVs, with times if the scenario has a start; icebergs with their numbers.</source>
-        <translation>Trajectoires aux couleurs des drones, avec les heures si le scénario a un début&#xa0;; icebergs avec leurs valeurs.</translation>
+        <translation>Trajectoires aux couleurs des drones, avec les heures si le scénario a un début ; icebergs avec leurs valeurs.</translation>
     </message>
     <message>
         <source>Uncertainty</source>
@@ -1154,7 +1154,7 @@
     </message>
     <message>
         <source>Table of the order with legs, coordinates and arrivals; of a path or what was flown one row for each point.</source>
-        <translation>Tableau de l&apos;ordre avec segments, coordonnées et arrivées&#xa0;; pour une trajectoire ou le vol effectué, une ligne par point.</translation>
+        <translation>Tableau de l&apos;ordre avec segments, coordonnées et arrivées ; pour une trajectoire ou le vol effectué, une ligne par point.</translation>
     </message>
     <message>
         <source>Autopilots</source>
@@ -1250,7 +1250,7 @@
     </message>
     <message>
         <source>Two or three pages: planned and flown, map, zeta against prediction, sightings, deviations.</source>
-        <translation>Deux ou trois pages&#xa0;: vol planifié et vol effectué, carte, zêta par rapport à la prévision, observations, écarts.</translation>
+        <translation>Deux ou trois pages : vol planifié et vol effectué, carte, zêta par rapport à la prévision, observations, écarts.</translation>
     </message>
     <message>
         <source>Return home</source>
@@ -1262,7 +1262,7 @@
     </message>
     <message>
         <source>To print and carry: map, order with coordinates, legs and times, wind, warnings; plus a second page if there is an operation volume.</source>
-        <translation>À imprimer et à emporter&#xa0;: carte, ordre avec coordonnées, segments et heures, vent, avertissements&#xa0;; plus une seconde page s&apos;il y a un volume opérationnel.</translation>
+        <translation>À imprimer et à emporter : carte, ordre avec coordonnées, segments et heures, vent, avertissements ; plus une seconde page s&apos;il y a un volume opérationnel.</translation>
     </message>
     <message>
         <source>Mission items from take-off to landing for the autopilot of the UAV, the geofence and a rally point at home. Also read by Mission Planner and MAVSDK. One file per UAV.</source>
@@ -1431,11 +1431,11 @@
     </message>
     <message>
         <source>Positions are WGS 84. Icebergs drift: each is listed where it was when reached. Courses and distances are over ground.</source>
-        <translation>Les positions sont en WGS 84. Les icebergs dérivent&#xa0;: chacun est donné là où il était lorsqu&apos;il a été atteint. Routes et distances sur le fond.</translation>
+        <translation>Les positions sont en WGS 84. Les icebergs dérivent : chacun est donné là où il était lorsqu&apos;il a été atteint. Routes et distances sur le fond.</translation>
     </message>
     <message>
         <source>Positions are WGS 84. Icebergs drift: each is listed where it is expected at arrival. Courses and distances are over ground.</source>
-        <translation>Les positions sont en WGS 84. Les icebergs dérivent&#xa0;: chacun est donné là où il est attendu à l&apos;arrivée. Routes et distances sur le fond.</translation>
+        <translation>Les positions sont en WGS 84. Les icebergs dérivent : chacun est donné là où il est attendu à l&apos;arrivée. Routes et distances sur le fond.</translation>
     </message>
     <message>
         <source>Origin %1</source>
@@ -1443,7 +1443,7 @@
     </message>
     <message>
         <source>Flight brief: %1</source>
-        <translation>Fiche de vol&#xa0;: %1</translation>
+        <translation>Fiche de vol : %1</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -1507,39 +1507,39 @@
     </message>
     <message>
         <source>and %1 more; export CSV for the whole list</source>
-        <translation>et %1 de plus&#xa0;; exportez en CSV pour la liste complète</translation>
+        <translation>et %1 de plus ; exportez en CSV pour la liste complète</translation>
     </message>
     <message>
         <source>and %1 more UAVs; export CSV for the whole list</source>
-        <translation>et %1 drones de plus&#xa0;; exportez en CSV pour la liste complète</translation>
+        <translation>et %1 drones de plus ; exportez en CSV pour la liste complète</translation>
     </message>
     <message>
         <source>Lost, not found where expected (%1): %2</source>
-        <translation>Perdus, non trouvés à l&apos;endroit attendu (%1)&#xa0;: %2</translation>
+        <translation>Perdus, non trouvés à l&apos;endroit attendu (%1) : %2</translation>
     </message>
     <message>
         <source>Search given up (%1): %2</source>
-        <translation>Abandonnés après une recherche (%1)&#xa0;: %2</translation>
+        <translation>Abandonnés après une recherche (%1) : %2</translation>
     </message>
     <message>
         <source>Not visited (%1): %2</source>
-        <translation>Non rejoints (%1)&#xa0;: %2</translation>
+        <translation>Non rejoints (%1) : %2</translation>
     </message>
     <message>
         <source>Not in the order (%1): %2</source>
-        <translation>Hors de l&apos;ordre de visite (%1)&#xa0;: %2</translation>
+        <translation>Hors de l&apos;ordre de visite (%1) : %2</translation>
     </message>
     <message>
         <source>The order is not proven optimal: %1.</source>
-        <translation>L&apos;optimalité de l&apos;ordre n&apos;est pas prouvée&#xa0;: %1.</translation>
+        <translation>L&apos;optimalité de l&apos;ordre n&apos;est pas prouvée : %1.</translation>
     </message>
     <message>
         <source>Geofence in force: stay inside the area.</source>
-        <translation>Barrière virtuelle en vigueur&#xa0;: rester dans la zone.</translation>
+        <translation>Barrière virtuelle en vigueur : rester dans la zone.</translation>
     </message>
     <message>
         <source>UAVs share an altitude layer: keep them %1 apart. They do not avoid each other.</source>
-        <translation>Des drones partagent une tranche d&apos;altitude&#xa0;: les maintenir à %1 les uns des autres. Ils ne s&apos;évitent pas.</translation>
+        <translation>Des drones partagent une tranche d&apos;altitude : les maintenir à %1 les uns des autres. Ils ne s&apos;évitent pas.</translation>
     </message>
     <message>
         <source>Nothing to visit</source>
@@ -1547,7 +1547,7 @@
     </message>
     <message>
         <source>Solver limit reached; previous plan kept</source>
-        <translation>Limite du solveur atteinte&#xa0;; plan précédent conservé</translation>
+        <translation>Limite du solveur atteinte ; plan précédent conservé</translation>
     </message>
     <message>
         <source>Chosen one iceberg at a time</source>
@@ -1559,7 +1559,7 @@
     </message>
     <message>
         <source>Within %1 % of optimal</source>
-        <translation>À moins de %1&#xa0;% de l&apos;optimum</translation>
+        <translation>À moins de %1 % de l&apos;optimum</translation>
     </message>
     <message>
         <source>Best order found</source>
@@ -1571,7 +1571,7 @@
     </message>
     <message>
         <source>Error: %1</source>
-        <translation>Erreur&#xa0;: %1</translation>
+        <translation>Erreur : %1</translation>
     </message>
     <message>
         <source>The planner reached its limit without an order. The UAV flies the rest of the previous plan, or to the nearest iceberg.</source>
@@ -1587,7 +1587,7 @@
     </message>
     <message>
         <source>%1 (%2): %3</source>
-        <translation>%1 (%2)&#xa0;: %3</translation>
+        <translation>%1 (%2) : %3</translation>
     </message>
     <message>
         <source>Times do not include the loiter turns, which add %1 at each iceberg, %2 in total.</source>
@@ -1595,7 +1595,7 @@
     </message>
     <message>
         <source>With the loiter turns the endurance is too short: %1</source>
-        <translation>Avec les tours d&apos;attente, l&apos;autonomie est insuffisante&#xa0;: %1</translation>
+        <translation>Avec les tours d&apos;attente, l&apos;autonomie est insuffisante : %1</translation>
     </message>
     <message>
         <source>Reserve</source>
@@ -1603,15 +1603,15 @@
     </message>
     <message>
         <source>No-fly area: %1.</source>
-        <translation>Zone interdite&#xa0;: %1.</translation>
+        <translation>Zone interdite : %1.</translation>
     </message>
     <message>
         <source>No-fly area %1: %2.</source>
-        <translation>Zone interdite %1&#xa0;: %2.</translation>
+        <translation>Zone interdite %1 : %2.</translation>
     </message>
     <message>
         <source>Stand-off from the asset: %1, %2.</source>
-        <translation>Distance de sécurité au bien protégé&#xa0;: %1, %2.</translation>
+        <translation>Distance de sécurité au bien protégé : %1, %2.</translation>
     </message>
     <message>
         <source>Climb and landing</source>
@@ -1627,11 +1627,11 @@
     </message>
     <message>
         <source>Probability of being in view on arrival: %1</source>
-        <translation>Probabilité d&apos;être en vue à l&apos;arrivée&#xa0;: %1</translation>
+        <translation>Probabilité d&apos;être en vue à l&apos;arrivée : %1</translation>
     </message>
     <message>
         <source>Straight legs that leave the geofence or cross a no-fly area: %1. The UAV flies around.</source>
-        <translation>Segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite&#xa0;: %1. Le drone les contourne.</translation>
+        <translation>Segments droits qui sortent de la barrière virtuelle ou traversent une zone interdite : %1. Le drone les contourne.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -1692,7 +1692,7 @@
     </message>
     <message>
         <source>Autopilot mission: %1.</source>
-        <translation>Mission de l&apos;autopilote&#xa0;: %1.</translation>
+        <translation>Mission de l&apos;autopilote : %1.</translation>
     </message>
 </context>
 <context>
@@ -1707,7 +1707,7 @@
     </message>
     <message>
         <source>Release to keep this wind. Shift snaps to steps of %1°; Esc cancels.</source>
-        <translation>Relâchez pour garder ce vent. Maj impose des pas de %1°&#xa0;; Esc annule.</translation>
+        <translation>Relâchez pour garder ce vent. Maj impose des pas de %1° ; Esc annule.</translation>
     </message>
     <message>
         <source>Release to move the asset here now. Esc cancels.</source>
@@ -1749,7 +1749,7 @@
     </message>
     <message>
         <source>Wind above its limit: %1, limit %2</source>
-        <translation>Vent au-dessus de la limite&#xa0;: %1, limite %2</translation>
+        <translation>Vent au-dessus de la limite : %1, limite %2</translation>
     </message>
     <message>
         <source>Holding as ordered</source>
@@ -1765,7 +1765,7 @@
     </message>
     <message>
         <source>%1 is lost; the search was abandoned</source>
-        <translation>%1 est perdu&#xa0;; la recherche a été abandonnée</translation>
+        <translation>%1 est perdu ; la recherche a été abandonnée</translation>
     </message>
     <message>
         <source>It was not in view where it was expected.</source>
@@ -1773,7 +1773,7 @@
     </message>
     <message>
         <source>Makes little headway: wind %1, airspeed %2</source>
-        <translation>Progresse peu&#xa0;: vent %1, vitesse air %2</translation>
+        <translation>Progresse peu : vent %1, vitesse air %2</translation>
     </message>
 </context>
 <context>
@@ -1791,7 +1791,7 @@
     </message>
     <message>
         <source>Release to keep this heading. Shift snaps to steps of %1°; Esc cancels.</source>
-        <translation>Relâchez pour garder ce cap. Maj impose des pas de %1°&#xa0;; Esc annule.</translation>
+        <translation>Relâchez pour garder ce cap. Maj impose des pas de %1° ; Esc annule.</translation>
     </message>
     <message>
         <source>Add corner</source>
@@ -1872,7 +1872,7 @@
     </message>
     <message>
         <source>Uncertainty of the position now; the bar is on the scale of the map</source>
-        <translation>Incertitude actuelle de la position&#xa0;; la barre est à l&apos;échelle de la carte</translation>
+        <translation>Incertitude actuelle de la position ; la barre est à l&apos;échelle de la carte</translation>
     </message>
     <message>
         <source>State</source>
@@ -1916,15 +1916,15 @@
     </message>
     <message>
         <source>Position east of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
-        <translation>Position à l&apos;est de l&apos;origine du scénario&#xa0;: avant le décollage, celle du début&#xa0;; en vol, l&apos;estimation</translation>
+        <translation>Position à l&apos;est de l&apos;origine du scénario : avant le décollage, celle du début ; en vol, l&apos;estimation</translation>
     </message>
     <message>
         <source>Position north of the scenario&apos;s origin: before take-off at the start, in flight the estimate</source>
-        <translation>Position au nord de l&apos;origine du scénario&#xa0;: avant le décollage, celle du début&#xa0;; en vol, l&apos;estimation</translation>
+        <translation>Position au nord de l&apos;origine du scénario : avant le décollage, celle du début ; en vol, l&apos;estimation</translation>
     </message>
     <message>
         <source>Known drift; in flight it includes the current</source>
-        <translation>Dérive connue&#xa0;; en vol, le courant y est compris</translation>
+        <translation>Dérive connue ; en vol, le courant y est compris</translation>
     </message>
     <message>
         <source>Direction, °</source>
@@ -1960,7 +1960,7 @@
     </message>
     <message>
         <source>Closest point of approach: smallest predicted distance from the asset within the next hour. A warning sign beside the name means that the iceberg will enter the inner ring</source>
-        <translation>Point de rapprochement maximal (CPA)&#xa0;: plus petite distance prévue au bien protégé dans l&apos;heure qui vient. Un signe d&apos;avertissement à côté du nom indique que l&apos;iceberg entrera dans l&apos;anneau intérieur</translation>
+        <translation>Point de rapprochement maximal (CPA) : plus petite distance prévue au bien protégé dans l&apos;heure qui vient. Un signe d&apos;avertissement à côté du nom indique que l&apos;iceberg entrera dans l&apos;anneau intérieur</translation>
     </message>
     <message>
         <source>TCPA</source>
@@ -1980,7 +1980,7 @@
     </message>
     <message>
         <source>Position, in flight the estimate. Type or paste any form; a whole coordinate sets both</source>
-        <translation>Position, en vol l&apos;estimation. Saisissez ou collez toute forme&#xa0;; une coordonnée complète règle les deux</translation>
+        <translation>Position, en vol l&apos;estimation. Saisissez ou collez toute forme ; une coordonnée complète règle les deux</translation>
     </message>
     <message>
         <source>Drift east, %1</source>
@@ -2012,7 +2012,7 @@
     </message>
     <message>
         <source>Radius around the present position that contains the iceberg with a probability of 95 %</source>
-        <translation>Rayon autour de la position actuelle qui contient l&apos;iceberg avec une probabilité de 95&#xa0;%</translation>
+        <translation>Rayon autour de la position actuelle qui contient l&apos;iceberg avec une probabilité de 95 %</translation>
     </message>
 </context>
 <context>
@@ -2023,15 +2023,15 @@
     </message>
     <message>
         <source>Row %1 has a cell &quot;%2&quot; to the right of the last column.</source>
-        <translation>Ligne %1&#xa0;: la cellule «&#xa0;%2&#xa0;» est à droite de la dernière colonne.</translation>
+        <translation>Ligne %1 : la cellule « %2 » est à droite de la dernière colonne.</translation>
     </message>
     <message>
         <source>Row %1, column &quot;%2&quot;: &quot;%3&quot; is not a number.</source>
-        <translation>Ligne %1, colonne «&#xa0;%2&#xa0;»&#xa0;: «&#xa0;%3&#xa0;» n&apos;est pas un nombre.</translation>
+        <translation>Ligne %1, colonne « %2 » : « %3 » n&apos;est pas un nombre.</translation>
     </message>
     <message>
         <source>Row %1, column &quot;%2&quot;: %3 is not from %4 to %5.</source>
-        <translation>Ligne %1, colonne «&#xa0;%2&#xa0;»&#xa0;: %3 n&apos;est pas compris entre %4 et %5.</translation>
+        <translation>Ligne %1, colonne « %2 » : %3 n&apos;est pas compris entre %4 et %5.</translation>
     </message>
     <message>
         <source>Nothing was pasted.</source>
@@ -2039,16 +2039,16 @@
     </message>
     <message>
         <source>Row %1, column &quot;%2&quot;, &quot;%3&quot;: %4</source>
-        <translation>Ligne %1, colonne «&#xa0;%2&#xa0;», «&#xa0;%3&#xa0;»&#xa0;: %4</translation>
+        <translation>Ligne %1, colonne « %2 », « %3 » : %4</translation>
     </message>
     <message>
         <source>Row %1: %2</source>
-        <translation>Ligne %1&#xa0;: %2</translation>
+        <translation>Ligne %1 : %2</translation>
     </message>
     <message>
         <source>Row %1: %2</source>
         <comment>row, fault</comment>
-        <translation>Ligne %1&#xa0;: %2</translation>
+        <translation>Ligne %1 : %2</translation>
     </message>
 </context>
 <context>
@@ -2091,7 +2091,7 @@
     </message>
     <message>
         <source>&gt; 1 h</source>
-        <translation>&gt; 1&#xa0;h</translation>
+        <translation>&gt; 1 h</translation>
     </message>
     <message>
         <source>lost, being searched for</source>
@@ -2107,7 +2107,7 @@
     </message>
     <message>
         <source>It is still approaching after one hour; this is its distance then.</source>
-        <translation>Il se rapproche encore au bout d&apos;une heure&#xa0;; voici sa distance à ce moment.</translation>
+        <translation>Il se rapproche encore au bout d&apos;une heure ; voici sa distance à ce moment.</translation>
     </message>
     <message>
         <source>target of %1</source>
@@ -2402,7 +2402,7 @@
     </message>
     <message>
         <source>Line %1: %2 is read month first, which nothing in the file tells. Choose under Dates if the day comes first.</source>
-        <translation>Ligne %1&#xa0;: %2 est lu avec le mois en premier&#xa0;; rien dans le fichier ne l&apos;indique. Choisissez sous «&#xa0;Dates&#xa0;» si le jour vient en premier.</translation>
+        <translation>Ligne %1 : %2 est lu avec le mois en premier ; rien dans le fichier ne l&apos;indique. Choisissez sous « Dates » si le jour vient en premier.</translation>
     </message>
     <message>
         <source>Source</source>
@@ -2471,7 +2471,7 @@
     </message>
     <message>
         <source>standard deviation %1 m</source>
-        <translation>écart-type %1&#xa0;m</translation>
+        <translation>écart-type %1 m</translation>
     </message>
     <message>
         <source> s ago</source>
@@ -2686,11 +2686,11 @@
     </message>
     <message>
         <source>No-fly area: %1</source>
-        <translation>Zone interdite&#xa0;: %1</translation>
+        <translation>Zone interdite : %1</translation>
     </message>
     <message>
         <source>No-fly area %1: %2</source>
-        <translation>Zone interdite %1&#xa0;: %2</translation>
+        <translation>Zone interdite %1 : %2</translation>
     </message>
     <message>
         <source>Separate altitudes</source>
@@ -2702,7 +2702,7 @@
     </message>
     <message>
         <source>Speed of a ship; 0 for a platform.</source>
-        <translation>Vitesse d&apos;un navire&#xa0;; 0 pour une plateforme.</translation>
+        <translation>Vitesse d&apos;un navire ; 0 pour une plateforme.</translation>
     </message>
     <message>
         <source>Course</source>
@@ -2730,7 +2730,7 @@
     </message>
     <message>
         <source>Any form; a whole coordinate sets both.</source>
-        <translation>Sous toute forme&#xa0;; une coordonnée complète règle les deux.</translation>
+        <translation>Sous toute forme ; une coordonnée complète règle les deux.</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -2794,7 +2794,7 @@
     </message>
     <message>
         <source>Proposed volume for a permit application; check it with your authority. Shown on the map, in KML and GeoJSON, and on a second page of the flight brief.</source>
-        <translation>Volume proposé pour une demande d&apos;autorisation&#xa0;; à vérifier avec votre autorité. Affiché sur la carte, en KML et GeoJSON, et sur une seconde page de la fiche de vol.</translation>
+        <translation>Volume proposé pour une demande d&apos;autorisation ; à vérifier avec votre autorité. Affiché sur la carte, en KML et GeoJSON, et sur une seconde page de la fiche de vol.</translation>
     </message>
     <message>
         <source>Contingency volume %1 wide, %2 high
@@ -2806,7 +2806,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Airspace %1: %2</source>
-        <translation>Espace aérien %1&#xa0;: %2</translation>
+        <translation>Espace aérien %1 : %2</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -2874,7 +2874,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>When last seen, the iceberg was within this radius with a probability of 95 %: the square root of 5.99 σ₀.</source>
-        <translation>Lors de la dernière observation, l&apos;iceberg était dans ce rayon avec une probabilité de 95&#xa0;%&#xa0;: racine carrée de 5,99 σ₀.</translation>
+        <translation>Lors de la dernière observation, l&apos;iceberg était dans ce rayon avec une probabilité de 95 % : racine carrée de 5,99 σ₀.</translation>
     </message>
     <message>
         <source>Seen by</source>
@@ -3057,11 +3057,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>line %1, column %2: %3</source>
-        <translation>ligne %1, colonne %2&#xa0;: ce n&apos;est pas du JSON valide</translation>
+        <translation>ligne %1, colonne %2 : ce n&apos;est pas du JSON valide</translation>
     </message>
     <message>
         <source>line %1, column %2: %3: a number too large for this program</source>
-        <translation>ligne %1, colonne %2&#xa0;: %3&#xa0;: un nombre trop grand pour ce programme</translation>
+        <translation>ligne %1, colonne %2 : %3 : un nombre trop grand pour ce programme</translation>
     </message>
     <message>
         <source>nested deeper than %1 levels</source>
@@ -3069,23 +3069,23 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1&#xa0;: ce n&apos;est pas du XML valide</translation>
+        <translation>ligne %1 : ce n&apos;est pas du XML valide</translation>
     </message>
     <message>
         <source>is no %1 file: must be %2, not %3</source>
-        <translation>n&apos;est pas un fichier %1&#xa0;: doit être %2, et non %3</translation>
+        <translation>n&apos;est pas un fichier %1 : doit être %2, et non %3</translation>
     </message>
     <message>
         <source>must be &quot;%1&quot;</source>
-        <translation>doit être «&#xa0;%1&#xa0;»</translation>
+        <translation>doit être « %1 »</translation>
     </message>
     <message>
         <source>must be &quot;%1&quot;, not &quot;%2&quot;</source>
-        <translation>doit être «&#xa0;%1&#xa0;», et non «&#xa0;%2&#xa0;»</translation>
+        <translation>doit être « %1 », et non « %2 »</translation>
     </message>
     <message>
         <source>%1 is not known: this program reads %2</source>
-        <translation>%1 n&apos;est pas connu&#xa0;: ce programme lit %2</translation>
+        <translation>%1 n&apos;est pas connu : ce programme lit %2</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -3109,7 +3109,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>must be one of %1</source>
-        <translation>doit être l&apos;un des suivants&#xa0;: %1</translation>
+        <translation>doit être l&apos;un des suivants : %1</translation>
     </message>
     <message>
         <source>must be a whole number from %1 to %2, not %3</source>
@@ -3117,11 +3117,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre</translation>
+        <translation>« %1 » n&apos;est pas un nombre</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number: decimals follow a point</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre&#xa0;: les décimales suivent un point</translation>
+        <translation>« %1 » n&apos;est pas un nombre : les décimales suivent un point</translation>
     </message>
     <message>
         <source>must be a finite number of at least 0</source>
@@ -3161,7 +3161,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>no iceberg &quot;%1&quot; is there at this time</source>
-        <translation>il n&apos;y a pas d&apos;iceberg «&#xa0;%1&#xa0;» à cet instant</translation>
+        <translation>il n&apos;y a pas d&apos;iceberg « %1 » à cet instant</translation>
     </message>
     <message>
         <source>with these, the run must hold at most %1 icebergs, not %2</source>
@@ -3185,11 +3185,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>is too large: the cost of a plan may exceed %1</source>
-        <translation>est trop grand&#xa0;: le coût d&apos;un plan peut dépasser %1</translation>
+        <translation>est trop grand : le coût d&apos;un plan peut dépasser %1</translation>
     </message>
     <message>
         <source>is too small: a cost that is not 0 is less than %1</source>
-        <translation>est trop petit&#xa0;: un coût qui n&apos;est pas 0 est inférieur à %1</translation>
+        <translation>est trop petit : un coût qui n&apos;est pas 0 est inférieur à %1</translation>
     </message>
     <message>
         <source>must not be empty when random is 0</source>
@@ -3197,7 +3197,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>must name a policy; visitation needs taus</source>
-        <translation>doit nommer une stratégie&#xa0;; visitation a besoin de valeurs de τ</translation>
+        <translation>doit nommer une stratégie ; visitation a besoin de valeurs de τ</translation>
     </message>
     <message>
         <source>must be I of N with 1 &lt;= I &lt;= N</source>
@@ -3205,11 +3205,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>differs: parts of one study are wanted</source>
-        <translation>diffère&#xa0;: il faut des parties d&apos;une même étude</translation>
+        <translation>diffère : il faut des parties d&apos;une même étude</translation>
     </message>
     <message>
         <source>setting %1 of case %2 has two different outcomes: the parts were not flown by the same program</source>
-        <translation>le réglage %1 du cas %2 a deux résultats différents&#xa0;: les parties n&apos;ont pas été calculées par le même programme</translation>
+        <translation>le réglage %1 du cas %2 a deux résultats différents : les parties n&apos;ont pas été calculées par le même programme</translation>
     </message>
     <message>
         <source>no study is kept in this page</source>
@@ -3217,7 +3217,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>would become larger than %1 MiB: take fewer scenarios, or several studies</source>
-        <translation>dépasserait %1&#xa0;Mio&#xa0;: prenez moins de scénarios, ou plusieurs études</translation>
+        <translation>dépasserait %1 Mio : prenez moins de scénarios, ou plusieurs études</translation>
     </message>
     <message>
         <source>recorded %1, replayed %2</source>
@@ -3225,31 +3225,31 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>at %1 s: recorded %2, replayed %3</source>
-        <translation>à %1&#xa0;s&#xa0;: enregistré %2, rejoué %3</translation>
+        <translation>à %1 s : enregistré %2, rejoué %3</translation>
     </message>
     <message>
         <source>at %1 s: the replay has another</source>
-        <translation>à %1&#xa0;s&#xa0;: le vol rejoué diffère</translation>
+        <translation>à %1 s : le vol rejoué diffère</translation>
     </message>
     <message>
         <source>at %1 s: not reached by the replay</source>
-        <translation>à %1&#xa0;s&#xa0;: non atteint par le vol rejoué</translation>
+        <translation>à %1 s : non atteint par le vol rejoué</translation>
     </message>
     <message>
         <source>solves were cut by the clock, so this run is not bound to repeat</source>
-        <translation>des résolutions ont été interrompues par l&apos;horloge&#xa0;; ce vol ne se répète donc pas forcément</translation>
+        <translation>des résolutions ont été interrompues par l&apos;horloge ; ce vol ne se répète donc pas forcément</translation>
     </message>
     <message>
         <source>cannot be opened: %1</source>
-        <translation>ne peut pas être ouvert&#xa0;: %1</translation>
+        <translation>ne peut pas être ouvert : %1</translation>
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation>ne peut pas être lu&#xa0;: %1</translation>
+        <translation>ne peut pas être lu : %1</translation>
     </message>
     <message>
         <source>cannot be written: %1</source>
-        <translation>ne peut pas être écrit&#xa0;: %1</translation>
+        <translation>ne peut pas être écrit : %1</translation>
     </message>
     <message>
         <source>cannot be made</source>
@@ -3269,31 +3269,31 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>is larger than %1 MiB</source>
-        <translation>dépasse %1&#xa0;Mio</translation>
+        <translation>dépasse %1 Mio</translation>
     </message>
     <message>
         <source>is larger than %1 MiB; %2 in the environment doubles the limits of reading</source>
-        <translation>dépasse %1&#xa0;Mio&#xa0;; %2 dans l&apos;environnement double les limites de lecture</translation>
+        <translation>dépasse %1 Mio ; %2 dans l&apos;environnement double les limites de lecture</translation>
     </message>
     <message>
         <source>holds more than %1 values; %2 in the environment doubles the limits of reading</source>
-        <translation>contient plus de %1 valeurs&#xa0;; %2 dans l&apos;environnement double les limites de lecture</translation>
+        <translation>contient plus de %1 valeurs ; %2 dans l&apos;environnement double les limites de lecture</translation>
     </message>
     <message>
         <source>holds more than %1 rows or features; %2 in the environment doubles the limits of reading</source>
-        <translation>contient plus de %1 lignes ou entités&#xa0;; %2 dans l&apos;environnement double les limites de lecture</translation>
+        <translation>contient plus de %1 lignes ou entités ; %2 dans l&apos;environnement double les limites de lecture</translation>
     </message>
     <message>
         <source>would take more than %1 MB of memory, the limit for a file of its size: split it, or leave out what is empty; %2 in the environment doubles the limits of reading</source>
-        <translation>prendrait plus de %1&#xa0;Mo de mémoire, la limite pour un fichier de cette taille&#xa0;: divisez-le ou omettez ce qui est vide&#xa0;; %2 dans l&apos;environnement double les limites de lecture</translation>
+        <translation>prendrait plus de %1 Mo de mémoire, la limite pour un fichier de cette taille : divisez-le ou omettez ce qui est vide ; %2 dans l&apos;environnement double les limites de lecture</translation>
     </message>
     <message>
         <source>there are more than %1 icebergs to choose from: narrow the area or the time; %2 in the environment doubles the limits of reading</source>
-        <translation>il y a plus de %1 icebergs parmi lesquels choisir&#xa0;: réduisez la zone ou la période&#xa0;; %2 dans l&apos;environnement double les limites de lecture</translation>
+        <translation>il y a plus de %1 icebergs parmi lesquels choisir : réduisez la zone ou la période ; %2 dans l&apos;environnement double les limites de lecture</translation>
     </message>
     <message>
         <source>is an archive that cannot be read: it is cut off or damaged</source>
-        <translation>est une archive illisible&#xa0;: elle est tronquée ou endommagée</translation>
+        <translation>est une archive illisible : elle est tronquée ou endommagée</translation>
     </message>
     <message>
         <source>is a compressed archive (such as XLSX) without a file *%1</source>
@@ -3313,7 +3313,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>is UTF-16 text; save it as UTF-8</source>
-        <translation>est un texte UTF-16&#xa0;; enregistrez-le en UTF-8</translation>
+        <translation>est un texte UTF-16 ; enregistrez-le en UTF-8</translation>
     </message>
     <message>
         <source>is no text file</source>
@@ -3321,7 +3321,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>no import format &quot;%1&quot;; there are %2</source>
-        <translation>il n&apos;y a pas de format d&apos;importation «&#xa0;%1&#xa0;»&#xa0;; il y a %2</translation>
+        <translation>il n&apos;y a pas de format d&apos;importation « %1 » ; il y a %2</translation>
     </message>
     <message>
         <source>columns of the format %1 cannot be mapped</source>
@@ -3333,15 +3333,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>there is no column &quot;%1&quot;</source>
-        <translation>il n&apos;y a pas de colonne «&#xa0;%1&#xa0;»</translation>
+        <translation>il n&apos;y a pas de colonne « %1 »</translation>
     </message>
     <message>
         <source>no column holds it; name one with a mapping</source>
-        <translation>aucune colonne ne le contient&#xa0;; associez-en une</translation>
+        <translation>aucune colonne ne le contient ; associez-en une</translation>
     </message>
     <message>
         <source>columns %1 and %2 are both called &quot;%3&quot;: rename one</source>
-        <translation>les colonnes %1 et %2&#xa0;s&apos;appellent toutes deux «&#xa0;%3&#xa0;»&#xa0;: renommez-en une</translation>
+        <translation>les colonnes %1 et %2 s&apos;appellent toutes deux « %3 » : renommez-en une</translation>
     </message>
     <message>
         <source>the first line must name from 1 to %1 columns</source>
@@ -3405,7 +3405,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>is more than 1000 km east, west, north or south of the origin</source>
-        <translation>est à plus de 1000&#xa0;km à l&apos;est, à l&apos;ouest, au nord ou au sud de l&apos;origine</translation>
+        <translation>est à plus de 1000 km à l&apos;est, à l&apos;ouest, au nord ou au sud de l&apos;origine</translation>
     </message>
     <message>
         <source>there is no room for more</source>
@@ -3413,19 +3413,19 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>must lie within %1 m</source>
-        <translation>doit se trouver à moins de %1&#xa0;m</translation>
+        <translation>doit se trouver à moins de %1 m</translation>
     </message>
     <message>
         <source>only %1 of %2 icebergs found a place at least %3 m from the others</source>
-        <translation>seuls %1 icebergs sur %2 ont trouvé une place à au moins %3&#xa0;m des autres</translation>
+        <translation>seuls %1 icebergs sur %2 ont trouvé une place à au moins %3 m des autres</translation>
     </message>
     <message>
         <source>only %1 of %2 icebergs found a place: the area is too thin</source>
-        <translation>seuls %1 icebergs sur %2 ont trouvé une place&#xa0;: la zone est trop étroite</translation>
+        <translation>seuls %1 icebergs sur %2 ont trouvé une place : la zone est trop étroite</translation>
     </message>
     <message>
         <source>a scenario has no such file: nothing was flown</source>
-        <translation>un scénario n&apos;a pas de tel fichier&#xa0;: aucun vol n&apos;a été effectué</translation>
+        <translation>un scénario n&apos;a pas de tel fichier : aucun vol n&apos;a été effectué</translation>
     </message>
     <message>
         <source>must be above the speed of the wind</source>
@@ -3437,7 +3437,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>%1 holds one UAV: choose one</source>
-        <translation>%1 contient un seul drone&#xa0;: choisissez-en un</translation>
+        <translation>%1 contient un seul drone : choisissez-en un</translation>
     </message>
     <message>
         <source>%1 is painted, which needs the program bergwatch</source>
@@ -3445,15 +3445,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>cannot be exported: at %1 s of the flight, later than any date</source>
-        <translation>ne peut pas être exporté&#xa0;: à %1&#xa0;s du vol, au-delà de toute date</translation>
+        <translation>ne peut pas être exporté : à %1 s du vol, au-delà de toute date</translation>
     </message>
     <message>
         <source>cannot be exported: at %1 s it is %2 m from the origin of the map, which holds %3 m</source>
-        <translation>ne peut pas être exporté&#xa0;: à %1&#xa0;s, il est à %2&#xa0;m de l&apos;origine de la carte, qui s&apos;étend sur %3&#xa0;m</translation>
+        <translation>ne peut pas être exporté : à %1 s, il est à %2 m de l&apos;origine de la carte, qui s&apos;étend sur %3 m</translation>
     </message>
     <message>
         <source>cannot be exported: its turns are not finite</source>
-        <translation>ne peut pas être exporté&#xa0;: ses virages ne sont pas finis</translation>
+        <translation>ne peut pas être exporté : ses virages ne sont pas finis</translation>
     </message>
     <message>
         <source>the scenario cannot be planned</source>
@@ -3541,19 +3541,19 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>the program bergwatch-cbc is not there: %1</source>
-        <translation>le programme bergwatch-cbc est introuvable&#xa0;: %1</translation>
+        <translation>le programme bergwatch-cbc est introuvable : %1</translation>
     </message>
     <message>
         <source>must be at least %1 for a run of this length and so many icebergs, not %2; %3 in the environment doubles the limits of reading</source>
-        <translation>doit être au moins %1 pour un vol de cette durée et autant d&apos;icebergs, et non %2&#xa0;; %3 dans l&apos;environnement double les limites de lecture</translation>
+        <translation>doit être au moins %1 pour un vol de cette durée et autant d&apos;icebergs, et non %2 ; %3 dans l&apos;environnement double les limites de lecture</translation>
     </message>
     <message>
         <source>with the policies would be %1 settings; at most %2 fit into one study: take several</source>
-        <translation>donnerait, avec les stratégies, %1 réglages&#xa0;; une étude en contient au plus %2&#xa0;: prenez-en plusieurs</translation>
+        <translation>donnerait, avec les stratégies, %1 réglages ; une étude en contient au plus %2 : prenez-en plusieurs</translation>
     </message>
     <message>
         <source>would be %1 missions; at most %2 fit into one study: take several</source>
-        <translation>donnerait %1 missions&#xa0;; une étude en contient au plus %2&#xa0;: prenez-en plusieurs</translation>
+        <translation>donnerait %1 missions ; une étude en contient au plus %2 : prenez-en plusieurs</translation>
     </message>
     <message>
         <source>names an iceberg, but the run holds none</source>
@@ -3561,7 +3561,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>is no airspace: neither OpenAir nor GeoJSON</source>
-        <translation>n&apos;est pas un espace aérien&#xa0;: ni OpenAir ni GeoJSON</translation>
+        <translation>n&apos;est pas un espace aérien : ni OpenAir ni GeoJSON</translation>
     </message>
     <message>
         <source>holds no airspace</source>
@@ -3569,7 +3569,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>airspace left out: a place or an arc cannot be read</source>
-        <translation>espace aérien omis&#xa0;: une position ou un arc est illisible</translation>
+        <translation>espace aérien omis : une position ou un arc est illisible</translation>
     </message>
     <message>
         <source>there is no folder %1</source>
@@ -3585,7 +3585,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>cannot be made: %1</source>
-        <translation>ne peut pas être créé&#xa0;: %1</translation>
+        <translation>ne peut pas être créé : %1</translation>
     </message>
     <message>
         <source>could not be written</source>
@@ -3593,19 +3593,19 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>none of its %1 sightings could be taken; nothing written</source>
-        <translation>aucune de ses %1 observations n&apos;a pu être reprise&#xa0;; rien n&apos;a été écrit</translation>
+        <translation>aucune de ses %1 observations n&apos;a pu être reprise ; rien n&apos;a été écrit</translation>
     </message>
     <message>
         <source>dates such as %1 are read month first, which nothing in the file tells: --dates day-first or month-first says how</source>
-        <translation>les dates telles que %1 sont lues mois d&apos;abord&#xa0;; rien dans le fichier ne l&apos;indique&#xa0;: --dates day-first ou month-first le précise</translation>
+        <translation>les dates telles que %1 sont lues mois d&apos;abord ; rien dans le fichier ne l&apos;indique : --dates day-first ou month-first le précise</translation>
     </message>
     <message>
         <source>differs: this is the file of another study (--replace-study replaces it)</source>
-        <translation>diffère&#xa0;: c&apos;est le fichier d&apos;une autre étude (--replace-study le remplace)</translation>
+        <translation>diffère : c&apos;est le fichier d&apos;une autre étude (--replace-study le remplace)</translation>
     </message>
     <message>
         <source>was changed by another program: each shard needs a file of its own</source>
-        <translation>a été modifié par un autre programme&#xa0;: chaque partie a besoin de son propre fichier</translation>
+        <translation>a été modifié par un autre programme : chaque partie a besoin de son propre fichier</translation>
     </message>
     <message>
         <source>this plan solves no problem that could be verified or certified</source>
@@ -3613,7 +3613,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>this build has no MPI (BERGWATCH_WITH_MPI): fly shards with --shard I/N</source>
-        <translation>ce programme est compilé sans MPI (BERGWATCH_WITH_MPI)&#xa0;: jouez des parties avec --shard I/N</translation>
+        <translation>ce programme est compilé sans MPI (BERGWATCH_WITH_MPI) : jouez des parties avec --shard I/N</translation>
     </message>
     <message>
         <source>must be UTF-8 text</source>
@@ -3657,7 +3657,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>must be outside the no-fly area &quot;%1&quot;</source>
-        <translation>doit se trouver hors de la zone interdite «&#xa0;%1&#xa0;»</translation>
+        <translation>doit se trouver hors de la zone interdite « %1 »</translation>
     </message>
     <message>
         <source>must be outside the stand-off ring round the asset</source>
@@ -3685,19 +3685,19 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>this policy plans without geofence and no-fly areas; they are kept in flight</source>
-        <translation>cette stratégie planifie sans barrière virtuelle ni zones interdites&#xa0;; elles sont respectées en vol</translation>
+        <translation>cette stratégie planifie sans barrière virtuelle ni zones interdites ; elles sont respectées en vol</translation>
     </message>
     <message>
         <source>the turn radius is larger than half the field of view, so that an iceberg may be missed</source>
-        <translation>le rayon de virage dépasse la moitié du champ de vision&#xa0;; un iceberg peut donc être manqué</translation>
+        <translation>le rayon de virage dépasse la moitié du champ de vision ; un iceberg peut donc être manqué</translation>
     </message>
     <message>
         <source>is smaller than the turn radius, so that the UAV flies on and comes back</source>
-        <translation>est inférieur au rayon de virage&#xa0;; le drone continue donc et revient</translation>
+        <translation>est inférieur au rayon de virage ; le drone continue donc et revient</translation>
     </message>
     <message>
         <source>is larger than half the field of view, so that icebergs count as reached that are not seen</source>
-        <translation>dépasse la moitié du champ de vision&#xa0;; des icebergs comptent donc comme atteints sans être vus</translation>
+        <translation>dépasse la moitié du champ de vision ; des icebergs comptent donc comme atteints sans être vus</translation>
     </message>
     <message>
         <source>lies outside the area</source>
@@ -3713,11 +3713,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>drifts faster than icebergs do: is the unit right?</source>
-        <translation>dérive plus vite que ne le font les icebergs&#xa0;: l&apos;unité est-elle correcte&#xa0;?</translation>
+        <translation>dérive plus vite que ne le font les icebergs : l&apos;unité est-elle correcte ?</translation>
     </message>
     <message>
         <source>no iceberg is uncertain at the start, so distance alone makes the first plan</source>
-        <translation>aucun iceberg n&apos;est incertain au début&#xa0;; la distance seule détermine donc le premier plan</translation>
+        <translation>aucun iceberg n&apos;est incertain au début ; la distance seule détermine donc le premier plan</translation>
     </message>
     <message>
         <source>proving the optimum of so many icebergs can take a minute and more</source>
@@ -3737,15 +3737,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>the column &quot;%1&quot; is not understood: rename it, or assign it with a mapping</source>
-        <translation>la colonne «&#xa0;%1&#xa0;» n&apos;est pas reconnue&#xa0;: renommez-la, ou associez-la</translation>
+        <translation>la colonne « %1 » n&apos;est pas reconnue : renommez-la, ou associez-la</translation>
     </message>
     <message>
         <source>airspace left out: a height has no unit</source>
-        <translation>espace aérien omis&#xa0;: une hauteur n&apos;a pas d&apos;unité</translation>
+        <translation>espace aérien omis : une hauteur n&apos;a pas d&apos;unité</translation>
     </message>
     <message>
         <source>members that this version does not know are not used: &quot;%1&quot;</source>
-        <translation>les membres que cette version ne connaît pas ne sont pas utilisés&#xa0;: «&#xa0;%1&#xa0;»</translation>
+        <translation>les membres que cette version ne connaît pas ne sont pas utilisés : « %1 »</translation>
     </message>
     <message>
         <source>feature %1</source>
@@ -3757,11 +3757,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>takes off in the dark, at %1 UTC: civil twilight begins at %2 UTC</source>
-        <translation>décolle dans l&apos;obscurité, à %1 UTC&#xa0;: le crépuscule civil commence à %2 UTC</translation>
+        <translation>décolle dans l&apos;obscurité, à %1 UTC : le crépuscule civil commence à %2 UTC</translation>
     </message>
     <message>
         <source>lands in the dark, at %1 UTC: civil twilight ends at %2 UTC</source>
-        <translation>atterrit dans l&apos;obscurité, à %1 UTC&#xa0;: le crépuscule civil finit à %2 UTC</translation>
+        <translation>atterrit dans l&apos;obscurité, à %1 UTC : le crépuscule civil finit à %2 UTC</translation>
     </message>
     <message>
         <source>the time zone &quot;%1&quot; is a name: write offsets from UTC, such as +02:00</source>
@@ -3773,7 +3773,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>nothing tells which rows are sightings of one iceberg: choose one of these</source>
-        <translation>le fichier n&apos;indique pas quelles lignes sont des observations d&apos;un même iceberg&#xa0;: choisissez l&apos;une de ces options</translation>
+        <translation>le fichier n&apos;indique pas quelles lignes sont des observations d&apos;un même iceberg : choisissez l&apos;une de ces options</translation>
     </message>
     <message>
         <source>icebergs: %1, greatest speed between two sightings: %2 m/s</source>
@@ -3785,7 +3785,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>has several places: each is taken as an iceberg</source>
-        <translation>a plusieurs positions&#xa0;: chacune compte comme un iceberg</translation>
+        <translation>a plusieurs positions : chacune compte comme un iceberg</translation>
     </message>
     <message>
         <source>has points beside lines or areas: only the points are taken</source>
@@ -3801,15 +3801,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>has the name of another track, but an iceberg cannot have drifted along both: it is taken as another iceberg</source>
-        <translation>porte le nom d&apos;une autre trace, mais un iceberg ne peut pas avoir dérivé le long des deux&#xa0;: elle compte comme un autre iceberg</translation>
+        <translation>porte le nom d&apos;une autre trace, mais un iceberg ne peut pas avoir dérivé le long des deux : elle compte comme un autre iceberg</translation>
     </message>
     <message>
         <source>the property that names the iceberg is the same at two places at once: the ids of the features are taken instead</source>
-        <translation>la propriété qui nomme l&apos;iceberg est la même à deux positions en même temps&#xa0;: les identifiants des objets sont utilisés à la place</translation>
+        <translation>la propriété qui nomme l&apos;iceberg est la même à deux positions en même temps : les identifiants des objets sont utilisés à la place</translation>
     </message>
     <message>
         <source>has more times than places: the times left over are not taken</source>
-        <translation>a plus d&apos;heures que de positions&#xa0;: les heures en trop ne sont pas utilisées</translation>
+        <translation>a plus d&apos;heures que de positions : les heures en trop ne sont pas utilisées</translation>
     </message>
     <message>
         <source>the place can be read in more than one way: decimals follow a point</source>
@@ -3845,7 +3845,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>airspace left out: it has no outline</source>
-        <translation>espace aérien omis&#xa0;: il n&apos;a pas de contour</translation>
+        <translation>espace aérien omis : il n&apos;a pas de contour</translation>
     </message>
     <message>
         <source>outline left out: no airspace begins above it</source>
@@ -3873,19 +3873,19 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>airspace taken down to the sea: its floor is missing or cannot be read</source>
-        <translation>espace aérien repris jusqu&apos;à la mer&#xa0;: son plancher manque ou est illisible</translation>
+        <translation>espace aérien repris jusqu&apos;à la mer : son plancher manque ou est illisible</translation>
     </message>
     <message>
         <source>airspace taken without end above: its ceiling is missing or cannot be read</source>
-        <translation>espace aérien repris sans limite supérieure&#xa0;: son plafond manque ou est illisible</translation>
+        <translation>espace aérien repris sans limite supérieure : son plafond manque ou est illisible</translation>
     </message>
     <message>
         <source>airspace taken with an outline round its own, which touches or crosses itself</source>
-        <translation>espace aérien repris avec un contour plus grand&#xa0;: le sien se touche ou se croise</translation>
+        <translation>espace aérien repris avec un contour plus grand : le sien se touche ou se croise</translation>
     </message>
     <message>
         <source>airspace taken with an outline round its own, which has too many corners</source>
-        <translation>espace aérien repris avec un contour plus grand&#xa0;: le sien a trop de sommets</translation>
+        <translation>espace aérien repris avec un contour plus grand : le sien a trop de sommets</translation>
     </message>
     <message>
         <source>line not understood and not used</source>
@@ -3993,7 +3993,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>there is no UAV &quot;%1&quot; in this scenario</source>
-        <translation>il n&apos;y a pas de drone «&#xa0;%1&#xa0;» dans ce scénario</translation>
+        <translation>il n&apos;y a pas de drone « %1 » dans ce scénario</translation>
     </message>
     <message>
         <source>the wind must be slower than the UAV flies: wind of %1, airspeed of %2 %3</source>
@@ -4021,7 +4021,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>there are no icebergs yet, so there is nothing to plan</source>
-        <translation>il n&apos;y a pas encore d&apos;icebergs&#xa0;; il n&apos;y a donc rien à planifier</translation>
+        <translation>il n&apos;y a pas encore d&apos;icebergs ; il n&apos;y a donc rien à planifier</translation>
     </message>
     <message>
         <source>is after the end of the run, so the iceberg is never planned</source>
@@ -4029,7 +4029,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>icebergs outside the area are not monitored; the UAV may fly beyond it</source>
-        <translation>les icebergs hors de la zone ne sont pas surveillés&#xa0;; le drone peut voler au-delà</translation>
+        <translation>les icebergs hors de la zone ne sont pas surveillés ; le drone peut voler au-delà</translation>
     </message>
     <message>
         <source>is used in flight only with the Kalman filter</source>
@@ -4045,7 +4045,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>for its heading, the UAV has no path home inside the geofence and outside no-fly areas from where it starts: no start is safe</source>
-        <translation>compte tenu de son cap, le drone n&apos;a depuis son point de départ aucun trajet vers la base à l&apos;intérieur de la barrière virtuelle et hors des zones interdites&#xa0;: aucun départ n&apos;est sûr</translation>
+        <translation>compte tenu de son cap, le drone n&apos;a depuis son point de départ aucun trajet vers la base à l&apos;intérieur de la barrière virtuelle et hors des zones interdites : aucun départ n&apos;est sûr</translation>
     </message>
     <message>
         <source>the UAV starts so near the geofence or a no-fly area, for its heading, that it cannot turn in time</source>
@@ -4093,7 +4093,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>the operation may enter the airspace &quot;%1&quot;, which begins at %2</source>
-        <translation>l&apos;opération peut entrer dans l&apos;espace aérien «&#xa0;%1&#xa0;», qui commence à %2</translation>
+        <translation>l&apos;opération peut entrer dans l&apos;espace aérien « %1 », qui commence à %2</translation>
     </message>
     <message>
         <source>starts outside the area</source>
@@ -4121,11 +4121,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>more icebergs than can be proven optimal; the plan comes with a bound</source>
-        <translation>trop d&apos;icebergs pour prouver l&apos;optimum&#xa0;; le plan est accompagné d&apos;une borne</translation>
+        <translation>trop d&apos;icebergs pour prouver l&apos;optimum ; le plan est accompagné d&apos;une borne</translation>
     </message>
     <message>
         <source>this policy plans icebergs one by one; nearby icebergs are not grouped</source>
-        <translation>cette stratégie planifie les icebergs un par un&#xa0;; les icebergs proches ne sont pas groupés</translation>
+        <translation>cette stratégie planifie les icebergs un par un ; les icebergs proches ne sont pas groupés</translation>
     </message>
     <message>
         <source>this solver cannot plan so many icebergs: choose Automatic (auto)</source>
@@ -4157,27 +4157,27 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>a file holds one UAV: %1 files are written, named after the UAVs</source>
-        <translation>un fichier contient un seul drone&#xa0;: %1 fichiers sont écrits, nommés d&apos;après les drones</translation>
+        <translation>un fichier contient un seul drone : %1 fichiers sont écrits, nommés d&apos;après les drones</translation>
     </message>
     <message>
         <source>the scenario has no start time, so the file has no dates</source>
-        <translation>le scénario n&apos;a pas d&apos;heure de début&#xa0;; le fichier n&apos;a donc pas de dates</translation>
+        <translation>le scénario n&apos;a pas d&apos;heure de début ; le fichier n&apos;a donc pas de dates</translation>
     </message>
     <message>
         <source>the geofence is left out: the format has no place for it</source>
-        <translation>la barrière virtuelle est omise&#xa0;: le format ne la prévoit pas</translation>
+        <translation>la barrière virtuelle est omise : le format ne la prévoit pas</translation>
     </message>
     <message>
         <source>no-fly areas and the stand-off ring are left out: the format has no place for them</source>
-        <translation>les zones interdites et l&apos;anneau de sécurité sont omis&#xa0;: le format ne les prévoit pas</translation>
+        <translation>les zones interdites et l&apos;anneau de sécurité sont omis : le format ne les prévoit pas</translation>
     </message>
     <message>
         <source>no-fly areas have no heights: those at the altitude of the UAV are written</source>
-        <translation>les zones interdites n&apos;ont pas de hauteurs&#xa0;: celles à l&apos;altitude du drone sont écrites</translation>
+        <translation>les zones interdites n&apos;ont pas de hauteurs : celles à l&apos;altitude du drone sont écrites</translation>
     </message>
     <message>
         <source>%1 may draw the fence the long way round: it crosses the antimeridian</source>
-        <translation>%1 peut tracer la barrière en faisant le tour du globe&#xa0;: elle franchit l&apos;antiméridien</translation>
+        <translation>%1 peut tracer la barrière en faisant le tour du globe : elle franchit l&apos;antiméridien</translation>
     </message>
     <message>
         <source>the places where icebergs were reached are written, not the track</source>
@@ -4189,15 +4189,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m</source>
-        <translation>%1 conserve les rayons d&apos;acceptation jusqu&apos;à %3 m&#xa0;: %2 m devient %3 m</translation>
+        <translation>%1 conserve les rayons d&apos;acceptation jusqu&apos;à %3 m : %2 m devient %3 m</translation>
     </message>
     <message>
         <source>%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m</source>
-        <translation>%1 conserve les rayons d&apos;attente supérieurs à 255 m par pas de 10 m&#xa0;: %2 m devient %3 m</translation>
+        <translation>%1 conserve les rayons d&apos;attente supérieurs à 255 m par pas de 10 m : %2 m devient %3 m</translation>
     </message>
     <message>
         <source>%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact</source>
-        <translation>%1 lit la vitesse de croisière en nombre entier&#xa0;: %2 m/s devient %3 m/s&#xa0;; la vitesse dans la mission est exacte</translation>
+        <translation>%1 lit la vitesse de croisière en nombre entier : %2 m/s devient %3 m/s ; la vitesse dans la mission est exacte</translation>
     </message>
     <message>
         <source>the file is about the whole flight, whatever is chosen to be exported</source>
@@ -4205,7 +4205,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>UAVs without an iceberg to visit: %1</source>
-        <translation>Drones sans iceberg à visiter&#xa0;: %1</translation>
+        <translation>Drones sans iceberg à visiter : %1</translation>
     </message>
     <message>
         <source>straight legs that lead out of the geofence or through a no-fly area: %1; export the path instead, which leads round</source>
@@ -4261,7 +4261,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>no track: not sighted after the start</source>
-        <translation>aucune trace&#xa0;: pas observé après le début</translation>
+        <translation>aucune trace : pas observé après le début</translation>
     </message>
     <message>
         <source>older than what the scenario has</source>
@@ -4418,23 +4418,23 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>there is no take-off item: launch the UAV by hand and start the mission in the air</source>
-        <translation>il n&apos;y a pas d&apos;élément de décollage&#xa0;: lancez le drone à la main et démarrez la mission en vol</translation>
+        <translation>il n&apos;y a pas d&apos;élément de décollage : lancez le drone à la main et démarrez la mission en vol</translation>
     </message>
     <message>
         <source>after the last iceberg the mission returns home, %1 m that the plan does not include</source>
-        <translation>après le dernier iceberg, la mission rentre à la base, %1&#xa0;m que le plan ne comprend pas</translation>
+        <translation>après le dernier iceberg, la mission rentre à la base, %1 m que le plan ne comprend pas</translation>
     </message>
     <message>
         <source>the mission ends in an endless loiter: command the return yourself</source>
-        <translation>la mission se termine par une attente sans fin&#xa0;: commandez vous-même le retour</translation>
+        <translation>la mission se termine par une attente sans fin : commandez vous-même le retour</translation>
     </message>
     <message>
         <source>%1 has no loiter by turns: the time that they take is written</source>
-        <translation>%1 ne compte pas les tours d&apos;attente&#xa0;: le fichier contient leur durée</translation>
+        <translation>%1 ne compte pas les tours d&apos;attente : le fichier contient leur durée</translation>
     </message>
     <message>
         <source>loiter turns are left out: a VTOL or multirotor flies over each iceberg</source>
-        <translation>les tours d&apos;attente sont omis&#xa0;: un ADAV ou un multirotor survole chaque iceberg</translation>
+        <translation>les tours d&apos;attente sont omis : un ADAV ou un multirotor survole chaque iceberg</translation>
     </message>
     <message>
         <source>%1 uses the acceptance radius of its parameter %2, not that of the file</source>
@@ -4446,19 +4446,19 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>the first row is home, which %1 does not have: upload the file with QGroundControl</source>
-        <translation>la première ligne est la base, que %1 n&apos;a pas&#xa0;: chargez le fichier avec QGroundControl</translation>
+        <translation>la première ligne est la base, que %1 n&apos;a pas : chargez le fichier avec QGroundControl</translation>
     </message>
     <message>
         <source>the first iceberg is %2 m from the start, but the climb takes %1 m</source>
-        <translation>le premier iceberg est à %2&#xa0;m du départ, mais la montée prend %1&#xa0;m</translation>
+        <translation>le premier iceberg est à %2 m du départ, mais la montée prend %1 m</translation>
     </message>
     <message>
         <source>the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)</source>
-        <translation>le premier iceberg est à %2&#xa0;m du départ&#xa0;: %1 peut refuser plus de %3&#xa0;m (MIS_DIST_1WP)</translation>
+        <translation>le premier iceberg est à %2 m du départ : %1 peut refuser plus de %3 m (MIS_DIST_1WP)</translation>
     </message>
     <message>
         <source>legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1</source>
-        <translation>segments de décollage, de retour et d&apos;atterrissage qui sortent de la barrière virtuelle ou traversent une zone interdite&#xa0;: %1</translation>
+        <translation>segments de décollage, de retour et d&apos;atterrissage qui sortent de la barrière virtuelle ou traversent une zone interdite : %1</translation>
     </message>
     <message>
         <source>the landing approach leads over land</source>
@@ -4466,31 +4466,31 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>the landing approach descends at %1°, more than the usual %2°: make it longer or lower</source>
-        <translation>l&apos;approche descend à %1°, plus que les %2° habituels&#xa0;: allongez-la ou abaissez-la</translation>
+        <translation>l&apos;approche descend à %1°, plus que les %2° habituels : allongez-la ou abaissez-la</translation>
     </message>
     <message>
         <source>waypoints within their acceptance radius of the one before, which the UAV may skip: %1</source>
-        <translation>points de cheminement à moins de leur rayon d&apos;acceptation du précédent, que le drone peut sauter&#xa0;: %1</translation>
+        <translation>points de cheminement à moins de leur rayon d&apos;acceptation du précédent, que le drone peut sauter : %1</translation>
     </message>
     <message>
         <source>the mission has %2 items; %1 holds about %3</source>
-        <translation>la mission a %2 éléments&#xa0;; %1 en contient environ %3</translation>
+        <translation>la mission a %2 éléments ; %1 en contient environ %3</translation>
     </message>
     <message>
         <source>airspace areas that the mission enters at its altitudes: %1</source>
-        <translation>espaces aériens dans lesquels la mission entre à ses altitudes&#xa0;: %1</translation>
+        <translation>espaces aériens dans lesquels la mission entre à ses altitudes : %1</translation>
     </message>
     <message>
         <source>with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min</source>
-        <translation>avec montée, retour et atterrissage, la mission prend %1&#xa0;min&#xa0;; l&apos;autonomie sans réserve est de %2&#xa0;min</translation>
+        <translation>avec montée, retour et atterrissage, la mission prend %1 min ; l&apos;autonomie sans réserve est de %2 min</translation>
     </message>
     <message>
         <source>%1 is no link: write udp:HOST:PORT to listen, udpout:HOST:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD</source>
-        <translation>%1 n&apos;est pas une liaison&#xa0;: écrivez udp:HÔTE:PORT pour écouter, udpout:HÔTE:PORT, tcp:HÔTE:PORT ou serial:PÉRIPHÉRIQUE:BAUD</translation>
+        <translation>%1 n&apos;est pas une liaison : écrivez udp:HÔTE:PORT pour écouter, udpout:HÔTE:PORT, tcp:HÔTE:PORT ou serial:PÉRIPHÉRIQUE:BAUD</translation>
     </message>
     <message>
         <source>%1 has no host: write an IPv4 address or a name</source>
-        <translation>%1 n&apos;a pas d&apos;hôte&#xa0;: écrivez une adresse IPv4 ou un nom</translation>
+        <translation>%1 n&apos;a pas d&apos;hôte : écrivez une adresse IPv4 ou un nom</translation>
     </message>
     <message>
         <source>%1 has no port from 1 to 65535</source>
@@ -4498,7 +4498,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>%1 has no device: write a path such as /dev/ttyUSB0</source>
-        <translation>%1 n&apos;a pas de périphérique&#xa0;: écrivez un chemin tel que /dev/ttyUSB0</translation>
+        <translation>%1 n&apos;a pas de périphérique : écrivez un chemin tel que /dev/ttyUSB0</translation>
     </message>
     <message>
         <source>%1 has no baud rate of a serial port, such as 57600 or 115200</source>
@@ -4561,7 +4561,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>No link: %1</source>
-        <translation>Pas de liaison&#xa0;: %1</translation>
+        <translation>Pas de liaison : %1</translation>
     </message>
     <message>
         <source>%1 ago</source>
@@ -4573,23 +4573,23 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>%1: uploading, %2</source>
-        <translation>%1&#xa0;: envoi, %2</translation>
+        <translation>%1 : envoi, %2</translation>
     </message>
     <message>
         <source>%1: reading back, %2</source>
-        <translation>%1&#xa0;: relecture, %2</translation>
+        <translation>%1 : relecture, %2</translation>
     </message>
     <message>
         <source>On board: same as the plan</source>
-        <translation>À bord&#xa0;: identique au plan</translation>
+        <translation>À bord : identique au plan</translation>
     </message>
     <message>
         <source>On board differs. %1: %2</source>
-        <translation>À bord, cela diffère. %1&#xa0;: %2</translation>
+        <translation>À bord, cela diffère. %1 : %2</translation>
     </message>
     <message>
         <source>%1 failed: %2</source>
-        <translation>%1, échec&#xa0;: %2</translation>
+        <translation>%1, échec : %2</translation>
     </message>
     <message>
         <source>heard for the first time</source>
@@ -4625,7 +4625,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Another ground station uses the same id: sending is off</source>
-        <translation>Une autre station au sol utilise le même identifiant&#xa0;: l&apos;émission est coupée</translation>
+        <translation>Une autre station au sol utilise le même identifiant : l&apos;émission est coupée</translation>
     </message>
     <message>
         <source>Waiting for guided mode</source>
@@ -4645,14 +4645,14 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>The pilot has taken over: nothing is sent</source>
-        <translation>Le pilote a repris la main&#xa0;: rien n&apos;est envoyé</translation>
+        <translation>Le pilote a repris la main : rien n&apos;est envoyé</translation>
     </message>
 </context>
 <context>
     <name>Main</name>
     <message>
         <source>Write map.png, zeta.png and sigma.png of a run, or of a scenario&apos;s complete run, into &lt;folder&gt;; with --theme both also map-dark.png, zeta-dark.png and sigma-dark.png.</source>
-        <translation>Écrire map.png, zeta.png et sigma.png d&apos;un vol, ou du vol complet d&apos;un scénario, dans &lt;dossier&gt;&#xa0;; avec --theme both, aussi map-dark.png, zeta-dark.png et sigma-dark.png.</translation>
+        <translation>Écrire map.png, zeta.png et sigma.png d&apos;un vol, ou du vol complet d&apos;un scénario, dans &lt;dossier&gt; ; avec --theme both, aussi map-dark.png, zeta-dark.png et sigma-dark.png.</translation>
     </message>
     <message>
         <source>Overwrite existing files.</source>
@@ -4668,7 +4668,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Size of each picture in pixels, e.g. 1920x1080 (default: 1600x1000 for the map, 1600x700 for the charts).</source>
-        <translation>Taille de chaque image en pixels, p. ex. 1920x1080 (par défaut&#xa0;: 1600x1000 pour la carte, 1600x700 pour les graphiques).</translation>
+        <translation>Taille de chaque image en pixels, p. ex. 1920x1080 (par défaut : 1600x1000 pour la carte, 1600x700 pour les graphiques).</translation>
     </message>
     <message>
         <source>WxH</source>
@@ -4677,7 +4677,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Appearance of the pictures: light, dark or both.</source>
-        <translation>Apparence des images&#xa0;: light (clair), dark (sombre) ou both (les deux).</translation>
+        <translation>Apparence des images : light (clair), dark (sombre) ou both (les deux).</translation>
     </message>
     <message>
         <source>theme</source>
@@ -4685,19 +4685,19 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>--size: &quot;%1&quot; is not a size like 1920x1080 with sides from %2 to %3 pixels.</source>
-        <translation>--size&#xa0;: «&#xa0;%1&#xa0;» n&apos;est pas une taille comme 1920x1080 avec des côtés de %2 à %3 pixels.</translation>
+        <translation>--size : « %1 » n&apos;est pas une taille comme 1920x1080 avec des côtés de %2 à %3 pixels.</translation>
     </message>
     <message>
         <source>--theme: &quot;%1&quot; is not light, dark or both.</source>
-        <translation>--theme&#xa0;: «&#xa0;%1&#xa0;» n&apos;est ni light, ni dark, ni both.</translation>
+        <translation>--theme : « %1 » n&apos;est ni light, ni dark, ni both.</translation>
     </message>
     <message>
         <source>--pictures: the name of a folder is missing.</source>
-        <translation>--pictures&#xa0;: le nom d&apos;un dossier manque.</translation>
+        <translation>--pictures : le nom d&apos;un dossier manque.</translation>
     </message>
     <message>
         <source>Opens the window with a scenario; with --pictures it only writes pictures.</source>
-        <translation>Ouvre la fenêtre sur un scénario&#xa0;; avec --pictures, le programme n&apos;écrit que des images.</translation>
+        <translation>Ouvre la fenêtre sur un scénario ; avec --pictures, le programme n&apos;écrit que des images.</translation>
     </message>
     <message>
         <source>file</source>
@@ -4705,11 +4705,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Name one run or scenario file; %1 were named.</source>
-        <translation>Indiquez un seul fichier de vol ou de scénario&#xa0;; %1 ont été indiqués.</translation>
+        <translation>Indiquez un seul fichier de vol ou de scénario ; %1 ont été indiqués.</translation>
     </message>
     <message>
         <source>Bergwatch has crashed: %1</source>
-        <translation>Bergwatch s&apos;est arrêté brutalement&#xa0;: %1</translation>
+        <translation>Bergwatch s&apos;est arrêté brutalement : %1</translation>
     </message>
     <message>
         <source>Write a picture of the window with the scenario to &lt;file&gt;, then exit.</source>
@@ -4729,23 +4729,23 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>--size: &quot;%1&quot; is not a size like 1920x1080.</source>
-        <translation>--size&#xa0;: «&#xa0;%1&#xa0;» n&apos;est pas une taille comme 1920x1080.</translation>
+        <translation>--size : « %1 » n&apos;est pas une taille comme 1920x1080.</translation>
     </message>
     <message>
         <source>--theme: &quot;%1&quot; is not light or dark.</source>
-        <translation>--theme&#xa0;: «&#xa0;%1&#xa0;» n&apos;est ni light ni dark.</translation>
+        <translation>--theme : « %1 » n&apos;est ni light ni dark.</translation>
     </message>
     <message>
         <source>--at: &quot;%1&quot; is not a number of seconds.</source>
-        <translation>--at&#xa0;: «&#xa0;%1&#xa0;» n&apos;est pas un nombre de secondes.</translation>
+        <translation>--at : « %1 » n&apos;est pas un nombre de secondes.</translation>
     </message>
     <message>
         <source>Name at most one scenario file; %1 were named.</source>
-        <translation>Indiquez au plus un fichier de scénario&#xa0;; %1 ont été indiqués.</translation>
+        <translation>Indiquez au plus un fichier de scénario ; %1 ont été indiqués.</translation>
     </message>
     <message>
         <source>The command &quot;export&quot; writes plans and flights as files, maps, charts and briefs: see &quot;bergwatch export --help&quot;.</source>
-        <translation>La commande «&#xa0;export&#xa0;» écrit les plans et les vols sous forme de fichiers, cartes, graphiques et fiches&#xa0;: voir «&#xa0;bergwatch export --help&#xa0;».</translation>
+        <translation>La commande « export » écrit les plans et les vols sous forme de fichiers, cartes, graphiques et fiches : voir « bergwatch export --help ».</translation>
     </message>
     <message>
         <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
@@ -4821,7 +4821,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>The last UAV cannot be deleted: a scenario needs at least one.</source>
-        <translation>Le dernier drone ne peut pas être supprimé&#xa0;: un scénario en a besoin d&apos;un au moins.</translation>
+        <translation>Le dernier drone ne peut pas être supprimé : un scénario en a besoin d&apos;un au moins.</translation>
     </message>
     <message numerus="yes">
         <source>Cut %n icebergs</source>
@@ -4883,7 +4883,7 @@ Zone adjacente %4</translation>
     <name>MapLegend</name>
     <message>
         <source>In view now: σ is 0</source>
-        <translation>En vue maintenant&#xa0;: σ vaut 0</translation>
+        <translation>En vue maintenant : σ vaut 0</translation>
     </message>
     <message>
         <source>Plan, next leg thicker</source>
@@ -4911,7 +4911,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Compared: %1</source>
-        <translation>Comparé&#xa0;: %1</translation>
+        <translation>Comparé : %1</translation>
     </message>
     <message>
         <source>Plan before the change</source>
@@ -4955,7 +4955,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Lost: not found where expected</source>
-        <translation>Perdu&#xa0;: non trouvé à l&apos;endroit attendu</translation>
+        <translation>Perdu : non trouvé à l&apos;endroit attendu</translation>
     </message>
     <message>
         <source>Lost</source>
@@ -4975,7 +4975,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>95 % circle</source>
-        <translation>Cercle à 95&#xa0;%</translation>
+        <translation>Cercle à 95 %</translation>
     </message>
     <message>
         <source>True position</source>
@@ -5015,7 +5015,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Asset&apos;s range: more urgent inside</source>
-        <translation>Rayon d&apos;influence&#xa0;: plus urgent dedans</translation>
+        <translation>Rayon d&apos;influence : plus urgent dedans</translation>
     </message>
     <message>
         <source>Asset&apos;s range</source>
@@ -5023,7 +5023,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Inner ring: alarm</source>
-        <translation>Anneau intérieur&#xa0;: alarme</translation>
+        <translation>Anneau intérieur : alarme</translation>
     </message>
     <message>
         <source>Inner ring</source>
@@ -5139,7 +5139,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Close together: dot or number</source>
-        <translation>Rapprochés&#xa0;: point, ou leur nombre</translation>
+        <translation>Rapprochés : point, ou leur nombre</translation>
     </message>
     <message>
         <source>Later visits of the patrol</source>
@@ -5249,7 +5249,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click points to measure the path between them: geodesic length, true bearing, time of flight.</source>
-        <translation>Cliquez des points pour mesurer le trajet entre eux&#xa0;: longueur géodésique, relèvement vrai, temps de vol.</translation>
+        <translation>Cliquez des points pour mesurer le trajet entre eux : longueur géodésique, relèvement vrai, temps de vol.</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -5328,7 +5328,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>At %1 zeta grows by %2 m² s per second; the mean since take-off is %3.</source>
-        <translation>À %1, zêta augmente de %2 m² s par seconde&#xa0;; la moyenne depuis le décollage est de %3.</translation>
+        <translation>À %1, zêta augmente de %2 m² s par seconde ; la moyenne depuis le décollage est de %3.</translation>
     </message>
     <message>
         <source>Distance flown</source>
@@ -5340,7 +5340,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Distance flown until %1: %2.</source>
-        <translation>Distance parcourue jusqu&apos;à %1&#xa0;: %2.</translation>
+        <translation>Distance parcourue jusqu&apos;à %1 : %2.</translation>
     </message>
     <message>
         <source>Turn rate</source>
@@ -5404,7 +5404,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>All %1</source>
-        <translation>Tous&#xa0;: %1</translation>
+        <translation>Tous : %1</translation>
     </message>
     <message>
         <source>All</source>
@@ -5412,11 +5412,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Turn rate at %1: %2; limit: %3.</source>
-        <translation>Taux de virage à %1&#xa0;: %2&#xa0;; limite&#xa0;: %3.</translation>
+        <translation>Taux de virage à %1 : %2 ; limite : %3.</translation>
     </message>
     <message>
         <source>Cross-track error at %1: %2.</source>
-        <translation>Écart latéral à %1&#xa0;: %2.</translation>
+        <translation>Écart latéral à %1 : %2.</translation>
     </message>
     <message>
         <source>Zeta %1</source>
@@ -5527,15 +5527,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Flight geography: inside the geofence.</source>
-        <translation>Géographie de vol&#xa0;: intérieur de la barrière virtuelle.</translation>
+        <translation>Géographie de vol : intérieur de la barrière virtuelle.</translation>
     </message>
     <message>
         <source>Flight geography: all places that a plan may reach, plus a margin of %1 m.</source>
-        <translation>Géographie de vol&#xa0;: tous les lieux qu&apos;un plan peut atteindre, plus une marge de %1 m.</translation>
+        <translation>Géographie de vol : tous les lieux qu&apos;un plan peut atteindre, plus une marge de %1 m.</translation>
     </message>
     <message>
         <source>Formulas and default constants: Digisky calculator 3.3.0, based on the guide of the Swiss FOCA; not an authority&apos;s own text.</source>
-        <translation>Formules et constantes par défaut&#xa0;: calculateur Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse&#xa0;; pas le texte d&apos;une autorité.</translation>
+        <translation>Formules et constantes par défaut : calculateur Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse ; pas le texte d&apos;une autorité.</translation>
     </message>
     <message>
         <source>The outlines are in the KML, KMZ and GeoJSON exports.</source>
@@ -5587,7 +5587,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Operation volume: proposal, to be checked with your authority</source>
-        <translation>Volume opérationnel&#xa0;: proposition à vérifier avec l&apos;autorité</translation>
+        <translation>Volume opérationnel : proposition à vérifier avec l&apos;autorité</translation>
     </message>
     <message>
         <source>Crew</source>
@@ -5657,7 +5657,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click a line to go to that state; the disk marks the saved one.</source>
-        <translation>Cliquez sur une ligne pour aller à cet état&#xa0;; la disquette marque l&apos;état enregistré.</translation>
+        <translation>Cliquez sur une ligne pour aller à cet état ; la disquette marque l&apos;état enregistré.</translation>
     </message>
     <message>
         <source>History of edits</source>
@@ -5792,11 +5792,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>This is not a coordinate. Examples: 47° 03.2′ N 48° 06′ W, or 47.05 -48.1.</source>
-        <translation>Ce n&apos;est pas une coordonnée. Exemples&#xa0;: 47° 03,2′ N 48° 06′ W, ou 47,05 -48,1.</translation>
+        <translation>Ce n&apos;est pas une coordonnée. Exemples : 47° 03,2′ N 48° 06′ W, ou 47,05 -48,1.</translation>
     </message>
     <message>
         <source>This is half a coordinate. Enter latitude and longitude.</source>
-        <translation>C&apos;est la moitié d&apos;une coordonnée&#xa0;: la latitude et la longitude sont nécessaires.</translation>
+        <translation>C&apos;est la moitié d&apos;une coordonnée : la latitude et la longitude sont nécessaires.</translation>
     </message>
     <message>
         <source>This coordinate is ambiguous. Add spaces and the letters N, S, E or W.</source>
@@ -5832,11 +5832,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>This is a longitude. Enter a latitude.</source>
-        <translation>C&apos;est une longitude&#xa0;; une latitude est nécessaire.</translation>
+        <translation>C&apos;est une longitude ; une latitude est nécessaire.</translation>
     </message>
     <message>
         <source>This is a latitude. Enter a longitude.</source>
-        <translation>C&apos;est une latitude&#xa0;; une longitude est nécessaire.</translation>
+        <translation>C&apos;est une latitude ; une longitude est nécessaire.</translation>
     </message>
     <message>
         <source>This is %1 from the scenario&apos;s origin; the limit is %2.</source>
@@ -5844,7 +5844,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Enter one angle only: a whole coordinate would move all of them to one place.</source>
-        <translation>Saisissez un seul angle&#xa0;: une coordonnée complète les placerait tous au même endroit.</translation>
+        <translation>Saisissez un seul angle : une coordonnée complète les placerait tous au même endroit.</translation>
     </message>
     <message>
         <source>Amundsen Sea</source>
@@ -5991,7 +5991,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to add an iceberg; drag to set its drift. Esc leaves the tool.</source>
-        <translation>Cliquez pour ajouter un iceberg&#xa0;; faites glisser pour régler sa dérive. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour ajouter un iceberg ; faites glisser pour régler sa dérive. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Place UAV</source>
@@ -6023,7 +6023,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to add an iceberg that appears here now; drag to set its drift. In flight this cannot be undone.</source>
-        <translation>Cliquez pour ajouter un iceberg qui apparaît ici maintenant&#xa0;; faites glisser pour régler sa dérive. En vol, cela ne peut pas être annulé.</translation>
+        <translation>Cliquez pour ajouter un iceberg qui apparaît ici maintenant ; faites glisser pour régler sa dérive. En vol, cela ne peut pas être annulé.</translation>
     </message>
     <message>
         <source>Add UAV</source>
@@ -6031,11 +6031,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to place the UAV; drag to set its heading. Ctrl+click adds another one. Esc leaves the tool.</source>
-        <translation>Cliquez pour placer le drone&#xa0;; faites glisser pour régler son cap. Ctrl+clic en ajoute un autre. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour placer le drone ; faites glisser pour régler son cap. Ctrl+clic en ajoute un autre. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Click to place %1; drag to set its heading. Ctrl+click adds another UAV. Esc leaves the tool.</source>
-        <translation>Cliquez pour placer %1&#xa0;; faites glisser pour régler son cap. Ctrl+clic ajoute un autre drone. Esc quitte l&apos;outil.</translation>
+        <translation>Cliquez pour placer %1 ; faites glisser pour régler son cap. Ctrl+clic ajoute un autre drone. Esc quitte l&apos;outil.</translation>
     </message>
     <message>
         <source>Seen by %1.</source>
@@ -6066,23 +6066,23 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Solver: %1</source>
-        <translation>Solveur&#xa0;: %1</translation>
+        <translation>Solveur : %1</translation>
     </message>
     <message>
         <source>Status: %1</source>
-        <translation>État&#xa0;: %1</translation>
+        <translation>État : %1</translation>
     </message>
     <message>
         <source>Time: %1</source>
-        <translation>Temps&#xa0;: %1</translation>
+        <translation>Temps : %1</translation>
     </message>
     <message>
         <source>Objective: %1 m²</source>
-        <translation>Objectif&#xa0;: %1 m²</translation>
+        <translation>Objectif : %1 m²</translation>
     </message>
     <message>
         <source>Lower bound: %1 m²</source>
-        <translation>Borne inférieure&#xa0;: %1 m²</translation>
+        <translation>Borne inférieure : %1 m²</translation>
     </message>
     <message>
         <source>Warm start from the previous plan</source>
@@ -6094,7 +6094,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Best order so far, within %1 % of optimal</source>
-        <translation>Meilleur ordre actuel, à moins de %1&#xa0;% de l&apos;optimum</translation>
+        <translation>Meilleur ordre actuel, à moins de %1 % de l&apos;optimum</translation>
     </message>
     <message>
         <source>Best order so far</source>
@@ -6102,7 +6102,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Within %1 % of optimal, %2</source>
-        <translation>À moins de %1&#xa0;% de l&apos;optimum, %2</translation>
+        <translation>À moins de %1 % de l&apos;optimum, %2</translation>
     </message>
     <message>
         <source>Best order found, %1</source>
@@ -6122,11 +6122,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Solver limit reached; flying to the nearest iceberg</source>
-        <translation>Limite du solveur atteinte&#xa0;; vol vers l&apos;iceberg le plus proche</translation>
+        <translation>Limite du solveur atteinte ; vol vers l&apos;iceberg le plus proche</translation>
     </message>
     <message>
         <source>Solver limit reached; previous plan kept</source>
-        <translation>Limite du solveur atteinte&#xa0;; plan précédent conservé</translation>
+        <translation>Limite du solveur atteinte ; plan précédent conservé</translation>
     </message>
     <message>
         <source>Chosen one iceberg at a time</source>
@@ -6146,15 +6146,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Predicted zeta: %1 m² s</source>
-        <translation>Zêta prévu&#xa0;: %1 m² s</translation>
+        <translation>Zêta prévu : %1 m² s</translation>
     </message>
     <message>
         <source>Objective: %1 m² s</source>
-        <translation>Objectif&#xa0;: %1 m² s</translation>
+        <translation>Objectif : %1 m² s</translation>
     </message>
     <message>
         <source>Lower bound: %1 m² s</source>
-        <translation>Borne inférieure&#xa0;: %1 m² s</translation>
+        <translation>Borne inférieure : %1 m² s</translation>
     </message>
     <message>
         <source>by assignment</source>
@@ -6177,7 +6177,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1&#xa0;%</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Run complete</source>
@@ -6185,7 +6185,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>under 0.1 s</source>
-        <translation>moins de 0,1&#xa0;s</translation>
+        <translation>moins de 0,1 s</translation>
     </message>
     <message>
         <source>optimal</source>
@@ -6232,11 +6232,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>It follows from visit rates: how often icebergs can be visited.</source>
-        <translation>Elle découle des fréquences de visite&#xa0;: à quel rythme les icebergs peuvent être visités.</translation>
+        <translation>Elle découle des fréquences de visite : à quel rythme les icebergs peuvent être visités.</translation>
     </message>
     <message>
         <source>It follows from visit sequences: how soon icebergs can be visited one after the other.</source>
-        <translation>Elle découle des suites de visites&#xa0;: en combien de temps les icebergs peuvent être visités l&apos;un après l&apos;autre.</translation>
+        <translation>Elle découle des suites de visites : en combien de temps les icebergs peuvent être visités l&apos;un après l&apos;autre.</translation>
     </message>
     <message>
         <source>No plan while the UAV returns, is on the ground or holds. A new one is made when it resumes.</source>
@@ -6444,7 +6444,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1&#xa0;%</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -6596,7 +6596,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Flight log: %1</source>
-        <translation>Journal de vol&#xa0;: %1</translation>
+        <translation>Journal de vol : %1</translation>
     </message>
     <message>
         <source>90 % of cases below</source>
@@ -6688,7 +6688,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>seeds for each scenario: %1, starting with its own, the same for every setting</source>
-        <translation>graines par scénario&#xa0;: %1, d&apos;abord la sienne, les mêmes pour tous les réglages</translation>
+        <translation>graines par scénario : %1, d&apos;abord la sienne, les mêmes pour tous les réglages</translation>
     </message>
     <message>
         <source>%1 to %2 by %3 (%4 values)</source>
@@ -6740,15 +6740,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>This page contains the whole study with every scenario, seed and result, and Bergwatch opens it as a study file. To make the page again from these results:</source>
-        <translation>Cette page contient toute l&apos;étude, avec chaque scénario, graine et résultat, et Bergwatch l&apos;ouvre comme un fichier d&apos;étude. Pour refaire la page à partir de ces résultats&#xa0;:</translation>
+        <translation>Cette page contient toute l&apos;étude, avec chaque scénario, graine et résultat, et Bergwatch l&apos;ouvre comme un fichier d&apos;étude. Pour refaire la page à partir de ces résultats :</translation>
     </message>
     <message>
         <source>To fly the study again; the results depend neither on the machine nor on the number of threads:</source>
-        <translation>Pour jouer de nouveau l&apos;étude&#xa0;; les résultats ne dépendent ni de la machine ni du nombre de fils d&apos;exécution&#xa0;:</translation>
+        <translation>Pour jouer de nouveau l&apos;étude ; les résultats ne dépendent ni de la machine ni du nombre de fils d&apos;exécution :</translation>
     </message>
     <message>
         <source>To fly the study again with your scenario files; the results depend neither on the machine nor on the number of threads:</source>
-        <translation>Pour jouer de nouveau l&apos;étude avec vos fichiers de scénario&#xa0;; les résultats ne dépendent ni de la machine ni du nombre de fils d&apos;exécution&#xa0;:</translation>
+        <translation>Pour jouer de nouveau l&apos;étude avec vos fichiers de scénario ; les résultats ne dépendent ni de la machine ni du nombre de fils d&apos;exécution :</translation>
     </message>
     <message>
         <source>ζ is the total uncertainty σ of all icebergs, integrated over the flight. Lower is better.</source>
@@ -6760,15 +6760,15 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
-        <translation>La ligne est la moyenne des cas (%1)&#xa0;; les bandes contiennent la moitié centrale et 80&#xa0;% d&apos;entre eux. Les lignes horizontales sont les moyennes des stratégies sans τ.</translation>
+        <translation>La ligne est la moyenne des cas (%1) ; les bandes contiennent la moitié centrale et 80 % d&apos;entre eux. Les lignes horizontales sont les moyennes des stratégies sans τ.</translation>
     </message>
     <message>
         <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
-        <translation>Les différences sont calculées cas par cas, avec les mêmes icebergs et le même bruit&#xa0;; les barres sont les intervalles à 95&#xa0;% de la moyenne (t de Student). Les valeurs à gauche de 0 sont meilleures que la référence.</translation>
+        <translation>Les différences sont calculées cas par cas, avec les mêmes icebergs et le même bruit ; les barres sont les intervalles à 95 % de la moyenne (t de Student). Les valeurs à gauche de 0 sont meilleures que la référence.</translation>
     </message>
     <message>
         <source>Not every τ is drawn; the table contains all of them.</source>
-        <translation>Tous les τ ne sont pas dessinés&#xa0;; le tableau les contient tous.</translation>
+        <translation>Tous les τ ne sont pas dessinés ; le tableau les contient tous.</translation>
     </message>
     <message>
         <source>ζ against τ</source>
@@ -6784,11 +6784,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>The τ with the lowest ζ of a case, chosen in hindsight; it is not known before the flight. If several are equal, the smallest counts.</source>
-        <translation>Le τ du ζ le plus bas d&apos;un cas, choisi après coup&#xa0;; il n&apos;est pas connu avant le vol. À égalité, le plus petit compte.</translation>
+        <translation>Le τ du ζ le plus bas d&apos;un cas, choisi après coup ; il n&apos;est pas connu avant le vol. À égalité, le plus petit compte.</translation>
     </message>
     <message>
         <source>Stuck: at most two icebergs were targets in the second half of the flight.</source>
-        <translation>Bloqué&#xa0;: deux icebergs au plus ont été des cibles dans la seconde moitié du vol.</translation>
+        <translation>Bloqué : deux icebergs au plus ont été des cibles dans la seconde moitié du vol.</translation>
     </message>
     <message>
         <source>ζ of the case and its difference vs %1.</source>
@@ -6844,7 +6844,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>95 % interval</source>
-        <translation>Intervalle à 95&#xa0;%</translation>
+        <translation>Intervalle à 95 %</translation>
     </message>
     <message>
         <source>Mean, %</source>
@@ -6908,11 +6908,11 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Missions flown: %1 of %2. The results below use only the cases that every setting has flown: %3 of %4.</source>
-        <translation>Missions jouées&#xa0;: %1 sur %2. Les résultats ci-dessous n&apos;utilisent que les cas que chaque réglage a joués&#xa0;: %3 sur %4.</translation>
+        <translation>Missions jouées : %1 sur %2. Les résultats ci-dessous n&apos;utilisent que les cas que chaque réglage a joués : %3 sur %4.</translation>
     </message>
     <message>
         <source>Missions: %1. Cases: %2, each flown with every setting. Settings: %3.</source>
-        <translation>Missions&#xa0;: %1. Cas&#xa0;: %2, chacun joué avec chaque réglage. Réglages&#xa0;: %3.</translation>
+        <translation>Missions : %1. Cas : %2, chacun joué avec chaque réglage. Réglages : %3.</translation>
     </message>
     <message>
         <source>The numbers</source>
@@ -6956,7 +6956,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Planned: the first sortie of the plan before take-off, over ground in straight legs. Distances flown are through the air.</source>
-        <translation>Prévu&#xa0;: la première sortie du plan avant le décollage, sur le fond en segments droits. Les distances parcourues sont dans l&apos;air.</translation>
+        <translation>Prévu : la première sortie du plan avant le décollage, sur le fond en segments droits. Les distances parcourues sont dans l&apos;air.</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -7012,7 +7012,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Something was changed in flight: the prediction was for another flight.</source>
-        <translation>Quelque chose a été modifié en vol&#xa0;: la prévision portait sur un autre vol.</translation>
+        <translation>Quelque chose a été modifié en vol : la prévision portait sur un autre vol.</translation>
     </message>
     <message>
         <source>Sum of σ, m²</source>
@@ -7043,7 +7043,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to select, drag to move. Ctrl+click adds; drag on open water to select a box.</source>
-        <translation>Cliquez pour sélectionner, faites glisser pour déplacer. Ctrl+clic ajoute&#xa0;; faites glisser sur l&apos;eau libre pour sélectionner par un cadre.</translation>
+        <translation>Cliquez pour sélectionner, faites glisser pour déplacer. Ctrl+clic ajoute ; faites glisser sur l&apos;eau libre pour sélectionner par un cadre.</translation>
     </message>
     <message>
         <source>Click to select. In flight you can drag the tip of the wind arrow and the asset.</source>
@@ -7051,7 +7051,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Click to select. Choose Stop and edit to change the scenario.</source>
-        <translation>Cliquez pour sélectionner. Choisissez «&#xa0;Arrêter et modifier&#xa0;» pour modifier le scénario.</translation>
+        <translation>Cliquez pour sélectionner. Choisissez « Arrêter et modifier » pour modifier le scénario.</translation>
     </message>
 </context>
 <context>
@@ -7157,7 +7157,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>The τ of lowest ζ of each case, chosen in hindsight: median %1, quartiles %2 and %3.</source>
-        <translation>Le τ de plus faible ζ de chaque cas, choisi a posteriori&#xa0;: médiane %1, quartiles %2 et %3.</translation>
+        <translation>Le τ de plus faible ζ de chaque cas, choisi a posteriori : médiane %1, quartiles %2 et %3.</translation>
     </message>
     <message>
         <source>Less than the reference in %1 of %2 cases, worst %3. On average %4 visits.</source>
@@ -7198,7 +7198,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>95 % interval</source>
-        <translation>Intervalle à 95&#xa0;%</translation>
+        <translation>Intervalle à 95 %</translation>
     </message>
     <message>
         <source>Best in</source>
@@ -7214,7 +7214,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Accumulated uncertainty in m² s, mean of all cases: less is better.</source>
-        <translation>Incertitude cumulée en m² s, moyenne de tous les cas&#xa0;: une valeur plus faible est meilleure.</translation>
+        <translation>Incertitude cumulée en m² s, moyenne de tous les cas : une valeur plus faible est meilleure.</translation>
     </message>
     <message>
         <source>Half of the cases have less.</source>
@@ -7270,7 +7270,7 @@ Zone adjacente %4</translation>
     </message>
     <message>
         <source>Accumulated uncertainty of this flight: less is better.</source>
-        <translation>Incertitude cumulée de ce vol&#xa0;: une valeur plus faible est meilleure.</translation>
+        <translation>Incertitude cumulée de ce vol : une valeur plus faible est meilleure.</translation>
     </message>
     <message>
         <source>Compared with the flight of this case with the reference.</source>
@@ -7308,15 +7308,15 @@ Zone adjacente %4</translation>
     <name>TimeEntry</name>
     <message>
         <source>The day and month of &quot;%1&quot; are ambiguous. Type the date like 2026-11-29 12:00.</source>
-        <translation>Le jour et le mois de «&#xa0;%1&#xa0;» sont ambigus. Écrivez la date comme 2026-11-29 12:00.</translation>
+        <translation>Le jour et le mois de « %1 » sont ambigus. Écrivez la date comme 2026-11-29 12:00.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has no date. Type it like 2026-11-29 12:00.</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;a pas de date. Écrivez-le comme 2026-11-29 12:00.</translation>
+        <translation>« %1 » n&apos;a pas de date. Écrivez-le comme 2026-11-29 12:00.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a date and time. Type it like 2026-11-29 12:00 or 29 Nov 2026 12:00.</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une date avec heure. Écrivez-la comme 2026-11-29 12:00 ou 29 Nov 2026 12:00.</translation>
+        <translation>« %1 » n&apos;est pas une date avec heure. Écrivez-la comme 2026-11-29 12:00 ou 29 Nov 2026 12:00.</translation>
     </message>
 </context>
 <context>
@@ -7345,7 +7345,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>The arrow points downwind. The ring is the airspeed of the slowest UAV (%1); beyond the dashed ring UAVs make little headway.</source>
-        <translation>La flèche pointe vers où souffle le vent. Le cercle est la vitesse air du drone le plus lent (%1)&#xa0;; au-delà du cercle en tirets, les drones progressent peu.</translation>
+        <translation>La flèche pointe vers où souffle le vent. Le cercle est la vitesse air du drone le plus lent (%1) ; au-delà du cercle en tirets, les drones progressent peu.</translation>
     </message>
     <message>
         <source>The small aircraft in the middle of a leg shows the heading flown there.</source>
@@ -7360,14 +7360,14 @@ vers le %2</translation>
     </message>
     <message>
         <source>Internal error: %1</source>
-        <translation>Erreur interne&#xa0;: %1</translation>
+        <translation>Erreur interne : %1</translation>
     </message>
 </context>
 <context>
     <name>berg::AircraftController</name>
     <message>
         <source>%1: no contact for %2</source>
-        <translation>%1&#xa0;: pas de contact depuis %2</translation>
+        <translation>%1 : pas de contact depuis %2</translation>
     </message>
     <message>
         <source>contact in %1</source>
@@ -7375,23 +7375,23 @@ vers le %2</translation>
     </message>
     <message>
         <source>Link: sending</source>
-        <translation>Liaison&#xa0;: émission</translation>
+        <translation>Liaison : émission</translation>
     </message>
     <message>
         <source>Link: listening</source>
-        <translation>Liaison&#xa0;: écoute</translation>
+        <translation>Liaison : écoute</translation>
     </message>
     <message>
         <source>Differs: the mission on board has changed since %1</source>
-        <translation>Diffère&#xa0;: la mission à bord a changé depuis %1</translation>
+        <translation>Diffère : la mission à bord a changé depuis %1</translation>
     </message>
     <message>
         <source>Differs: the plan has changed since %1</source>
-        <translation>Diffère&#xa0;: le plan a changé depuis %1</translation>
+        <translation>Diffère : le plan a changé depuis %1</translation>
     </message>
     <message>
         <source>On board: same as the plan of %1</source>
-        <translation>À bord&#xa0;: identique au plan de %1</translation>
+        <translation>À bord : identique au plan de %1</translation>
     </message>
 </context>
 <context>
@@ -7402,11 +7402,11 @@ vers le %2</translation>
     </message>
     <message>
         <source>Battery: %1</source>
-        <translation>Batterie&#xa0;: %1</translation>
+        <translation>Batterie : %1</translation>
     </message>
     <message>
         <source>Wind: %1</source>
-        <translation>Vent&#xa0;: %1</translation>
+        <translation>Vent : %1</translation>
     </message>
     <message>
         <source>Item %1 of %2</source>
@@ -7418,7 +7418,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Frames lost: %1 of %2</source>
-        <translation>Trames perdues&#xa0;: %1 sur %2</translation>
+        <translation>Trames perdues : %1 sur %2</translation>
     </message>
     <message>
         <source>Listen</source>
@@ -7478,7 +7478,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>The flight in this window follows the aircraft: charts and uncertainty show the real flight.</source>
-        <translation>Le vol de la fenêtre suit l&apos;aéronef&#xa0;: graphiques et incertitude montrent le vol réel.</translation>
+        <translation>Le vol de la fenêtre suit l&apos;aéronef : graphiques et incertitude montrent le vol réel.</translation>
     </message>
     <message>
         <source>Events of the link</source>
@@ -7490,11 +7490,11 @@ vers le %2</translation>
     </message>
     <message>
         <source>udp:HOST:PORT listens, udpout:HOST:PORT sends to one address; also tcp:HOST:PORT and serial:DEVICE:BAUD</source>
-        <translation>udp:HÔTE:PORT écoute, udpout:HÔTE:PORT émet vers une adresse&#xa0;; aussi tcp:HÔTE:PORT et serial:PÉRIPHÉRIQUE:BAUD</translation>
+        <translation>udp:HÔTE:PORT écoute, udpout:HÔTE:PORT émet vers une adresse ; aussi tcp:HÔTE:PORT et serial:PÉRIPHÉRIQUE:BAUD</translation>
     </message>
     <message>
         <source>Off: not a byte is sent. On: heartbeats, requests for telemetry and what you choose below are sent.</source>
-        <translation>Arrêt&#xa0;: aucun octet n&apos;est envoyé. Marche&#xa0;: signaux de présence, demandes de télémétrie et ce que vous choisissez ci-dessous sont envoyés.</translation>
+        <translation>Arrêt : aucun octet n&apos;est envoyé. Marche : signaux de présence, demandes de télémétrie et ce que vous choisissez ci-dessous sont envoyés.</translation>
     </message>
     <message>
         <source>Aircraft heard</source>
@@ -7574,7 +7574,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>%1  Attention: %2</source>
-        <translation>%1  Attention&#xa0;: %2</translation>
+        <translation>%1  Attention : %2</translation>
     </message>
 </context>
 <context>
@@ -7625,7 +7625,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Cannot be planned: %1</source>
-        <translation>Planification impossible&#xa0;: %1</translation>
+        <translation>Planification impossible : %1</translation>
     </message>
     <message>
         <source>Looking back at %1</source>
@@ -7644,7 +7644,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>Acknowledged: %1</source>
-        <translation>Acquitté&#xa0;: %1</translation>
+        <translation>Acquitté : %1</translation>
     </message>
     <message>
         <source>Not in flight</source>
@@ -7768,15 +7768,15 @@ vers le %2</translation>
     <name>berg::CheckPanel</name>
     <message>
         <source>Error: must be fixed before planning</source>
-        <translation>Erreur&#xa0;: à corriger avant de planifier</translation>
+        <translation>Erreur : à corriger avant de planifier</translation>
     </message>
     <message>
         <source>Warning: probably not intended</source>
-        <translation>Avertissement&#xa0;: probablement involontaire</translation>
+        <translation>Avertissement : probablement involontaire</translation>
     </message>
     <message>
         <source>Hint: good to know</source>
-        <translation>Conseil&#xa0;: bon à savoir</translation>
+        <translation>Conseil : bon à savoir</translation>
     </message>
     <message>
         <source>No problems found</source>
@@ -7801,7 +7801,7 @@ vers le %2</translation>
         <source>%1.
 Less ζ is better. Plain shade: A, %2, has less. Hatched: B, %3, has less.</source>
         <translation>%1.
-Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: B, %3, en a moins.</translation>
+Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, en a moins.</translation>
     </message>
     <message>
         <source>Time, h:mm:ss</source>
@@ -7860,7 +7860,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>0: most uncertain first; the larger, the shorter the route.</source>
-        <translation>0&#xa0;: le plus incertain d&apos;abord&#xa0;; plus la valeur est grande, plus la route est courte.</translation>
+        <translation>0 : le plus incertain d&apos;abord ; plus la valeur est grande, plus la route est courte.</translation>
     </message>
     <message>
         <source>Fly</source>
@@ -7884,7 +7884,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Flying %1: %2 of %3</source>
-        <translation>Vol %1&#xa0;: %2 sur %3</translation>
+        <translation>Vol %1 : %2 sur %3</translation>
     </message>
     <message>
         <source>Opening %1</source>
@@ -7892,7 +7892,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>The reference A is the tour itself: choose another one as A.</source>
-        <translation>La référence A est le circuit lui-même&#xa0;: choisissez-en une autre pour A.</translation>
+        <translation>La référence A est le circuit lui-même : choisissez-en une autre pour A.</translation>
     </message>
     <message>
         <source>Flies the same scenario along the shortest closed tour through all icebergs, as in Figure 5 of the paper, in the background.</source>
@@ -7974,11 +7974,11 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Copy coordinates: %1</source>
-        <translation>Copier les coordonnées&#xa0;: %1</translation>
+        <translation>Copier les coordonnées : %1</translation>
     </message>
     <message>
         <source>Copied %1</source>
-        <translation>Copié&#xa0;: %1</translation>
+        <translation>Copié : %1</translation>
     </message>
     <message>
         <source>Centre the map here</source>
@@ -8033,15 +8033,15 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Less ζ is better: to the left</source>
-        <translation>Moins de ζ est meilleur&#xa0;: vers la gauche</translation>
+        <translation>Moins de ζ est meilleur : vers la gauche</translation>
     </message>
     <message>
         <source>Mean of the cases with its 95 % confidence interval</source>
-        <translation>Moyenne des cas avec son intervalle de confiance à 95&#xa0;%</translation>
+        <translation>Moyenne des cas avec son intervalle de confiance à 95 %</translation>
     </message>
     <message>
         <source>Difference of ζ vs %1, %</source>
-        <translation>Différence de ζ par rapport à %1,&#xa0;%</translation>
+        <translation>Différence de ζ par rapport à %1, %</translation>
     </message>
     <message>
         <source>the reference</source>
@@ -8049,7 +8049,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>95 %: %1 to %2</source>
-        <translation>95&#xa0;%&#xa0;: %1 à %2</translation>
+        <translation>95 % : %1 à %2</translation>
     </message>
     <message>
         <source>less in %1 of %2 cases</source>
@@ -8274,7 +8274,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>None: fly over</source>
-        <translation>Aucun&#xa0;: survoler</translation>
+        <translation>Aucun : survoler</translation>
     </message>
     <message>
         <source>&amp;Loiter turns</source>
@@ -8404,7 +8404,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Bank in a turn; the larger, the tighter the turns.</source>
-        <translation>Inclinaison latérale en virage&#xa0;; plus elle est grande, plus les virages sont serrés.</translation>
+        <translation>Inclinaison latérale en virage ; plus elle est grande, plus les virages sont serrés.</translation>
     </message>
     <message>
         <source>View along-track</source>
@@ -8440,7 +8440,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Longest flight; the UAV is home before it ends. At 0 it lands only when ordered to return.</source>
-        <translation>Vol le plus long&#xa0;; le drone est à la base avant sa fin. À 0, il ne se pose que sur ordre de retour.</translation>
+        <translation>Vol le plus long ; le drone est à la base avant sa fin. À 0, il ne se pose que sur ordre de retour.</translation>
     </message>
     <message>
         <source>Home east</source>
@@ -8540,7 +8540,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Time between two commands of the autopilot; at 0 it commands at each time step.</source>
-        <translation>Temps entre deux commandes de l&apos;autopilote&#xa0;; à 0, il commande à chaque pas de temps.</translation>
+        <translation>Temps entre deux commandes de l&apos;autopilote ; à 0, il commande à chaque pas de temps.</translation>
     </message>
     <message>
         <source>Drift east</source>
@@ -8572,7 +8572,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Long-term standard deviation of the drift about the current, along each axis. Example, a beacon off Canada: 0.15 m/s.</source>
-        <translation>Écart-type à long terme de la dérive autour du courant, selon chaque axe. Exemple, une balise au large du Canada&#xa0;: 0,15 m/s.</translation>
+        <translation>Écart-type à long terme de la dérive autour du courant, selon chaque axe. Exemple, une balise au large du Canada : 0,15 m/s.</translation>
     </message>
     <message>
         <source>Drift time constant</source>
@@ -8580,7 +8580,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Time in which a known drift fades to that of the current. At 0 the drift is constant. Example, a beacon off Canada: 36,000 s.</source>
-        <translation>Temps au bout duquel une dérive connue tend vers celle du courant. À 0, la dérive est constante. Exemple, une balise au large du Canada&#xa0;: 36 000 s.</translation>
+        <translation>Temps au bout duquel une dérive connue tend vers celle du courant. À 0, la dérive est constante. Exemple, une balise au large du Canada : 36 000 s.</translation>
     </message>
     <message>
         <source>Growth q</source>
@@ -8604,7 +8604,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Time between the last sighting and the start; σ has grown since.</source>
-        <translation>Temps entre la dernière observation et le début&#xa0;; σ a augmenté depuis.</translation>
+        <translation>Temps entre la dernière observation et le début ; σ a augmenté depuis.</translation>
     </message>
     <message>
         <source>Appears at</source>
@@ -8612,7 +8612,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Run time from which the iceberg is known; 0 is the start.</source>
-        <translation>Instant du vol à partir duquel l&apos;iceberg est connu&#xa0;; 0 est le début.</translation>
+        <translation>Instant du vol à partir duquel l&apos;iceberg est connu ; 0 est le début.</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -8636,7 +8636,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Speed of a ship to the east; 0 for a platform.</source>
-        <translation>Vitesse d&apos;un navire vers l&apos;est&#xa0;; 0 pour une plateforme.</translation>
+        <translation>Vitesse d&apos;un navire vers l&apos;est ; 0 pour une plateforme.</translation>
     </message>
     <message>
         <source>Speed north</source>
@@ -8644,7 +8644,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Speed of a ship to the north; 0 for a platform.</source>
-        <translation>Vitesse d&apos;un navire vers le nord&#xa0;; 0 pour une plateforme.</translation>
+        <translation>Vitesse d&apos;un navire vers le nord ; 0 pour une plateforme.</translation>
     </message>
     <message>
         <source>Range</source>
@@ -8680,7 +8680,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Least distance of UAVs from the asset; for a ship, from its whole track.</source>
-        <translation>Distance minimale des drones au bien protégé&#xa0;; pour un navire, à toute sa route.</translation>
+        <translation>Distance minimale des drones au bien protégé ; pour un navire, à toute sa route.</translation>
     </message>
     <message>
         <source>Stand-off ceiling</source>
@@ -8760,7 +8760,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Range of the link; the lowest value means the radio horizon of the antenna and the UAV&apos;s altitude.</source>
-        <translation>Portée de la liaison&#xa0;; la valeur la plus basse correspond à l&apos;horizon radio de l&apos;antenne et de l&apos;altitude du drone.</translation>
+        <translation>Portée de la liaison ; la valeur la plus basse correspond à l&apos;horizon radio de l&apos;antenne et de l&apos;altitude du drone.</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -8776,7 +8776,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Largest dimension of a UAV; half of it is added to the ground-risk buffer.</source>
-        <translation>Plus grande dimension d&apos;un drone&#xa0;; sa moitié s&apos;ajoute à la zone tampon de risque au sol.</translation>
+        <translation>Plus grande dimension d&apos;un drone ; sa moitié s&apos;ajoute à la zone tampon de risque au sol.</translation>
     </message>
     <message>
         <source>Satellite position error</source>
@@ -8784,7 +8784,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Part of the width of the contingency volume. Source: Digisky 3.3.0, after the guide of the Swiss FOCA: 3 m.</source>
-        <translation>Partie de la largeur du volume de contingence. Source&#xa0;: Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse&#xa0;: 3&#xa0;m.</translation>
+        <translation>Partie de la largeur du volume de contingence. Source : Digisky 3.3.0, d&apos;après le guide de l&apos;OFAC suisse : 3 m.</translation>
     </message>
     <message>
         <source>Path-keeping error</source>
@@ -8816,7 +8816,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Sets the turn radius v²/(g tan bank). Same source: 30°.</source>
-        <translation>Fixe le rayon de virage v²/(g tan inclinaison). Même source&#xa0;: 30°.</translation>
+        <translation>Fixe le rayon de virage v²/(g tan inclinaison). Même source : 30°.</translation>
     </message>
     <message>
         <source>Height error</source>
@@ -8824,7 +8824,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Part of the height of the contingency volume. Same source: 4 m.</source>
-        <translation>Partie de la hauteur du volume de contingence. Même source&#xa0;: 4&#xa0;m.</translation>
+        <translation>Partie de la hauteur du volume de contingence. Même source : 4 m.</translation>
     </message>
     <message>
         <source>Climb part</source>
@@ -8832,7 +8832,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Share of the speed that is climb during the reaction time. Same source: 0.707, a climb of 45°.</source>
-        <translation>Part de la vitesse qui est montée pendant le temps de réaction. Même source&#xa0;: 0,707, une montée à 45°.</translation>
+        <translation>Part de la vitesse qui est montée pendant le temps de réaction. Même source : 0,707, une montée à 45°.</translation>
     </message>
     <message>
         <source>Pull-up part</source>
@@ -8840,7 +8840,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Height needed to level out, as a share of v²/g. Same source: 0.3.</source>
-        <translation>Hauteur nécessaire à la mise en palier, en part de v²/g. Même source&#xa0;: 0,3.</translation>
+        <translation>Hauteur nécessaire à la mise en palier, en part de v²/g. Même source : 0,3.</translation>
     </message>
     <message>
         <source>Buffer ratio</source>
@@ -8848,7 +8848,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Width of the ground-risk buffer divided by the height of the contingency volume. Same source: 1, the 1:1 rule.</source>
-        <translation>Largeur de la zone tampon de risque au sol divisée par la hauteur du volume de contingence. Même source&#xa0;: 1, la règle 1:1.</translation>
+        <translation>Largeur de la zone tampon de risque au sol divisée par la hauteur du volume de contingence. Même source : 1, la règle 1:1.</translation>
     </message>
     <message>
         <source>Adjacent area, time</source>
@@ -8896,7 +8896,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Ship, air traffic service, rescue: names, numbers, frequencies.</source>
-        <translation>Navire, services de la circulation aérienne, secours&#xa0;: noms, numéros, fréquences.</translation>
+        <translation>Navire, services de la circulation aérienne, secours : noms, numéros, fréquences.</translation>
     </message>
     <message>
         <source>Command link</source>
@@ -8948,7 +8948,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Coordinate of the origin, in any format; a full coordinate or a place name sets both. Everything moves with it.</source>
-        <translation>Coordonnée de l&apos;origine, sous toute forme&#xa0;; une coordonnée complète ou un nom de lieu règle les deux. Tout se déplace avec elle.</translation>
+        <translation>Coordonnée de l&apos;origine, sous toute forme ; une coordonnée complète ou un nom de lieu règle les deux. Tout se déplace avec elle.</translation>
     </message>
     <message>
         <source>Longitude</source>
@@ -8960,7 +8960,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Exact: a sighting gives the true position. Filter: position and velocity are estimated from noisy measurements, and icebergs can get lost.</source>
-        <translation>Exact&#xa0;: une observation donne la position réelle. Filtre&#xa0;: la position et la vitesse sont estimées à partir de mesures bruitées, et des icebergs peuvent être perdus.</translation>
+        <translation>Exact : une observation donne la position réelle. Filtre : la position et la vitesse sont estimées à partir de mesures bruitées, et des icebergs peuvent être perdus.</translation>
     </message>
     <message>
         <source>Position error</source>
@@ -8976,7 +8976,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Time between two samples of the sensor, each of which measures what is in view.</source>
-        <translation>Temps entre deux prises du capteur&#xa0;; chacune mesure ce qui est en vue.</translation>
+        <translation>Temps entre deux prises du capteur ; chacune mesure ce qui est en vue.</translation>
     </message>
     <message>
         <source>Detection probability</source>
@@ -9012,7 +9012,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Time to make a plan in flight; until it is ready the UAV continues with the previous plan.</source>
-        <translation>Temps nécessaire pour établir un plan en vol&#xa0;; d&apos;ici là, le drone poursuit le précédent.</translation>
+        <translation>Temps nécessaire pour établir un plan en vol ; d&apos;ici là, le drone poursuit le précédent.</translation>
     </message>
     <message>
         <source>in view</source>
@@ -9024,7 +9024,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Distance at which an iceberg counts as reached; at 0 it is reached when it is in view.</source>
-        <translation>Distance à laquelle un iceberg compte comme atteint&#xa0;; à 0, il est atteint lorsqu&apos;il est en vue.</translation>
+        <translation>Distance à laquelle un iceberg compte comme atteint ; à 0, il est atteint lorsqu&apos;il est en vue.</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -9060,7 +9060,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Date and time of the start, such as 2026-11-29 12:00 or 29 Nov 2026 12:00; 1200Z keeps the date. Empty: times are relative.</source>
-        <translation>Date et heure du départ, par exemple 2026-11-29 12:00 ou 29 Nov 2026 12:00&#xa0;; 1200Z garde la date. Vide&#xa0;: les temps sont relatifs.</translation>
+        <translation>Date et heure du départ, par exemple 2026-11-29 12:00 ou 29 Nov 2026 12:00 ; 1200Z garde la date. Vide : les temps sont relatifs.</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -9076,7 +9076,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Seed of the random drift: the same seed repeats the run.</source>
-        <translation>Graine de la dérive aléatoire&#xa0;: la même graine reproduit le vol.</translation>
+        <translation>Graine de la dérive aléatoire : la même graine reproduit le vol.</translation>
     </message>
     <message>
         <source>Time step</source>
@@ -9084,7 +9084,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Step of the simulation; a smaller step is more exact and slower.</source>
-        <translation>Pas de la simulation&#xa0;; un pas plus petit est plus exact et plus lent.</translation>
+        <translation>Pas de la simulation ; un pas plus petit est plus exact et plus lent.</translation>
     </message>
     <message>
         <source>Random drift</source>
@@ -9092,7 +9092,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Off: icebergs drift exactly as known.</source>
-        <translation>Désactivée&#xa0;: les icebergs dérivent exactement comme connu.</translation>
+        <translation>Désactivée : les icebergs dérivent exactement comme connu.</translation>
     </message>
     <message>
         <source>Wind east</source>
@@ -9100,7 +9100,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Towards the east; must be below the UAV&apos;s airspeed.</source>
-        <translation>Vers l&apos;est&#xa0;; doit être inférieur à la vitesse air du drone.</translation>
+        <translation>Vers l&apos;est ; doit être inférieur à la vitesse air du drone.</translation>
     </message>
     <message>
         <source>Wind north</source>
@@ -9108,7 +9108,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Towards the north; must be below the UAV&apos;s airspeed.</source>
-        <translation>Vers le nord&#xa0;; doit être inférieur à la vitesse air du drone.</translation>
+        <translation>Vers le nord ; doit être inférieur à la vitesse air du drone.</translation>
     </message>
     <message>
         <source>Current east</source>
@@ -9172,7 +9172,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>By mission item, or by hand: then the mission is started in the air.</source>
-        <translation>Par un élément de la mission, ou à la main&#xa0;: dans ce cas, la mission est démarrée en vol.</translation>
+        <translation>Par un élément de la mission, ou à la main : dans ce cas, la mission est démarrée en vol.</translation>
     </message>
     <message>
         <source>Take-off altitude</source>
@@ -9224,7 +9224,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Course of the approach, clockwise from north; 360 is north.</source>
-        <translation>Route de l&apos;approche, dans le sens horaire depuis le nord&#xa0;; 360 est le nord.</translation>
+        <translation>Route de l&apos;approche, dans le sens horaire depuis le nord ; 360 est le nord.</translation>
     </message>
     <message>
         <source>tightest turn</source>
@@ -9236,7 +9236,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Radius of loiters in missions; never less than the tightest turn in the wind.</source>
-        <translation>Rayon des attentes dans les missions&#xa0;; jamais inférieur au virage le plus serré dans le vent.</translation>
+        <translation>Rayon des attentes dans les missions ; jamais inférieur au virage le plus serré dans le vent.</translation>
     </message>
     <message>
         <source>Hover speed</source>
@@ -9252,7 +9252,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Off: the autopilot flies at the speed of its own parameters.</source>
-        <translation>Désactivé&#xa0;: l&apos;autopilote vole à la vitesse de ses propres paramètres.</translation>
+        <translation>Désactivé : l&apos;autopilote vole à la vitesse de ses propres paramètres.</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -9260,7 +9260,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>What triggers the camera over an iceberg; it is off between icebergs.</source>
-        <translation>Ce qui déclenche la caméra au-dessus d&apos;un iceberg&#xa0;; elle est arrêtée entre les icebergs.</translation>
+        <translation>Ce qui déclenche la caméra au-dessus d&apos;un iceberg ; elle est arrêtée entre les icebergs.</translation>
     </message>
     <message>
         <source>Trigger distance</source>
@@ -9302,7 +9302,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     <name>berg::FindBox</name>
     <message>
         <source>Favourite: listed when the box is opened</source>
-        <translation>Favori&#xa0;: affiché à l&apos;ouverture du champ</translation>
+        <translation>Favori : affiché à l&apos;ouverture du champ</translation>
     </message>
     <message>
         <source>Favourite</source>
@@ -9322,7 +9322,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Where is the new scenario? A place or coordinate</source>
-        <translation>Où est le nouveau scénario&#xa0;? Un lieu ou une coordonnée</translation>
+        <translation>Où est le nouveau scénario ? Un lieu ou une coordonnée</translation>
     </message>
     <message>
         <source>Iceberg, UAV, place, coordinate or command</source>
@@ -9453,7 +9453,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Exports the log of the run: planned and flown, sightings, deviations.</source>
-        <translation>Exporte le journal du vol&#xa0;: planifié et effectué, observations, écarts.</translation>
+        <translation>Exporte le journal du vol : planifié et effectué, observations, écarts.</translation>
     </message>
     <message>
         <source>Predicted range</source>
@@ -9461,7 +9461,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Predicted range of ζ for 90 % of flights.</source>
-        <translation>Plage de ζ prévue pour 90&#xa0;% des vols.</translation>
+        <translation>Plage de ζ prévue pour 90 % des vols.</translation>
     </message>
     <message>
         <source>below %1 to %2</source>
@@ -9508,7 +9508,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Cannot be planned: %1</source>
-        <translation>Planification impossible&#xa0;: %1</translation>
+        <translation>Planification impossible : %1</translation>
     </message>
     <message>
         <source>Press I and click on the map to place an iceberg, drag to set its drift, or import sightings.</source>
@@ -9682,11 +9682,11 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Unknown, changing within 10 h</source>
-        <translation>Inconnue, changeant en 10&#xa0;h</translation>
+        <translation>Inconnue, changeant en 10 h</translation>
     </message>
     <message>
         <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
-        <translation>Ajustée sur une balise&#xa0;: 0,15&#xa0;m/s selon chaque axe, dans toutes les directions. Les icebergs sont alors mesurés en vol.</translation>
+        <translation>Ajustée sur une balise : 0,15 m/s selon chaque axe, dans toutes les directions. Les icebergs sont alors mesurés en vol.</translation>
     </message>
     <message>
         <source>A scenario holds at most %1 icebergs.</source>
@@ -9717,7 +9717,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>No icebergs yet: press I and click on the map, or copy rows of a spreadsheet (name, east, north, speed, direction, σ₀ ...) and paste them here with Ctrl+V.</source>
-        <translation>Aucun iceberg pour l&apos;instant&#xa0;: appuyez sur I et cliquez sur la carte, ou copiez les lignes d&apos;un tableur (nom, est, nord, vitesse, direction, σ₀…) et collez-les ici avec Ctrl+V.</translation>
+        <translation>Aucun iceberg pour l&apos;instant : appuyez sur I et cliquez sur la carte, ou copiez les lignes d&apos;un tableur (nom, est, nord, vitesse, direction, σ₀…) et collez-les ici avec Ctrl+V.</translation>
     </message>
     <message>
         <source>In flight the icebergs cannot be edited. Stop the flight to paste.</source>
@@ -9733,7 +9733,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Copy &quot;%1&quot;</source>
-        <translation>Copier «&#xa0;%1&#xa0;»</translation>
+        <translation>Copier « %1 »</translation>
     </message>
     <message>
         <source>Show on the map</source>
@@ -9748,7 +9748,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>The column &quot;%1&quot; is computed from others. Nothing was pasted.</source>
-        <translation>La colonne «&#xa0;%1&#xa0;» est calculée à partir d&apos;autres. Rien n&apos;a été collé.</translation>
+        <translation>La colonne « %1 » est calculée à partir d&apos;autres. Rien n&apos;a été collé.</translation>
     </message>
 </context>
 <context>
@@ -9767,7 +9767,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Automatic: %1</source>
-        <translation>Automatique&#xa0;: %1</translation>
+        <translation>Automatique : %1</translation>
     </message>
     <message>
         <source>Line of the file that names the columns, if a title precedes it.</source>
@@ -9838,7 +9838,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Automatic: %1</source>
-        <translation>Automatique&#xa0;: %1</translation>
+        <translation>Automatique : %1</translation>
     </message>
     <message>
         <source>Icebergs (%1)</source>
@@ -9913,7 +9913,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>The file does not say which rows belong to the same iceberg. Choose:</source>
-        <translation>Le fichier n&apos;indique pas quelles lignes appartiennent au même iceberg. Choisissez&#xa0;:</translation>
+        <translation>Le fichier n&apos;indique pas quelles lignes appartiennent au même iceberg. Choisissez :</translation>
     </message>
     <message numerus="yes">
         <source>%n icebergs</source>
@@ -10031,11 +10031,11 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Month first: 12/31/2021</source>
-        <translation>Mois en premier&#xa0;: 12/31/2021</translation>
+        <translation>Mois en premier : 12/31/2021</translation>
     </message>
     <message>
         <source>Day first: 31/12/2021</source>
-        <translation>Jour en premier&#xa0;: 31/12/2021</translation>
+        <translation>Jour en premier : 31/12/2021</translation>
     </message>
     <message>
         <source>How to read dates such as 05/02/2021.</source>
@@ -10063,7 +10063,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Sensor that found the positions. Rows whose column “source”, “method” or “sensor” names another source use its error.</source>
-        <translation>Capteur qui a trouvé les positions. Les lignes dont la colonne «&#xa0;source&#xa0;», «&#xa0;method&#xa0;» ou «&#xa0;sensor&#xa0;» nomme une autre source utilisent l&apos;erreur de celle-ci.</translation>
+        <translation>Capteur qui a trouvé les positions. Les lignes dont la colonne « source », « method » ou « sensor » nomme une autre source utilisent l&apos;erreur de celle-ci.</translation>
     </message>
     <message>
         <source>Seen b&amp;y</source>
@@ -10182,11 +10182,11 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Identifies the iceberg in files and lists; must be unique.</source>
-        <translation>Identifie l&apos;iceberg dans les fichiers et les listes&#xa0;; doit être unique.</translation>
+        <translation>Identifie l&apos;iceberg dans les fichiers et les listes ; doit être unique.</translation>
     </message>
     <message>
         <source>Identifies the UAV in files and lists; must be unique.</source>
-        <translation>Identifie le drone dans les fichiers et les listes&#xa0;; doit être unique.</translation>
+        <translation>Identifie le drone dans les fichiers et les listes ; doit être unique.</translation>
     </message>
     <message>
         <source>A UAV needs an id.</source>
@@ -10233,15 +10233,15 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>%1: opacity in per cent</source>
-        <translation>%1&#xa0;: opacité en pour cent</translation>
+        <translation>%1 : opacité en pour cent</translation>
     </message>
     <message>
         <source>Opacity; at the left end the layer is hidden</source>
-        <translation>Opacité&#xa0;; à l&apos;extrémité gauche, la couche est masquée</translation>
+        <translation>Opacité ; à l&apos;extrémité gauche, la couche est masquée</translation>
     </message>
     <message>
         <source>Time covered by drift arrows; arrows too long for the map are shortened and dashed</source>
-        <translation>Durée couverte par les flèches de dérive&#xa0;; celles qui sont trop longues pour la carte sont raccourcies et en tirets</translation>
+        <translation>Durée couverte par les flèches de dérive ; celles qui sont trop longues pour la carte sont raccourcies et en tirets</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -10273,11 +10273,11 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
-        <translation>Votre propre carte sous toutes les couches, par exemple une carte des glaces&#xa0;: GeoJSON, KML ou KMZ</translation>
+        <translation>Votre propre carte sous toutes les couches, par exemple une carte des glaces : GeoJSON, KML ou KMZ</translation>
     </message>
     <message>
         <source>Background file: %1</source>
-        <translation>Fichier du fond de carte&#xa0;: %1</translation>
+        <translation>Fichier du fond de carte : %1</translation>
     </message>
     <message>
         <source>Compared run</source>
@@ -10347,7 +10347,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Lines found: %1</source>
-        <translation>Lignes trouvées&#xa0;: %1</translation>
+        <translation>Lignes trouvées : %1</translation>
     </message>
 </context>
 <context>
@@ -10719,7 +10719,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Plans and simulates UAV missions that monitor drifting icebergs.&lt;/p&gt;&lt;p&gt;Own code: MIT licence. Qt Charts: GPL 3. COIN-OR CBC: EPL. Land made with Natural Earth.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planifie et simule des missions de drones qui surveillent des icebergs à la dérive.&lt;/p&gt;&lt;p&gt;Code propre&#xa0;: licence MIT. Qt Charts&#xa0;: GPL 3. COIN-OR CBC&#xa0;: EPL. Terres réalisées avec Natural Earth.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Bergwatch %1&lt;/h3&gt;&lt;p&gt;Planifie et simule des missions de drones qui surveillent des icebergs à la dérive.&lt;/p&gt;&lt;p&gt;Code propre : licence MIT. Qt Charts : GPL 3. COIN-OR CBC : EPL. Terres réalisées avec Natural Earth.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>No-fly area</source>
@@ -10865,18 +10865,18 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>The run has ended. Stop and edit to fly it differently.</source>
-        <translation>Le vol est terminé. «&#xa0;Arrêter et modifier&#xa0;» permet de le jouer autrement.</translation>
+        <translation>Le vol est terminé. « Arrêter et modifier » permet de le jouer autrement.</translation>
     </message>
 </context>
 <context>
     <name>berg::MissionWorker</name>
     <message>
         <source>There is no run to save: the scenario cannot be planned.</source>
-        <translation>Il n&apos;y a aucun vol à enregistrer&#xa0;: le scénario ne peut pas être planifié.</translation>
+        <translation>Il n&apos;y a aucun vol à enregistrer : le scénario ne peut pas être planifié.</translation>
     </message>
     <message>
         <source>The replay of this run differs from the recording: %1</source>
-        <translation>La relecture de ce vol diffère de l&apos;enregistrement&#xa0;: %1</translation>
+        <translation>La relecture de ce vol diffère de l&apos;enregistrement : %1</translation>
     </message>
     <message>
         <source>There is no plan to upload.</source>
@@ -10891,15 +10891,15 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>&quot;%1&quot; cannot be read. Type it like %2.</source>
-        <translation>«&#xa0;%1&#xa0;» est illisible. Écrivez-le comme %2.</translation>
+        <translation>« %1 » est illisible. Écrivez-le comme %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is above the highest value. %2 was set.</source>
-        <translation>«&#xa0;%1&#xa0;» dépasse la valeur maximale. La valeur %2 a été retenue.</translation>
+        <translation>« %1 » dépasse la valeur maximale. La valeur %2 a été retenue.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is below the lowest value. %2 was set.</source>
-        <translation>«&#xa0;%1&#xa0;» est inférieur à la valeur minimale. La valeur %2 a été retenue.</translation>
+        <translation>« %1 » est inférieur à la valeur minimale. La valeur %2 a été retenue.</translation>
     </message>
 </context>
 <context>
@@ -10926,7 +10926,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>Not everything can stay at its place: a scenario reaches %1 from its origin. Move everything along, or choose a nearer place.</source>
-        <translation>Tout ne peut pas rester à sa place&#xa0;: un scénario s&apos;étend jusqu&apos;à %1 de son origine. Déplacez tout avec l&apos;origine ou choisissez un lieu plus proche.</translation>
+        <translation>Tout ne peut pas rester à sa place : un scénario s&apos;étend jusqu&apos;à %1 de son origine. Déplacez tout avec l&apos;origine ou choisissez un lieu plus proche.</translation>
     </message>
     <message>
         <source>The origin moves to %1, %2 away. Positions, courses and drift on the Earth stay the same.</source>
@@ -10968,7 +10968,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     </message>
     <message>
         <source>%1, %2</source>
-        <translation>%1&#xa0;; %2</translation>
+        <translation>%1 ; %2</translation>
     </message>
     <message>
         <source>Uncertainty reward, m²</source>
@@ -11075,7 +11075,7 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     <message>
         <source>Lost: searched for %1</source>
         <comment>times and chances of finding it</comment>
-        <translation>Perdu&#xa0;: recherché %1</translation>
+        <translation>Perdu : recherché %1</translation>
     </message>
     <message>
         <source>Returning home</source>
@@ -11152,15 +11152,15 @@ Moins de ζ est meilleur. Teinte unie&#xa0;: A, %2, en a moins. Hachures&#xa0;: 
     <name>berg::PlanPanel</name>
     <message>
         <source>There is no plan: see Checks.</source>
-        <translation>Il n&apos;y a pas de plan&#xa0;: voir «&#xa0;Vérifications&#xa0;».</translation>
+        <translation>Il n&apos;y a pas de plan : voir « Vérifications ».</translation>
     </message>
     <message>
         <source>Plan: icebergs in visiting order</source>
-        <translation>Plan&#xa0;: icebergs dans l&apos;ordre de visite</translation>
+        <translation>Plan : icebergs dans l&apos;ordre de visite</translation>
     </message>
     <message>
         <source>Order before the change at %1: %2</source>
-        <translation>Ordre avant la modification à %1&#xa0;: %2</translation>
+        <translation>Ordre avant la modification à %1 : %2</translation>
     </message>
     <message>
         <source>Predicted for straight legs to the icebergs as they drift,
@@ -11194,7 +11194,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1</source>
-        <translation>Par rapport au plan précédent&#xa0;: %1</translation>
+        <translation>Par rapport au plan précédent : %1</translation>
     </message>
     <message>
         <source>The run is complete.</source>
@@ -11222,11 +11222,11 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>Expected ζ at %1 with this plan: %2</source>
-        <translation>ζ attendu à %1 avec ce plan&#xa0;: %2</translation>
+        <translation>ζ attendu à %1 avec ce plan : %2</translation>
     </message>
     <message>
         <source>Expected ζ at the end with this plan: %1</source>
-        <translation>ζ attendu à la fin avec ce plan&#xa0;: %1</translation>
+        <translation>ζ attendu à la fin avec ce plan : %1</translation>
     </message>
     <message>
         <source>Compared with the last plan: %1, ζ %2</source>
@@ -11246,7 +11246,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>Nothing to visit: there are no icebergs yet, all of them are in view, or none can be visited without using the reserve.</source>
-        <translation>Rien à visiter&#xa0;: il n&apos;y a pas encore d&apos;icebergs, tous sont en vue, ou aucun ne peut être visité sans utiliser la réserve.</translation>
+        <translation>Rien à visiter : il n&apos;y a pas encore d&apos;icebergs, tous sont en vue, ou aucun ne peut être visité sans utiliser la réserve.</translation>
     </message>
     <message>
         <source>Longest time unseen: %1 (%2)</source>
@@ -11266,7 +11266,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>Sum of each iceberg&apos;s σ times the number of places after it in the order: larger if uncertain icebergs come early.</source>
-        <translation>Somme du σ de chaque iceberg multiplié par le nombre de rangs qui le suivent dans l&apos;ordre&#xa0;: plus grande si les icebergs incertains viennent tôt.</translation>
+        <translation>Somme du σ de chaque iceberg multiplié par le nombre de rangs qui le suivent dans l&apos;ordre : plus grande si les icebergs incertains viennent tôt.</translation>
     </message>
     <message>
         <source>Objective</source>
@@ -11274,7 +11274,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>Distance cost minus uncertainty reward: the objective that the solver minimises.</source>
-        <translation>Coût de la distance moins gain sur l&apos;incertitude&#xa0;: l&apos;objectif que le solveur minimise.</translation>
+        <translation>Coût de la distance moins gain sur l&apos;incertitude : l&apos;objectif que le solveur minimise.</translation>
     </message>
     <message>
         <source>Distance weight μ</source>
@@ -11282,7 +11282,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>Uncertainty that one metre of path must be worth; follows from τ.</source>
-        <translation>Incertitude que doit valoir un mètre de trajet&#xa0;; découle de τ.</translation>
+        <translation>Incertitude que doit valoir un mètre de trajet ; découle de τ.</translation>
     </message>
     <message>
         <source>%1 m²/m</source>
@@ -11302,7 +11302,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>State of the plan: %1</source>
-        <translation>État du plan&#xa0;: %1</translation>
+        <translation>État du plan : %1</translation>
     </message>
     <message>
         <source>Whole order</source>
@@ -11310,7 +11310,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>Planned length of the whole order through the air, with turns; in wind the mean of both directions. The solver weighs this length and the trade-off chart shows it. The plan panel shows the length of this sortie over ground.</source>
-        <translation>Longueur prévue de l&apos;ordre entier dans l&apos;air, virages compris&#xa0;; dans le vent, moyenne des deux sens. Le solveur pèse cette longueur et le graphique du compromis l&apos;affiche. Le panneau du plan affiche la longueur de cette sortie sur le fond.</translation>
+        <translation>Longueur prévue de l&apos;ordre entier dans l&apos;air, virages compris ; dans le vent, moyenne des deux sens. Le solveur pèse cette longueur et le graphique du compromis l&apos;affiche. Le panneau du plan affiche la longueur de cette sortie sur le fond.</translation>
     </message>
 </context>
 <context>
@@ -11397,11 +11397,11 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>The run is complete. The scenario stays locked until you stop and edit.</source>
-        <translation>Le vol est terminé. Le scénario reste verrouillé jusqu&apos;à «&#xa0;Arrêter et modifier&#xa0;».</translation>
+        <translation>Le vol est terminé. Le scénario reste verrouillé jusqu&apos;à « Arrêter et modifier ».</translation>
     </message>
     <message>
         <source>Scenario locked in flight. τ and policy can be changed while flying; the plan follows at once.</source>
-        <translation>Scénario verrouillé en vol. τ et la stratégie peuvent être modifiés&#xa0;; le plan suit aussitôt.</translation>
+        <translation>Scénario verrouillé en vol. τ et la stratégie peuvent être modifiés ; le plan suit aussitôt.</translation>
     </message>
     <message>
         <source>Scenario locked</source>
@@ -11409,7 +11409,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a time. Type it like 3:20 or 45 min.</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un temps. Écrivez-le comme 3:20 ou 45 min.</translation>
+        <translation>« %1 » n&apos;est pas un temps. Écrivez-le comme 3:20 ou 45 min.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a time of this run. Type it like 1215Z, 3:20 or 45 min.</source>
@@ -11428,7 +11428,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     <name>berg::PolicyCombo</name>
     <message>
         <source>%1 %…</source>
-        <translation>%1&#xa0;%…</translation>
+        <translation>%1 %…</translation>
     </message>
     <message>
         <source>takes too long</source>
@@ -11440,7 +11440,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>ζ not predicted: takes too long</source>
-        <translation>ζ non prévu&#xa0;: prend trop de temps</translation>
+        <translation>ζ non prévu : prend trop de temps</translation>
     </message>
     <message>
         <source>Predicting ζ…</source>
@@ -11448,7 +11448,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>Predicted before take-off: ζ %1</source>
-        <translation>Prévu avant le décollage&#xa0;: ζ %1</translation>
+        <translation>Prévu avant le décollage : ζ %1</translation>
     </message>
     <message>
         <source>Predicted ζ %1</source>
@@ -11464,7 +11464,7 @@ quels que soient la stratégie et le rayon de virage.</translation>
     </message>
     <message>
         <source>%1; too slow to compare: %2</source>
-        <translation>%1&#xa0;; trop lente pour être comparée&#xa0;: %2</translation>
+        <translation>%1 ; trop lente pour être comparée : %2</translation>
     </message>
     <message>
         <source>Not predicted: flying it %1 times in advance takes more than %2.</source>
@@ -11569,7 +11569,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Speed and direction: wind from, drift towards</source>
-        <translation>Vitesse et direction&#xa0;: d&apos;où vient le vent, vers où va la dérive</translation>
+        <translation>Vitesse et direction : d&apos;où vient le vent, vers où va la dérive</translation>
     </message>
     <message>
         <source>Components east and north</source>
@@ -11798,11 +11798,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>The reference: click a circle, or press A.</source>
-        <translation>La référence&#xa0;: cliquez sur un cercle ou appuyez sur A.</translation>
+        <translation>La référence : cliquez sur un cercle ou appuyez sur A.</translation>
     </message>
     <message>
         <source>Compared with it: click a circle, or press B.</source>
-        <translation>Comparé à elle&#xa0;: cliquez sur un cercle ou appuyez sur B.</translation>
+        <translation>Comparé à elle : cliquez sur un cercle ou appuyez sur B.</translation>
     </message>
     <message>
         <source>Zeta compared with that of A at the time both have flown.</source>
@@ -11814,7 +11814,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Its scenario differs from that of A: they cannot be compared.</source>
-        <translation>Son scénario diffère de celui de A&#xa0;: ils ne peuvent pas être comparés.</translation>
+        <translation>Son scénario diffère de celui de A : ils ne peuvent pas être comparés.</translation>
     </message>
     <message>
         <source>Make this run the reference A</source>
@@ -11844,7 +11844,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <name>berg::RunTimeLine</name>
     <message>
         <source>%1: point of no return; a later return uses the reserve</source>
-        <translation>%1&#xa0;: point de non-retour&#xa0;; un retour plus tardif utilise la réserve</translation>
+        <translation>%1 : point de non-retour ; un retour plus tardif utilise la réserve</translation>
     </message>
 </context>
 <context>
@@ -11909,7 +11909,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Saved %1; a backup copy cannot be written to its folder</source>
-        <translation>%1 enregistré&#xa0;; une copie de sauvegarde ne peut pas être écrite dans son dossier</translation>
+        <translation>%1 enregistré ; une copie de sauvegarde ne peut pas être écrite dans son dossier</translation>
     </message>
     <message>
         <source>No files yet</source>
@@ -11942,7 +11942,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
-        <translation>Espace aérien&#xa0;: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Tous les fichiers (*)</translation>
+        <translation>Espace aérien : OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Import airspace from %1</source>
@@ -11951,15 +11951,15 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message numerus="yes">
         <source>Airspace of %1: %n areas added, %2 already present, %3 farther than 100 km, %4 left out</source>
         <translation>
-            <numerusform>Espace aérien de %1&#xa0;: %n zone ajoutée, %2 déjà présentes, %3 à plus de 100 km, %4 omises</numerusform>
-            <numerusform>Espace aérien de %1&#xa0;: %n zones ajoutées, %2 déjà présentes, %3 à plus de 100 km, %4 omises</numerusform>
+            <numerusform>Espace aérien de %1 : %n zone ajoutée, %2 déjà présentes, %3 à plus de 100 km, %4 omises</numerusform>
+            <numerusform>Espace aérien de %1 : %n zones ajoutées, %2 déjà présentes, %3 à plus de 100 km, %4 omises</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n areas: a scenario can have at most %1</source>
         <translation>
-            <numerusform>%n zone&#xa0;: un scénario peut en avoir %1 au plus</numerusform>
-            <numerusform>%n zones&#xa0;: un scénario peut en avoir %1 au plus</numerusform>
+            <numerusform>%n zone : un scénario peut en avoir %1 au plus</numerusform>
+            <numerusform>%n zones : un scénario peut en avoir %1 au plus</numerusform>
         </translation>
     </message>
     <message>
@@ -12002,7 +12002,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Line: median. Dashed: worst. Hollow: some were cut short.</source>
-        <translation>Trait plein&#xa0;: médiane. Tirets&#xa0;: pire. Symbole creux&#xa0;: certains calculs interrompus.</translation>
+        <translation>Trait plein : médiane. Tirets : pire. Symbole creux : certains calculs interrompus.</translation>
     </message>
     <message>
         <source>Number of icebergs</source>
@@ -12029,7 +12029,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>proven: %1 of %2</source>
-        <translation>prouvés&#xa0;: %1 sur %2</translation>
+        <translation>prouvés : %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -12096,7 +12096,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Start measures this machine on the problems of the paper, for comparison with the paper&apos;s times.</source>
-        <translation>«&#xa0;Démarrer&#xa0;» mesure cette machine sur les problèmes de l&apos;article, pour comparaison avec les temps de l&apos;article.</translation>
+        <translation>« Démarrer » mesure cette machine sur les problèmes de l&apos;article, pour comparaison avec les temps de l&apos;article.</translation>
     </message>
     <message>
         <source>Measured in %1.</source>
@@ -12139,7 +12139,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>New here? Take the tour, three steps</source>
-        <translation>Première utilisation&#xa0;? Suivez la visite, en trois étapes</translation>
+        <translation>Première utilisation ? Suivez la visite, en trois étapes</translation>
     </message>
     <message>
         <source>Tour</source>
@@ -12190,7 +12190,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Press Space to fly and to pause. Drag the time line to look back. Stop and edit returns to the start.</source>
-        <translation>Appuyez sur Espace pour lancer le vol et le mettre en pause. Faites glisser la ligne de temps pour revenir en arrière. «&#xa0;Arrêter et modifier&#xa0;» revient au début.</translation>
+        <translation>Appuyez sur Espace pour lancer le vol et le mettre en pause. Faites glisser la ligne de temps pour revenir en arrière. « Arrêter et modifier » revient au début.</translation>
     </message>
     <message>
         <source>After this tour, press I and click on the map to place an iceberg. Drag it to move it, double-click it to set its drift and the uncertainty of its position. The plan follows at once.</source>
@@ -12210,15 +12210,15 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Cursor: %1</source>
-        <translation>Pointeur&#xa0;: %1</translation>
+        <translation>Pointeur : %1</translation>
     </message>
     <message>
         <source>State: %1</source>
-        <translation>État&#xa0;: %1</translation>
+        <translation>État : %1</translation>
     </message>
     <message>
         <source>Not changed: %1</source>
-        <translation>Non modifié&#xa0;: %1</translation>
+        <translation>Non modifié : %1</translation>
     </message>
 </context>
 <context>
@@ -12229,7 +12229,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Choose what to fly and press Start, or load a figure from the paper.</source>
-        <translation>Choisissez ce qui doit être joué et appuyez sur «&#xa0;Démarrer l&apos;étude&#xa0;», ou prenez une figure de l&apos;article.</translation>
+        <translation>Choisissez ce qui doit être joué et appuyez sur « Démarrer l&apos;étude », ou prenez une figure de l&apos;article.</translation>
     </message>
     <message>
         <source>Trade-off τ</source>
@@ -12237,19 +12237,19 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Lowest: %1.</source>
-        <translation>Le plus bas&#xa0;: %1.</translation>
+        <translation>Le plus bas : %1.</translation>
     </message>
     <message>
         <source>Lowest: %1; of the values of τ: %2.</source>
-        <translation>Le plus bas&#xa0;: %1&#xa0;; parmi les valeurs de τ&#xa0;: %2.</translation>
+        <translation>Le plus bas : %1 ; parmi les valeurs de τ : %2.</translation>
     </message>
     <message>
         <source>Band: quartiles. Dashed: median. Ring: reference.</source>
-        <translation>Bande&#xa0;: quartiles. Tirets&#xa0;: médiane. Cercle&#xa0;: référence.</translation>
+        <translation>Bande : quartiles. Tirets : médiane. Cercle : référence.</translation>
     </message>
     <message>
         <source>Ring: reference.</source>
-        <translation>Cercle&#xa0;: référence.</translation>
+        <translation>Cercle : référence.</translation>
     </message>
     <message>
         <source>Best τ of each case</source>
@@ -12273,7 +12273,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>stuck: visits at most two icebergs in the second half</source>
-        <translation>bloqué&#xa0;: visite deux icebergs au plus dans la seconde moitié</translation>
+        <translation>bloqué : visite deux icebergs au plus dans la seconde moitié</translation>
     </message>
     <message>
         <source>%1 vs %2</source>
@@ -12316,11 +12316,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Autosaving failed: %1</source>
-        <translation>Échec de l&apos;enregistrement automatique&#xa0;: %1</translation>
+        <translation>Échec de l&apos;enregistrement automatique : %1</translation>
     </message>
     <message>
         <source>Study: %1</source>
-        <translation>Étude&#xa0;: %1</translation>
+        <translation>Étude : %1</translation>
     </message>
 </context>
 <context>
@@ -12335,7 +12335,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>%1: %2</source>
         <comment>name of a study, how many cases</comment>
-        <translation>%1&#xa0;: %2</translation>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -12346,7 +12346,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Flown as in the study, which is under View, Study.</source>
-        <translation>Joué comme dans l&apos;étude, qui se trouve sous «&#xa0;Affichage&#xa0;», «&#xa0;Étude&#xa0;».</translation>
+        <translation>Joué comme dans l&apos;étude, qui se trouve sous « Affichage », « Étude ».</translation>
     </message>
     <message>
         <source>Fly Figure 5 of the paper</source>
@@ -12373,7 +12373,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Solution times by number of icebergs: opens the solve time study with the sizes of the paper.</source>
-        <translation>Temps de résolution selon le nombre d&apos;icebergs&#xa0;: ouvre l&apos;étude des temps de résolution avec les tailles de l&apos;article.</translation>
+        <translation>Temps de résolution selon le nombre d&apos;icebergs : ouvre l&apos;étude des temps de résolution avec les tailles de l&apos;article.</translation>
     </message>
     <message>
         <source>Figure 4</source>
@@ -12389,7 +12389,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Two flights of this scenario over the map: with the τ of lowest ζ, and along the shortest path.</source>
-        <translation>Deux vols de ce scénario sur la carte&#xa0;: avec le τ de plus faible ζ, et le long du plus court chemin.</translation>
+        <translation>Deux vols de ce scénario sur la carte : avec le τ de plus faible ζ, et le long du plus court chemin.</translation>
     </message>
 </context>
 <context>
@@ -12500,7 +12500,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Lowest ζ: %1. One case is too few for a recommendation: fly more of them.</source>
-        <translation>ζ le plus bas&#xa0;: %1. Un seul cas ne suffit pas pour une recommandation&#xa0;: jouez-en d&apos;autres.</translation>
+        <translation>ζ le plus bas : %1. Un seul cas ne suffit pas pour une recommandation : jouez-en d&apos;autres.</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -12529,7 +12529,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>about %1 s</source>
-        <translation>environ %1&#xa0;s</translation>
+        <translation>environ %1 s</translation>
     </message>
     <message>
         <source>about %1 min</source>
@@ -12537,7 +12537,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>about %1 h</source>
-        <translation>environ %1&#xa0;h</translation>
+        <translation>environ %1 h</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -12624,7 +12624,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Flights of each scenario with different noise: the true drift is drawn again, identically for every setting.</source>
-        <translation>Vols de chaque scénario avec un autre bruit&#xa0;: la dérive réelle est tirée de nouveau, la même pour chaque réglage.</translation>
+        <translation>Vols de chaque scénario avec un autre bruit : la dérive réelle est tirée de nouveau, la même pour chaque réglage.</translation>
     </message>
     <message>
         <source>τ from</source>
@@ -12705,7 +12705,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Measured; velocities are uncertain by 0.1 m/s along each axis.</source>
-        <translation>Mesuré&#xa0;; les vitesses sont incertaines de 0,1&#xa0;m/s selon chaque axe.</translation>
+        <translation>Mesuré ; les vitesses sont incertaines de 0,1 m/s selon chaque axe.</translation>
     </message>
     <message>
         <source>Real drift</source>
@@ -12713,7 +12713,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Measured; velocities are unknown and change, as observed for icebergs with beacons.</source>
-        <translation>Mesuré&#xa0;; les vitesses sont inconnues et changent, comme observé pour des icebergs équipés de balises.</translation>
+        <translation>Mesuré ; les vitesses sont inconnues et changent, comme observé pour des icebergs équipés de balises.</translation>
     </message>
     <message>
         <source>Drift</source>
@@ -12735,7 +12735,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>%1. Present plan: %2</source>
-        <translation>%1. Plan actuel&#xa0;: %2</translation>
+        <translation>%1. Plan actuel : %2</translation>
     </message>
     <message>
         <source>The plans for every τ are being computed.</source>
@@ -12805,7 +12805,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Small: the most uncertain icebergs come first. Large: the path gets short. Arrow keys change τ by 0.01, Page keys by 0.25.</source>
-        <translation>Petit&#xa0;: les icebergs les plus incertains viennent d&apos;abord. Grand&#xa0;: la route devient courte. Les flèches changent τ de 0,01, les touches Page de 0,25.</translation>
+        <translation>Petit : les icebergs les plus incertains viennent d&apos;abord. Grand : la route devient courte. Les flèches changent τ de 0,01, les touches Page de 0,25.</translation>
     </message>
     <message>
         <source>Trade-off τ from 0 to 100.</source>
@@ -12813,11 +12813,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Solver of the plan. Automatic proves small problems optimal and searches in large ones.</source>
-        <translation>Solveur du plan. «&#xa0;Automatique&#xa0;» prouve l&apos;optimum des petits problèmes et fait une recherche dans les grands.</translation>
+        <translation>Solveur du plan. « Automatique » prouve l&apos;optimum des petits problèmes et fait une recherche dans les grands.</translation>
     </message>
     <message>
         <source>A one-way plan ends at the last iceberg; a round trip includes the return.</source>
-        <translation>Un plan en aller simple se termine au dernier iceberg&#xa0;; une boucle comprend le retour.</translation>
+        <translation>Un plan en aller simple se termine au dernier iceberg ; une boucle comprend le retour.</translation>
     </message>
     <message>
         <source>Locked while looking back. Choose Back to latest or Continue from here to change it.</source>
@@ -12836,12 +12836,12 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Autosaving failed: %1</source>
-        <translation>Échec de l&apos;enregistrement automatique&#xa0;: %1</translation>
+        <translation>Échec de l&apos;enregistrement automatique : %1</translation>
     </message>
     <message>
         <source>Unsaved work of a program that ended unexpectedly cannot be read. It is kept in this file:
 %1</source>
-        <translation>Le travail non enregistré d&apos;un programme terminé de façon inattendue ne peut pas être lu. Il est conservé dans ce fichier&#xa0;:
+        <translation>Le travail non enregistré d&apos;un programme terminé de façon inattendue ne peut pas être lu. Il est conservé dans ce fichier :
 %1</translation>
     </message>
     <message>
@@ -12865,7 +12865,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Values: %1</source>
-        <translation>Valeurs&#xa0;: %1</translation>
+        <translation>Valeurs : %1</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -12931,7 +12931,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>The scenario was changed before take-off: nothing was flown.</source>
-        <translation>Le scénario a été modifié avant le décollage&#xa0;: aucun vol n&apos;a été effectué.</translation>
+        <translation>Le scénario a été modifié avant le décollage : aucun vol n&apos;a été effectué.</translation>
     </message>
     <message>
         <source>Restore flight</source>
