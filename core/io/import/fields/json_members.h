@@ -14,8 +14,8 @@
 namespace berg {
 
 /**
- * Returns the first character of a JSON text behind a byte order mark and the record separator of a
- * text sequence (RFC 8142), or 0 if there is none: '{' for an object, '[' for a list.
+ * Returns the first character of a JSON text, which is '{' for an object and '[' for a list, or 0
+ * if there is none. A byte order mark and the record separator of RFC 8142 in front are skipped.
  */
 [[nodiscard]] char firstOfJson(std::string_view text);
 /** Returns a member of an object, or null if it is missing or `value` is not an object. */
