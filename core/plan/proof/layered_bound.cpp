@@ -217,7 +217,7 @@ private:
             m_gap = nextGap();
             if (m_gap > m_options.gap) {
                 m_stage->ascent = m_ascent;
-                m_saved = m_stage;
+                m_saved = std::make_unique<Stage<Costs>>(*m_stage);
             }
         }
         constexpr std::int64_t kGrowth = 3; // growth of vectors, and memory of the search
@@ -305,7 +305,7 @@ private:
         }
         m_gapReached = false;
         m_gap = nextGap();
-        m_stage = m_saved;
+        m_stage = *m_saved;
         m_ascent = m_stage->ascent;
         if (m_gap == m_options.gap)
             m_saved.reset();
@@ -316,7 +316,7 @@ private:
     const LayeredBoundOptions& m_layered;
     LayeredPaths<Costs> m_paths;
     std::optional<Stage<Costs>> m_stage; ///< once there is a graph
-    std::optional<Stage<Costs>> m_saved; ///< stage from which the next gap is certified
+    std::unique_ptr<Stage<Costs>> m_saved; ///< stage from which the next gap is certified
     bool m_isStaged = false;             ///< whether other gaps are certified first
 };
 
