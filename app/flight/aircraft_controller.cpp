@@ -391,8 +391,8 @@ void AircraftController::showNotices()
         const LinkVehicle* vehicle = vehicleOf(address);
         if (vehicle == nullptr)
             continue;
-        const auto add = [&](NoticeKind kind, const QString& text) {
-            notices.push_back({.kind = kind, .about = {aircraft.uav}, .text = text});
+        const auto add = [&notices, &uav = aircraft.uav](NoticeKind kind, const QString& text) {
+            notices.push_back({.kind = kind, .about = {uav}, .text = text});
         };
         const auto named = [name = aircraftName(address)](const QString& text) {
             return u"%1: %2"_s.arg(name, text);

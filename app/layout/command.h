@@ -43,8 +43,10 @@ enum class When : unsigned
 struct Keys
 {
     Keys() = default;
+    // NOLINTBEGIN(google-explicit-constructor): a row of the list has one or the other
     Keys(QKeySequence::StandardKey key) : list{QKeySequence(key)} {}
     Keys(const char* text) : list(QKeySequence::listFromString(QLatin1String(text))) {}
+    // NOLINTEND(google-explicit-constructor)
 
     QList<QKeySequence> list;
 };
