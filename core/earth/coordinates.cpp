@@ -124,7 +124,7 @@ bool isLatitude(const CoordinateAngle& angle)
     return letter == 'N' || letter == 'S';
 }
 
-PlaceOrFault placeOf(CoordinateAngle first, CoordinateAngle second)
+PlaceOrFault pairedPlace(CoordinateAngle first, CoordinateAngle second)
 {
     const bool isSwapped = (first.letter && !isLatitude(first)) || isLatitude(second);
     if (isSwapped)
@@ -168,7 +168,7 @@ PlaceOrFault parsePlace(std::string_view text)
     if (const auto* fault = std::get_if<CoordinateFault>(&halves))
         return *fault;
     const auto& [first, second] = std::get<CoordinateAngles>(halves);
-    return placeOf(first, second);
+    return pairedPlace(first, second);
 }
 
 std::string angleText(double angle_deg, CoordinateForm form, std::optional<int> decimals)

@@ -156,7 +156,7 @@ private:
                                    ? htmlWithin(texts[i], m_widths_px[i] - kCell_px, m_fit.size_px)
                                    : berg::html(texts[i]);
             if (below != nullptr)
-                text = "<b>" + text + "</b><br/>" + berg::html((*below)[i]);
+                text.insert(0, "<b>").append("</b><br/>").append(berg::html((*below)[i]));
             const bool isNumber = i == placeOf(BriefColumn::Number);
             row += inElement(element + (isName ? " class=\"text\"" : "") +
                                  (isNumber ? " width=\"1%\"" : ""),

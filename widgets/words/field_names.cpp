@@ -124,7 +124,7 @@ const FieldName* findField(const std::string& field)
 }
 
 /** Returns a number with as many decimals as it has, six at most. */
-QString numberText(double value, const QLocale& locale)
+QString valueDigits(double value, const QLocale& locale)
 {
     constexpr double kSmallest = 1e-6;
     constexpr double kPlain = 1e9;
@@ -143,7 +143,7 @@ QString numberText(double value, const QLocale& locale)
 
 QString withUnit(double value, const ShownUnit& unit, const QLocale& locale)
 {
-    return u"%1 %2"_s.arg(numberText(unit.fromSi(value), locale), unit.name);
+    return u"%1 %2"_s.arg(valueDigits(unit.fromSi(value), locale), unit.name);
 }
 
 /** Returns a height; feet have one decimal, as in the fields. */
@@ -152,7 +152,7 @@ QString heightFieldText(double height_m, const QLocale& locale)
     const ShownUnit unit = heightUnit();
     const bool isExact = shownUnits().height == HeightUnit::Metres;
     const double shown = unit.fromSi(height_m);
-    return u"%1 %2"_s.arg(numberText(isExact ? shown : std::round(10 * shown) / 10, locale),
+    return u"%1 %2"_s.arg(valueDigits(isExact ? shown : std::round(10 * shown) / 10, locale),
                           unit.name);
 }
 
@@ -176,13 +176,13 @@ QString quantityText(Quantity quantity, double value, const QLocale& locale)
     case Quantity::Seconds:
         return withUnit(value, {.name = u"s"_s}, locale);
     case Quantity::Degrees:
-        return numberText(value, locale) + u'°';
+        return valueDigits(value, locale) + u'°';
     case Quantity::Variance:
         return withUnit(value, {.name = u"m²"_s}, locale);
     case Quantity::Growth:
         return withUnit(value, {.name = u"m²/s"_s}, locale);
     }
-    return numberText(value, locale);
+    return valueDigits(value, locale);
 }
 
 /** Rounded, as computed values are. */
@@ -194,7 +194,7 @@ QString computedText(const Amount& amount, const QLocale& locale)
         return distanceText(amount.value, locale, 2);
     if (amount.quantity == Quantity::Speed)
         return u"%1 %2"_s.arg(
-            numberText(std::round(100 * speedUnit().fromSi(amount.value)) / 100, locale),
+            valueDigits(std::round(100 * speedUnit().fromSi(amount.value)) / 100, locale),
             speedUnit().name);
     return quantityText(amount.quantity, amount.value, locale);
 }

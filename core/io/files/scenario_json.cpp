@@ -48,6 +48,8 @@ struct Reader : MemberReader
 /** Writes the members of a scenario; values equal to their default are left out. */
 struct Writer : MemberWriter
 {
+    Writer(JsonObject& into, int indentBy) : MemberWriter{into}, indent(indentBy) {}
+
     int indent = 0;
 
     template <class T>
@@ -155,7 +157,7 @@ std::string scenarioText(const Scenario& scenario, int indent)
     JsonObject object;
     object.add("format", kFormat);
     object.add("version", 1);
-    members(Writer{{object}, indent}, scenario);
+    members(Writer(object, indent), scenario);
     object.addExtra(scenario.extraJson);
     return object.inLines(indent);
 }

@@ -84,7 +84,7 @@ protected:
     {
         m_result.plan = std::move(plan);
     }
-    ~BoundLoop() = default;
+    virtual ~BoundLoop() = default;
 
     /** Returns the cost of any plan. */
     [[nodiscard]] virtual double costOf(const FleetPlan& plan) const = 0;

@@ -40,7 +40,7 @@ protected:
         };
         m_effort.limit = m_limit;
     }
-    ~EngineLoop() = default;
+    virtual ~EngineLoop() = default;
 
     /** Makes a first plan and a local optimum near it. */
     virtual void start() = 0;

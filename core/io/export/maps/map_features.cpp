@@ -276,8 +276,8 @@ std::vector<MapProperty> flatProperties(const MapFeature& feature)
         } else if (const auto* vector_mps = std::get_if<Point>(&property.value)) {
             const std::string stem = property.name.substr(0, property.name.rfind('_'));
             const std::string unit = property.name.substr(stem.size());
-            flat.push_back({stem + "_east" + unit, vector_mps->x()});
-            flat.push_back({stem + "_north" + unit, vector_mps->y()});
+            flat.push_back({std::string(stem).append("_east").append(unit), vector_mps->x()});
+            flat.push_back({std::string(stem).append("_north").append(unit), vector_mps->y()});
         } else {
             flat.push_back(property);
         }

@@ -44,8 +44,8 @@ void FeatureSightings::setProperties(const Json* properties)
             continue;
         const std::string stem = name.substr(0, name.rfind('_'));
         const std::string unit = name.substr(stem.size());
-        setData(stem + "_east" + unit, cellText(value[0]));
-        setData(stem + "_north" + unit, cellText(value[1]));
+        setData(std::string(stem).append("_east").append(unit), cellText(value[0]));
+        setData(std::string(stem).append("_north").append(unit), cellText(value[1]));
     }
 }
 
