@@ -76,6 +76,9 @@ template <class Graph>
  */
 class BoundLoop
 {
+public:
+    virtual ~BoundLoop() = default;
+
 protected:
     /** Starts from a plan of that cost, and from multipliers (`MultiplierAscent`). */
     BoundLoop(const BoundOptions& options, FleetPlan plan, double cost, Eigen::VectorXd lambda,
@@ -84,7 +87,6 @@ protected:
     {
         m_result.plan = std::move(plan);
     }
-    virtual ~BoundLoop() = default;
 
     /** Returns the cost of any plan. */
     [[nodiscard]] virtual double costOf(const FleetPlan& plan) const = 0;

@@ -18,6 +18,9 @@ namespace berg {
  */
 class EngineLoop
 {
+public:
+    virtual ~EngineLoop() = default;
+
 protected:
     /**
      * `shift` is the cost minus the objective. `effort` is a work limit of the back end itself.
@@ -40,7 +43,6 @@ protected:
         };
         m_effort.limit = m_limit;
     }
-    virtual ~EngineLoop() = default;
 
     /** Makes a first plan and a local optimum near it. */
     virtual void start() = 0;
