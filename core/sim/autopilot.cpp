@@ -168,6 +168,13 @@ std::optional<int> thisSortie(const Autopilot& uav, std::span<const int> order,
     return uav.guard().visitsInTime(uav.pose(), places);
 }
 
+void startAtBestCorner(const Autopilot& uav, Search& search, const Observer& observer)
+{
+    search.path.startAtBestCorner(uav.pose().position_m - observer.estimate_m(search.iceberg),
+                                  uav.motion().airspeed_mps, surelySeen_m(uav.sensor()),
+                                  observer.world().observer().detection);
+}
+
 double searchGain_m2ps(const Autopilot& uav, const Search& search, const Observer& observer)
 {
     const double variance_m2 =

@@ -206,6 +206,9 @@ private:
  */
 [[nodiscard]] std::optional<int> thisSortie(const Autopilot& uav, std::span<const int> order,
                                             const Observer& observer);
+/** Lets the search begin at the corner that is best for the UAV (`LostSearch::startAtBestCorner`).
+ */
+void startAtBestCorner(const Autopilot& uav, Search& search, const Observer& observer);
 /**
  * Returns the expected gain of the search per second, m^2/s: the chance of finding the iceberg per
  * second times its weighted variance.

@@ -250,8 +250,8 @@ void Fleet::beginOrEndSearch(int uav)
 /**
  * Resumes a search that was given up if it gains more than the new target, because the other
  * icebergs have been seen recently; without a target in any case, because the iceberg may have
- * drifted back into the area searched. The pattern starts anew at the datum, but probabilities of
- * cells seen empty are retained.
+ * drifted back into the area searched. The pattern is laid anew about the datum and begins at its
+ * best corner; probabilities of cells seen empty are retained.
  */
 void Fleet::searchAgain(int uav)
 {
@@ -265,7 +265,8 @@ void Fleet::searchAgain(int uav)
                                  me.pose().psi_rad);
         Search search{.iceberg = old.iceberg,
                       .path = LostSearch::restored(pattern.corners_m(), 0, old.path.spread_m(),
-                                                   old.path.chances())};
+                                                   old.path.chances(), old.path.presence())};
+        startAtBestCorner(me, search, m_observer);
         const double gain_m2ps = searchGain_m2ps(me, search, m_observer);
         if (gain_m2ps > best_m2ps && isWorthSearching(me, search, m_observer)) {
             best_m2ps = gain_m2ps;

@@ -20,6 +20,9 @@ constexpr double kCovered_sd = 3;
 /** Number of legs over which a search is judged: one round of the square. */
 constexpr std::size_t kLegsAhead = 4;
 
+/** Number of corners at which the start of a search is compared. */
+constexpr std::size_t kMostCompared = 100;
+
 // The cells are a square grid in standard deviations.
 constexpr int kCellsAcross = 21;
 constexpr double kCellsReach_sd = 3.2;
@@ -129,6 +132,7 @@ void LostSearch::miss(const FieldOfView& view, const Point& datum_m, double dete
     for (double& chance : chances)
         chance /= left;
     m_chances = std::move(chances);
+    m_presence *= left / (m_presence * left + 1 - m_presence);
 }
 
 void LostSearch::grow(double added_m2)
@@ -167,7 +171,7 @@ double LostSearch::chancePerSecond(const Point& uav_m, double speed_mps, double 
             best = std::max(best, found * speed_mps / flown_m);
         from_m = to_m;
     }
-    return best;
+    return best * m_presence;
 }
 
 std::vector<SearchPlace> LostSearch::likeliestPlaces(double half_m, std::size_t most) const
@@ -215,14 +219,37 @@ std::vector<SearchPlace> LostSearch::likeliestPlaces(double half_m, std::size_t 
     return places;
 }
 
-LostSearch LostSearch::restored(std::vector<Point> corners_m, std::size_t next, double spread_m,
-                                std::vector<double> chances)
+void LostSearch::startAtBestCorner(const Point& uav_m, double speed_mps, double reach_m,
+                                   double detection)
 {
+    const std::size_t stride = 1 + m_corners_m.size() / kMostCompared;
+    double best = -1;
+    std::size_t bestCorner = 0;
+    for (m_next = 0; m_next < m_corners_m.size(); m_next += stride) {
+        const double chance = chancePerSecond(uav_m, speed_mps, reach_m, detection);
+        if (chance > best) {
+            best = chance;
+            bestCorner = m_next;
+        }
+    }
+    m_next = bestCorner;
+}
+
+std::size_t LostSearch::cellCount()
+{
+    return cells().chance.size();
+}
+
+LostSearch LostSearch::restored(std::vector<Point> corners_m, std::size_t next, double spread_m,
+                                std::vector<double> chances, double presence)
+{
+    require(chances.size() == cellCount(), "LostSearch: needs a probability of each cell");
     LostSearch search;
     search.m_corners_m = std::move(corners_m);
     search.m_next = next;
     search.m_spread_m = spread_m;
     search.m_chances = std::move(chances);
+    search.m_presence = presence;
     return search;
 }
 

@@ -57,6 +57,13 @@ struct SearchPlace
 class LostSearch
 {
 public:
+    /**
+     * Probability at first that the iceberg is in no cell, because its velocity has changed or it
+     * is gone. It grows with each cell seen empty (Bayes), so that a search in vain is worth less
+     * and less.
+     */
+    static constexpr double kElsewhere = 0.02;
+
     LostSearch() = default;
 
     /**
@@ -96,6 +103,13 @@ public:
                                          double detection) const;
 
     /**
+     * Moves to the corner from which `chancePerSecond`, with the same parameters, is largest, the
+     * first of equals: what was searched in vain is left out when a search is resumed. Of a pattern
+     * with more than 100 corners only every n-th is compared.
+     */
+    void startAtBestCorner(const Point& uav_m, double speed_mps, double reach_m, double detection);
+
+    /**
      * Returns up to `most` places with descending probability: the likeliest place for a square
      * view of half width `half_m` (north-aligned), then the likeliest one outside it, and so on.
      * Places below 2 % are left out.
@@ -107,9 +121,16 @@ public:
     [[nodiscard]] std::size_t next() const { return m_next; }
     [[nodiscard]] double spread_m() const { return m_spread_m; }
     [[nodiscard]] const std::vector<double>& chances() const { return m_chances; }
-    /** Returns the search that has this state, as read by the four functions above. */
+    [[nodiscard]] double presence() const { return m_presence; }
+    /** Returns the number of cells, and of `chances`. */
+    [[nodiscard]] static std::size_t cellCount();
+    /**
+     * Returns the search that has this state, as read by the five functions above. Throws
+     * `std::logic_error` unless there are `cellCount()` chances.
+     */
     [[nodiscard]] static LostSearch restored(std::vector<Point> corners_m, std::size_t next,
-                                             double spread_m, std::vector<double> chances);
+                                             double spread_m, std::vector<double> chances,
+                                             double presence);
 
     bool operator==(const LostSearch&) const = default;
 
@@ -117,7 +138,8 @@ private:
     std::vector<Point> m_corners_m;
     std::size_t m_next = 1;
     double m_spread_m = 0;
-    std::vector<double> m_chances; ///< probabilities by cell; their sum is 1
+    std::vector<double> m_chances; ///< probabilities by cell if it is in one; their sum is 1
+    double m_presence = 1 - kElsewhere;
 };
 
 } // namespace berg

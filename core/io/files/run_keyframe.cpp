@@ -172,6 +172,7 @@ std::string searchText(const Search& search)
     object.add("next", static_cast<std::int64_t>(search.path.next()));
     object.add("spread_m", search.path.spread_m());
     object.addText("chances", jsonArrayOf(search.path.chances()));
+    object.add("presence", search.path.presence());
     return object.inLine();
 }
 
@@ -201,8 +202,15 @@ Search readSearch(const Json& value, const std::string& path, Faults& faults,
             corners_m.push_back(*corner_m);
     const auto next = object.whole("next", 0, {.low = 0, .high = kLargestCount});
     const double spread_m = object.number("spread_m", 0);
-    search.path = LostSearch::restored(std::move(corners_m), static_cast<std::size_t>(next),
-                                       spread_m, readList(object, "chances"));
+    const double presence = object.number("presence", 1, Limits{.low = 0, .high = 1});
+    std::vector<double> chances = readList(object, "chances");
+    if (chances.size() == LostSearch::cellCount())
+        search.path = LostSearch::restored(std::move(corners_m), static_cast<std::size_t>(next),
+                                           spread_m, std::move(chances), presence);
+    else
+        faults.add(
+            object.path("chances"),
+            {IssueId::EntryCount, {countOf(LostSearch::cellCount()), countOf(chances.size())}});
     return search;
 }
 

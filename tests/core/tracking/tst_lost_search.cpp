@@ -176,12 +176,64 @@ private slots:
     {
         const LostSearch search = squareSearch(150);
         // The reach is so wide that the first leg of 540 m sweeps every cell at once.
-        COMPARE_NEAR(search.chancePerSecond({0, 0}, 20, 5000, 1), 20.0 / 540, 1e-9);
-        COMPARE_NEAR(search.chancePerSecond({0, 0}, 20, 5000, 0.5), 10.0 / 540, 1e-9);
-        QCOMPARE(search.chancePerSecond({0, 0}, 20, 0, 1) < 20.0 / 540, true);
+        COMPARE_NEAR(search.chancePerSecond({0, 0}, 20, 5000, 1),
+                     (1 - LostSearch::kElsewhere) * 20 / 540, 1e-9);
+        COMPARE_NEAR(search.chancePerSecond({0, 0}, 20, 5000, 0.5),
+                     (1 - LostSearch::kElsewhere) * 10 / 540, 1e-9);
+        QCOMPARE(search.chancePerSecond({0, 0}, 20, 0, 1) < (1 - LostSearch::kElsewhere) * 20 / 540,
+                 true);
     }
 
     /** The likeliest place is the datum, until a view of it has shown nothing. */
+    /** From the estimate outwards the UAV would fly over what it has just seen empty. */
+    void beginsAtTheBestCorner()
+    {
+        const Point uav_m(-2000, 500);
+        LostSearch search = squareSearch(1000);
+        search.startAtBestCorner(uav_m, 25, 300, 0.9);
+        const std::size_t fresh = search.next();
+        for (double x_m = -1200; x_m <= 1200; x_m += 300)
+            for (double y_m = -1200; y_m <= 1200; y_m += 300)
+                for (int sample = 0; sample < 5; ++sample)
+                    search.miss(viewAt({x_m, y_m}), Point::Zero(), 0.9);
+        search.startAtBestCorner(uav_m, 25, 300, 0.9);
+        const double chance = search.chancePerSecond(uav_m, 25, 300, 0.9);
+        QVERIFY(search.next() > fresh);
+        QVERIFY(search.corner_m().cwiseAbs().maxCoeff() > 1200);
+        double fromDatum = 0;
+        for (std::size_t next = 0; next < search.corners_m().size(); ++next) {
+            const LostSearch other = LostSearch::restored(
+                search.corners_m(), next, search.spread_m(), search.chances(), search.presence());
+            const double its = other.chancePerSecond(uav_m, 25, 300, 0.9);
+            QVERIFY(its <= chance);
+            fromDatum = next == 0 ? its : fromDatum;
+        }
+        QVERIFY(chance > 2 * fromDatum);
+    }
+
+    /** An iceberg that is in no cell must not keep a UAV for ever. */
+    void aSearchInVainIsWorthLess()
+    {
+        LostSearch search = squareSearch(1000);
+        double before = search.chancePerSecond(Point::Zero(), 25, 300, 0.9);
+        for (int round = 0; round < 4; ++round) {
+            for (double x_m = -3300; x_m <= 3300; x_m += 600)
+                for (double y_m = -3300; y_m <= 3300; y_m += 600)
+                    search.miss(viewAt({x_m, y_m}), Point::Zero(), 0.9);
+            search.startAtBestCorner(Point::Zero(), 25, 300, 0.9);
+            const double after = search.chancePerSecond(Point::Zero(), 25, 300, 0.9);
+            QVERIFY2(round == 0 || after < before / 2, qPrintable(QString::number(after / before)));
+            before = after;
+        }
+    }
+
+    void patternWithoutCornersHasNoBest()
+    {
+        LostSearch search({.search = SearchPattern::None}, kSensor, 500, 0);
+        search.startAtBestCorner(Point::Zero(), 25, 300, 1);
+        QVERIFY(!search.hasCorner());
+    }
+
     void likeliestPlacesAreApart()
     {
         constexpr double kHalf_m = 150;
@@ -222,7 +274,7 @@ private slots:
         search.nextCorner();
         search.grow(400);
         QCOMPARE(LostSearch::restored(search.corners_m(), search.next(), search.spread_m(),
-                                      search.chances()),
+                                      search.chances(), search.presence()),
                  search);
     }
 };
