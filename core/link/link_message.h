@@ -25,6 +25,7 @@ enum class MessageId : std::uint32_t
     GpsRawInt = 24,
     Attitude = 30,
     GlobalPositionInt = 33,
+    MissionWritePartialList = 38,
     MissionItem = 39,
     MissionRequest = 40,
     MissionSetCurrent = 41,

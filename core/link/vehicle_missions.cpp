@@ -15,6 +15,7 @@ constexpr double kArduPilotRetry_s = 1.0;
 constexpr double kArduPilotTimeout_s = 8;
 constexpr double kPx4Retry_s = 0.5;
 constexpr double kPx4Timeout_s = 5;
+constexpr int kMostRepeats = 3; ///< Then PX4's requests change to the old message.
 constexpr std::array<int, 3> kMostItems{718, 70, 10}; ///< Mission, fence, rally.
 
 // Values of MAV_MISSION_RESULT.
@@ -34,6 +35,11 @@ std::optional<MissionType> typeOf(const LinkMessage& message)
 {
     const std::int64_t type = message.integer("mission_type");
     return type >= 0 && type <= 2 ? std::optional(static_cast<MissionType>(type)) : std::nullopt;
+}
+
+int mostItems(MissionType type)
+{
+    return kMostItems.at(static_cast<std::size_t>(type));
 }
 
 LinkMessage statusText(int severity, std::string_view text)
@@ -139,7 +145,8 @@ AddressedMessage VehicleMissions::ack(LinkAddress target, MissionType type, int 
 
 AddressedMessage VehicleMissions::request() const
 {
-    LinkMessage message(isArduPilot() ? MessageId::MissionRequest : MessageId::MissionRequestInt);
+    const bool isOld = isArduPilot() || m_asksOldWay;
+    LinkMessage message(isOld ? MessageId::MissionRequest : MessageId::MissionRequestInt);
     message.with("target_system", m_partner.system)
         .with("target_component", m_partner.component)
         .with("seq", m_seq)
@@ -153,6 +160,8 @@ std::vector<AddressedMessage> VehicleMissions::receive(const LinkMessage& messag
     switch (message.id()) {
     case MessageId::MissionCount:
         return receiveCount(message, sender, now_s);
+    case MessageId::MissionWritePartialList:
+        return receivePartialList(message, sender, now_s);
     case MessageId::MissionItem:
     case MessageId::MissionItemInt:
         return receiveItem(message, sender, now_s);
@@ -190,24 +199,51 @@ std::vector<AddressedMessage> VehicleMissions::receiveCount(const LinkMessage& m
             return {ack(sender, *type, kMissionError)};
     }
     const int count = static_cast<int>(message.integer("count"));
-    if (count > kMostItems.at(static_cast<std::size_t>(*type)))
+    if (count > mostItems(*type))
         return {ack(sender, *type, kMissionNoSpace)};
 
-    m_partner = sender;
-    m_type = *type;
-    m_count = count;
-    m_seq = 0;
-    m_incoming.clear();
-    m_lastHeard_s = m_lastRequest_s = now_s;
-    if (isArduPilot() && listOf(m_type).items.size() > static_cast<std::size_t>(count)) {
-        listOf(m_type).items.resize(static_cast<std::size_t>(count)); // before any item arrives
-        ++listOf(m_type).revision;
+    if (isArduPilot() && listOf(*type).items.size() > static_cast<std::size_t>(count)) {
+        listOf(*type).items.resize(static_cast<std::size_t>(count)); // before any item arrives
+        ++listOf(*type).revision;
     }
-    if (count == 0) {
-        complete();
-        return {ack(sender, *type, kMissionAccepted)};
-    }
+    std::vector<AddressedMessage> first = beginReceiving(*type, sender, 0, count - 1, now_s);
+    if (count > 0)
+        return first;
+    complete();
+    return {ack(sender, *type, kMissionAccepted)};
+}
+
+std::vector<AddressedMessage> VehicleMissions::receivePartialList(const LinkMessage& message,
+                                                                  LinkAddress sender, double now_s)
+{
+    if (!isArduPilot())
+        return {};
+    const std::optional<MissionType> type = typeOf(message);
+    if (!type)
+        return {ack(sender, MissionType::Mission, kMissionTypeUnsupported)};
+    if (m_state == State::Receiving)
+        return {ack(sender, *type, kMissionDenied)};
+    const auto count = static_cast<std::int64_t>(listOf(*type).items.size());
+    const std::int64_t first = message.integer("start_index");
+    const std::int64_t last = message.integer("end_index"); // may be the place behind the last item
+    const bool isInside = first >= 0 && first <= last && last <= count && last < mostItems(*type);
+    if (!isInside)
+        return {ack(sender, *type, kMissionError)};
+    return beginReceiving(*type, sender, static_cast<int>(first), static_cast<int>(last), now_s);
+}
+
+std::vector<AddressedMessage> VehicleMissions::beginReceiving(MissionType type, LinkAddress sender,
+                                                              int first, int last, double now_s)
+{
     m_state = State::Receiving;
+    m_partner = sender;
+    m_type = type;
+    m_seq = first;
+    m_count = last + 1;
+    m_incoming.clear();
+    m_repeats = 0;
+    m_asksOldWay = false;
+    m_lastHeard_s = m_lastRequest_s = now_s;
     return {request()};
 }
 
@@ -249,6 +285,7 @@ std::vector<AddressedMessage> VehicleMissions::receiveItem(const LinkMessage& me
     } else {
         m_incoming.push_back(item);
     }
+    m_repeats = 0;
     m_lastHeard_s = m_lastRequest_s = now_s;
     if (++m_seq < m_count)
         return {request()};
@@ -298,6 +335,11 @@ std::vector<AddressedMessage> VehicleMissions::sendItem(const LinkMessage& messa
     if (m_state == State::Receiving)
         return {ack(receiver, *type, isArduPilot() ? kMissionDenied : kMissionError)};
     const List& list = listOf(*type);
+    std::optional<LinkMissionItem> item;
+    if (seq < static_cast<int>(list.items.size()))
+        item = list.items[static_cast<std::size_t>(seq)];
+    else if (isArduPilot() && *type == MissionType::Mission && seq == 0)
+        item = m_home; // stations read it without a mission, too
     if (!isArduPilot()) {
         if (m_state != State::Sending || receiver != m_partner || *type != m_type)
             return {};
@@ -311,12 +353,11 @@ std::vector<AddressedMessage> VehicleMissions::sendItem(const LinkMessage& messa
         }
         m_seq = seq + 1;
     }
-    if (seq >= static_cast<int>(list.items.size()))
+    if (!item)
         return {ack(receiver, *type, kMissionError)};
-    const LinkMessage item = itemMessage(list.items[static_cast<std::size_t>(seq)],
-                                         {.target = receiver, .type = *type, .seq = seq});
+    const LinkMessage sent = itemMessage(*item, {.target = receiver, .type = *type, .seq = seq});
     return {{.target = receiver,
-             .message = message.id() == MessageId::MissionRequestInt ? item : floatItem(item)}};
+             .message = message.id() == MessageId::MissionRequestInt ? sent : floatItem(sent)}};
 }
 
 std::vector<AddressedMessage> VehicleMissions::clear(const LinkMessage& message, LinkAddress sender)
@@ -325,8 +366,13 @@ std::vector<AddressedMessage> VehicleMissions::clear(const LinkMessage& message,
     const std::optional<MissionType> type = typeOf(message);
     if (!isAll && !type)
         return {ack(sender, MissionType::Mission, kMissionTypeUnsupported)};
-    if (m_state != State::Idle)
-        return {ack(sender, type.value_or(MissionType::Mission), kMissionError)};
+    // ArduPilot ends an upload of the same station; PX4 is busy.
+    const bool isRefused =
+        isArduPilot() ? m_state == State::Receiving && sender != m_partner : m_state != State::Idle;
+    if (isRefused)
+        return {ack(sender, type.value_or(MissionType::Mission),
+                    isArduPilot() ? kMissionDenied : kMissionError)};
+    m_state = State::Idle;
     for (std::size_t i = 0; i < m_lists.size(); ++i) {
         if (isAll || i == static_cast<std::size_t>(*type)) {
             m_lists.at(i).items.clear();
@@ -358,6 +404,7 @@ std::vector<AddressedMessage> VehicleMissions::advance(double now_s)
         now_s - m_lastRequest_s < (isArduPilot() ? kArduPilotRetry_s : kPx4Retry_s))
         return {};
     m_lastRequest_s = now_s;
+    m_asksOldWay = m_asksOldWay || ++m_repeats >= kMostRepeats;
     return {request()};
 }
 

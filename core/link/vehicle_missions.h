@@ -18,8 +18,10 @@ struct AddressedMessage
 
 /**
  * The vehicle's side of the mission protocol, with the behaviour of ArduPilot or PX4: type and
- * interval of requests, timeouts, refusals, and the result of a broken upload (ArduPilot a mixture,
- * PX4 the old mission). Kind Other behaves as ArduPilot. The caller supplies the time.
+ * interval of requests, timeouts, refusals, updates of a part of a list (ArduPilot only), and the
+ * result of a broken upload (ArduPilot a mixture, PX4 the old mission). Unlike PX4, its counterpart
+ * here turns to the old MISSION_REQUEST when a station does not answer the new one, as MAVProxy
+ * does not. Kind Other behaves as ArduPilot. The caller supplies the time.
  */
 class VehicleMissions
 {
@@ -67,6 +69,11 @@ private:
     [[nodiscard]] AddressedMessage request() const;
     [[nodiscard]] std::vector<AddressedMessage> receiveCount(const LinkMessage& message,
                                                              LinkAddress sender, double now_s);
+    [[nodiscard]] std::vector<AddressedMessage>
+    receivePartialList(const LinkMessage& message, LinkAddress sender, double now_s);
+    /** Begins to receive items `first` to `last` of a list and returns the first request. */
+    [[nodiscard]] std::vector<AddressedMessage> beginReceiving(MissionType type, LinkAddress sender,
+                                                               int first, int last, double now_s);
     [[nodiscard]] std::vector<AddressedMessage> receiveItem(const LinkMessage& message,
                                                             LinkAddress sender, double now_s);
     [[nodiscard]] std::vector<AddressedMessage> sendCount(MissionType type, LinkAddress receiver,
@@ -88,6 +95,8 @@ private:
     int m_count = 0;
     double m_lastHeard_s = 0;
     double m_lastRequest_s = 0;
+    int m_repeats = 0;         ///< Requests repeated since the last item.
+    bool m_asksOldWay = false; ///< PX4's requests are MISSION_REQUEST for the rest of the transfer.
 };
 
 } // namespace berg

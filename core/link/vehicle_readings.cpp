@@ -107,9 +107,9 @@ LinkMessage attitudeOf(const VehicleReadings& r, std::int64_t boot_ms)
 
 LinkMessage versionOf(AutopilotKind kind)
 {
-    // The flags are: missions and commands with integers, MAVLink 2, fence and rally points by the
-    // mission protocol.
-    constexpr std::int64_t kCapabilities = 4 | 8 | 8192 | 16384 | 32768;
+    // The flags are: missions and parameters as floats, missions and commands with integers,
+    // MAVLink 2, fence and rally points by the mission protocol.
+    constexpr std::int64_t kCapabilities = 1 | 2 | 4 | 8 | 8192 | 16384 | 32768;
     const std::int64_t version = kind == AutopilotKind::Px4 ? 0x010F00FF : 0x040600FF;
     return LinkMessage(MessageId::AutopilotVersion)
         .with("capabilities", kCapabilities)
@@ -132,19 +132,37 @@ std::optional<LinkMessage> windOf(MessageId id, const VehicleReadings& r, double
         .withReal("wind_alt", r.altitude_m);
 }
 
+/**
+ * Returns the flags of a mode in HEARTBEAT. Ground stations need them to name PX4's modes: an
+ * automatic one has all of auto, guided and stabilise, and one that the pilot flies has manual.
+ */
+int modeFlags(std::uint32_t mode, AutopilotKind kind)
+{
+    constexpr int kAutomatic = 4 + 8 + 16;
+    constexpr int kStabilised = 16;
+    constexpr int kManual = 64;
+    if (kind == AutopilotKind::Px4) {
+        const std::uint32_t main = mode >> 16U & 0xFFU;
+        const bool isAutomatic = main == 4 || main == 6; // 6 is "offboard"
+        return isAutomatic ? kAutomatic : kManual + (main == 1 ? 0 : kStabilised);
+    }
+    const bool isManual = mode == 0 || mode == 3 || mode == 4; // MANUAL, TRAINING, ACRO
+    const bool isAssisted = mode == 2 || (mode >= 5 && mode <= 8) || (mode >= 17 && mode <= 19);
+    return isManual ? kManual : isAssisted ? kStabilised : kAutomatic;
+}
+
 } // namespace
 
 LinkMessage heartbeatOf(const VehicleReadings& readings, const VehicleSideOptions& options)
 {
     constexpr int kCustomMode = 1;
-    constexpr int kAuto = 4;
-    constexpr int kStabilised = 16;
     constexpr int kArmed = 128;
     return LinkMessage(MessageId::Heartbeat)
         .with("custom_mode", readings.mode)
         .with("type", options.type)
         .with("autopilot", options.autopilot == AutopilotKind::Px4 ? 12 : 3)
-        .with("base_mode", kCustomMode + kAuto + kStabilised + (readings.isArmed ? kArmed : 0))
+        .with("base_mode", kCustomMode + modeFlags(readings.mode, options.autopilot) +
+                               (readings.isArmed ? kArmed : 0))
         .with("system_status", readings.isArmed ? 4 : 3)
         .with("mavlink_version", 3);
 }

@@ -19,6 +19,7 @@ constexpr std::size_t kMostGroundStations = 16;
 constexpr int kResultAccepted = 0;
 constexpr int kResultDenied = 2;
 constexpr int kResultUnsupported = 3;
+constexpr int kResultFailed = 4;
 constexpr int kResultOnlyCommandInt = 8;
 
 // Commands that only a vehicle receives.
@@ -34,7 +35,7 @@ struct StreamRow
     int stream;        ///< MAV_DATA_STREAM of ArduPilot that contains it.
 };
 
-constexpr std::array<StreamRow, 11> kStreamRows{{
+constexpr std::array<StreamRow, 12> kStreamRows{{
     {MessageId::SysStatus, 1, 2},
     {MessageId::GpsRawInt, 1, 2},
     {MessageId::MissionCurrent, 1, 2},
@@ -45,6 +46,7 @@ constexpr std::array<StreamRow, 11> kStreamRows{{
     {MessageId::Wind, 0, 12},
     {MessageId::WindCov, 1, 0},
     {MessageId::ExtendedSysState, 1, 12},
+    {MessageId::SystemTime, 1, 12},
     {MessageId::HomePosition, 5, 0},
 }};
 
@@ -59,6 +61,21 @@ bool isFor(const LinkMessage& message, LinkAddress self)
 LatLon placeOfUnits(double x, double y)
 {
     return {.latitude_deg = x / 1e7, .longitude_deg = y / 1e7};
+}
+
+/** Returns true if the autopilot of a fixed wing has this mode. */
+bool hasMode(AutopilotKind kind, std::uint32_t mode)
+{
+    if (kind != AutopilotKind::Px4)
+        return mode <= 26 && mode != 9 && mode != 16; // ArduPlane's numbers; 16 is "initialising"
+    const std::uint32_t main = mode >> 16U & 0xFFU;
+    const std::uint32_t sub = mode >> 24U;
+    return (mode & 0xFFFFU) == 0 && main >= 1 && main <= 8 && (main == 4) == (sub != 0);
+}
+
+long wholeNumber(double value)
+{
+    return std::abs(value) < 1e9 ? std::lround(value) : 0L;
 }
 
 } // namespace
@@ -174,6 +191,12 @@ void VehicleSide::answer(const ReceivedFrame& received, LinkTime now,
     const LinkAddress sender = received.frame.sender;
     if (m_peerOf.contains(sender) || m_peerOf.size() < kMostGroundStations)
         m_peerOf[sender] = received.peer;
+    const bool isItem =
+        message.id() == MessageId::MissionItem || message.id() == MessageId::MissionItemInt;
+    if (isItem && m_options.autopilot != AutopilotKind::Px4 && message.integer("current") == 2) {
+        answerGuidedItem(received, now, readings, orders);
+        return;
+    }
     switch (message.id()) {
     case MessageId::CommandLong:
     case MessageId::CommandInt: {
@@ -188,18 +211,17 @@ void VehicleSide::answer(const ReceivedFrame& received, LinkTime now,
         return;
     }
     case MessageId::SetMode:
-        orders.push_back({.kind = VehicleOrder::Kind::SetMode,
-                          .mode = static_cast<std::uint32_t>(message.integer("custom_mode"))});
-        m_exchange.send(received.peer,
-                        LinkMessage(MessageId::CommandAck)
-                            .with("command", static_cast<std::int64_t>(MessageId::SetMode))
-                            .with("result", kResultAccepted),
-                        now);
+        m_exchange.send(
+            received.peer,
+            LinkMessage(MessageId::CommandAck)
+                .with("command", static_cast<std::int64_t>(MessageId::SetMode))
+                .with("result",
+                      setMode(static_cast<int>(message.integer("base_mode")),
+                              static_cast<std::uint32_t>(message.integer("custom_mode")), orders)),
+            now);
         return;
     case MessageId::MissionSetCurrent:
-        orders.push_back(
-            {.kind = VehicleOrder::Kind::SetItem,
-             .item = std::max(0, static_cast<int>(message.integer("seq")) - itemOffset())});
+        static_cast<void>(setItem(message.integer("seq"), now, readings, orders));
         return;
     case MessageId::RequestDataStream:
         answerDataStream(message, now.monotonic_s);
@@ -233,11 +255,8 @@ void VehicleSide::answer(const ReceivedFrame& received, LinkTime now,
 int VehicleSide::execute(const LinkMessage& command, int peer, LinkTime now,
                          const VehicleReadings& readings, std::vector<VehicleOrder>& orders)
 {
-    const bool isInt = command.id() == MessageId::CommandInt;
     const double first = command.real("param1");
     const double second = command.real("param2");
-    const double third = command.real("param3");
-    const auto whole = [](double value) { return std::abs(value) < 1e9 ? std::lround(value) : 0L; };
     const auto sendOnce = [&](MessageId id) {
         const std::optional<LinkMessage> message = telemetry(id, now, readings);
         if (message)
@@ -247,45 +266,27 @@ int VehicleSide::execute(const LinkMessage& command, int peer, LinkTime now,
     switch (command.integer("command")) {
     case LinkCommandId::kSetMode: {
         const bool isPx4 = m_options.autopilot == AutopilotKind::Px4;
-        const long mode = isPx4 ? (whole(third) << 24) + (whole(second) << 16) : whole(second);
-        orders.push_back(
-            {.kind = VehicleOrder::Kind::SetMode, .mode = static_cast<std::uint32_t>(mode)});
-        return kResultAccepted;
+        const long main = wholeNumber(second) & 0xFF;
+        const long sub = wholeNumber(command.real("param3")) & 0xFF;
+        return setMode(
+            static_cast<int>(wholeNumber(first)),
+            static_cast<std::uint32_t>(isPx4 ? (sub << 24) + (main << 16) : wholeNumber(second)),
+            orders);
     }
     case LinkCommandId::kSetCurrentItem:
-        orders.push_back({.kind = VehicleOrder::Kind::SetItem,
-                          .item = std::max(0, static_cast<int>(whole(first)) - itemOffset())});
-        return kResultAccepted;
-    case LinkCommandId::kReposition: {
-        if (!isInt)
-            return kResultOnlyCommandInt;
-        const LatLon place = placeOfUnits(command.real("x"), command.real("y"));
-        if (std::abs(place.latitude_deg) > 90 || std::abs(place.longitude_deg) > 180)
-            return kResultDenied;
-        orders.push_back({.kind = VehicleOrder::Kind::Reposition,
-                          .place = place,
-                          .altitude_m = command.real("z"),
-                          .frame = static_cast<ItemFrame>(command.integer("frame")),
-                          .radius_m = std::isfinite(third) ? third : 0});
-        return kResultAccepted;
-    }
+        return setItem(wholeNumber(first), now, readings, orders);
+    case LinkCommandId::kReposition:
+        return reposition(command, readings, orders);
     case LinkCommandId::kChangeSpeed:
         if (!(second > 0))
             return kResultDenied;
         orders.push_back({.kind = VehicleOrder::Kind::ChangeSpeed, .speed_mps = second});
         return kResultAccepted;
-    case LinkCommandId::kSetMessageInterval: {
-        const MessageId id = static_cast<MessageId>(whole(first));
-        const bool isSent = std::any_of(kStreamRows.begin(), kStreamRows.end(),
-                                        [&](const StreamRow& row) { return row.id == id; }) ||
-                            id == MessageId::SystemTime;
-        if (!isSent)
-            return kResultUnsupported;
-        setInterval(id, second / 1e6, now.monotonic_s);
-        return kResultAccepted;
-    }
+    case LinkCommandId::kSetMessageInterval:
+        return setMessageInterval(static_cast<MessageId>(wholeNumber(first)), second,
+                                  now.monotonic_s);
     case LinkCommandId::kRequestMessage:
-        return sendOnce(static_cast<MessageId>(whole(first)));
+        return sendOnce(static_cast<MessageId>(wholeNumber(first)));
     case kRequestCapabilities:
         return sendOnce(MessageId::AutopilotVersion);
     case kGetHome:
@@ -298,6 +299,86 @@ int VehicleSide::execute(const LinkMessage& command, int peer, LinkTime now,
     default:
         return kResultUnsupported;
     }
+}
+
+int VehicleSide::setMode(int baseMode, std::uint32_t mode, std::vector<VehicleOrder>& orders) const
+{
+    constexpr int kHasCustomMode = 1;
+    if ((baseMode & kHasCustomMode) == 0)
+        return kResultDenied;
+    if (!hasMode(m_options.autopilot, mode))
+        return kResultFailed;
+    orders.push_back({.kind = VehicleOrder::Kind::SetMode, .mode = mode});
+    return kResultAccepted;
+}
+
+int VehicleSide::setItem(std::int64_t seq, LinkTime now, const VehicleReadings& readings,
+                         std::vector<VehicleOrder>& orders)
+{
+    const auto count = static_cast<std::int64_t>(m_missions.items(MissionType::Mission).size());
+    if (seq < 0 || count == 0 || seq >= count + itemOffset())
+        return kResultFailed;
+    orders.push_back({.kind = VehicleOrder::Kind::SetItem,
+                      .item = std::max(0, static_cast<int>(seq) - itemOffset())});
+    // Stations take this number as the acknowledgement of MISSION_SET_CURRENT, even 0 for home.
+    if (std::optional<LinkMessage> current = telemetry(MessageId::MissionCurrent, now, readings))
+        m_exchange.broadcast(current->with("seq", seq), now);
+    return kResultAccepted;
+}
+
+int VehicleSide::reposition(const LinkMessage& command, const VehicleReadings& readings,
+                            std::vector<VehicleOrder>& orders) const
+{
+    constexpr std::uint32_t kPlaneGuided = 15;
+    constexpr long kChangesMode = 1;
+    if (command.id() != MessageId::CommandInt)
+        return kResultOnlyCommandInt;
+    const bool isPx4 = m_options.autopilot == AutopilotKind::Px4;
+    const LatLon place = placeOfUnits(command.real("x"), command.real("y"));
+    const bool mayChangeMode = (wholeNumber(command.real("param2")) & kChangesMode) != 0;
+    if (std::abs(place.latitude_deg) > 90 || std::abs(place.longitude_deg) > 180 ||
+        (!isPx4 && readings.mode != kPlaneGuided && !mayChangeMode))
+        return kResultDenied;
+    const double radius_m = command.real("param3");
+    orders.push_back(
+        {.kind = VehicleOrder::Kind::Reposition,
+         .place = place,
+         .altitude_m = command.real("z"),
+         // PX4 takes every altitude as above mean sea level.
+         .frame = isPx4 ? ItemFrame::Global : static_cast<ItemFrame>(command.integer("frame")),
+         .radius_m = std::isfinite(radius_m) ? radius_m : 0});
+    return kResultAccepted;
+}
+
+void VehicleSide::answerGuidedItem(const ReceivedFrame& received, LinkTime now,
+                                   const VehicleReadings& readings,
+                                   std::vector<VehicleOrder>& orders)
+{
+    const LinkMissionItem item = itemOf(*received.frame.message);
+    LinkMessage command(MessageId::CommandInt);
+    command.with("x", item.x)
+        .with("y", item.y)
+        .withReal("z", static_cast<double>(item.z))
+        .with("frame", item.frame);
+    const bool isWaypoint = item.command == LinkCommandId::kWaypoint;
+    const bool isAccepted = isWaypoint && reposition(command, readings, orders) == kResultAccepted;
+    m_exchange.send(received.peer,
+                    LinkMessage(MessageId::MissionAck)
+                        .with("target_system", received.frame.sender.system)
+                        .with("target_component", received.frame.sender.component)
+                        .with("type", isAccepted ? 0 : 1), // accepted, or an error
+                    now);
+}
+
+int VehicleSide::setMessageInterval(MessageId id, double interval_us, double now_s)
+{
+    const auto* const row = std::find_if(kStreamRows.begin(), kStreamRows.end(),
+                                         [&](const StreamRow& each) { return each.id == id; });
+    if (row == kStreamRows.end())
+        return kResultUnsupported;
+    const bool isDefault = interval_us == 0 && m_options.autopilot == AutopilotKind::Px4;
+    setInterval(id, isDefault ? row->interval_s : interval_us / 1e6, now_s);
+    return kResultAccepted;
 }
 
 void VehicleSide::answerDataStream(const LinkMessage& request, double now_s)

@@ -115,6 +115,17 @@ private:
                 std::vector<VehicleOrder>& orders);
     [[nodiscard]] int execute(const LinkMessage& command, int peer, LinkTime now,
                               const VehicleReadings& readings, std::vector<VehicleOrder>& orders);
+    /** Each of these four executes a command of a station and returns its MAV_RESULT. */
+    [[nodiscard]] int setMode(int baseMode, std::uint32_t mode,
+                              std::vector<VehicleOrder>& orders) const;
+    [[nodiscard]] int setItem(std::int64_t seq, LinkTime now, const VehicleReadings& readings,
+                              std::vector<VehicleOrder>& orders);
+    [[nodiscard]] int reposition(const LinkMessage& command, const VehicleReadings& readings,
+                                 std::vector<VehicleOrder>& orders) const;
+    [[nodiscard]] int setMessageInterval(MessageId id, double interval_us, double now_s);
+    /** Flies to a MISSION_ITEM with `current` 2, ArduPilot's older way of guided flight. */
+    void answerGuidedItem(const ReceivedFrame& received, LinkTime now,
+                          const VehicleReadings& readings, std::vector<VehicleOrder>& orders);
     void setInterval(MessageId id, double interval_s, double now_s);
     void setDefaultStreams(double now_s);
     void answerDataStream(const LinkMessage& request, double now_s);
