@@ -5,11 +5,14 @@
 // event loop: the longest wait of a hand on the mouse, and how much of it this thread has worked,
 // which is all of it when the machine has nothing else to do. "day" flies 100 icebergs for 24 hours
 // as fast as possible and prints the same for the first seconds and the last tenth of it, and the
-// memory of the process.
+// memory of the process. "link" flies 12 icebergs without a link, with an idle one and with the
+// telemetry of three aircraft at 10 Hz, in turn, and compares the medians.
 //
-// Use: bench_live [icebergs... | day]      (12 40 500 when none are named)
+// Use: bench_live [icebergs... | day | link]      (12 40 500 when none are named)
 
 #include "app/window/main_window.h"
+#include "core/link/transport/link_clock.h"
+#include "core/link/transport/transport_link.h"
 #include "core/presets/presets.h"
 #include "tests/bench/bench_window.h"
 #include "widgets/map/view/map_view.h"
@@ -18,11 +21,16 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include <array>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
+#include <thread>
 
 using namespace berg;
 using namespace Qt::StringLiterals;
@@ -41,6 +49,87 @@ double memory_mb(const std::string& which)
         if (line.starts_with(which))
             return std::atof(line.c_str() + which.size()) / 1024;
     return -1;
+}
+
+constexpr int kLinkPort = 14'999;
+
+/** Sends the telemetry of three aircraft at 10 Hz until it is destroyed. */
+class Telemetry
+{
+public:
+    Telemetry() : m_thread([](const std::stop_token& stop) { run(stop); }) {}
+
+private:
+    static LinkMessage message(MessageId id, int aircraft, double time_s)
+    {
+        const double angle = time_s / 30 + aircraft;
+        const auto boot_ms = std::llround(1000 * time_s);
+        switch (id) {
+        case MessageId::GlobalPositionInt:
+            return LinkMessage(id)
+                .with("time_boot_ms", boot_ms)
+                .with("lat", 470'000'000 + std::llround(90'000 * std::sin(angle)))
+                .with("lon", -480'000'000 + std::llround(90'000 * std::cos(angle)))
+                .with("alt", 120'000)
+                .with("vx", std::llround(2200 * std::cos(angle)))
+                .with("vy", std::llround(-2200 * std::sin(angle)));
+        case MessageId::Attitude:
+            return LinkMessage(id)
+                .with("time_boot_ms", boot_ms)
+                .withReal("yaw", std::remainder(-angle, 6.283185307));
+        case MessageId::VfrHud:
+            return LinkMessage(id).withReal("airspeed", 22).withReal("groundspeed", 22);
+        case MessageId::Heartbeat:
+            return LinkMessage(id)
+                .with("type", 1)
+                .with("autopilot", 12)
+                .with("base_mode", 157)
+                .with("custom_mode", 0x04040000)
+                .with("system_status", 4);
+        default:
+            return LinkMessage(id);
+        }
+    }
+
+    static void run(const std::stop_token& stop)
+    {
+        constexpr std::array kMessages{
+            MessageId::GlobalPositionInt, MessageId::Attitude, MessageId::VfrHud,
+            MessageId::BatteryStatus,     MessageId::WindCov,  MessageId::MissionCurrent,
+            MessageId::SysStatus,         MessageId::Heartbeat};
+        const auto link = openLink({.kind = LinkEndpoint::Kind::UdpSend, .port = kLinkPort});
+        std::array<FrameWriter, 3> writers{FrameWriter({.system = 1, .component = 1}),
+                                           FrameWriter({.system = 2, .component = 1}),
+                                           FrameWriter({.system = 3, .component = 1})};
+        while (!stop.stop_requested()) {
+            static_cast<void>(link->receive());
+            const LinkTime now = linkTimeNow();
+            for (std::size_t i = 0; i < writers.size(); ++i)
+                for (const MessageId id : kMessages)
+                    link->send(0,
+                               writers[i].write(message(id, static_cast<int>(i), now.monotonic_s),
+                                                now.unix_us));
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
+    }
+
+    std::jthread m_thread;
+};
+
+/** What a flight has cost the GUI thread. */
+struct FlightFigures
+{
+    double paint_ms = 0; ///< median
+    double frame_ms = 0; ///< median
+    double frames_per_s = 0;
+    double busy_percent = 0;
+    double longestWork_ms = 0;
+};
+
+double medianOf(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values.empty() ? 0 : quantile(values, 0.5);
 }
 
 class Bench
@@ -65,13 +154,54 @@ public:
     Bench& operator=(const Bench&) = delete;
 
     /** Flies at `rate`, as in `Workspace::fly`. */
-    void fly(const char* name, FlightRate rate)
+    FlightFigures fly(const char* name, FlightRate rate)
     {
         m_workspace.reset();
         watchTurns(kSettle_ms);
         m_workspace.fly(rate);
-        report(name, [this] { return hasEnded(); });
+        const FlightFigures figures = report(name, [this] { return hasEnded(); });
         m_workspace.pause();
+        return figures;
+    }
+
+    /** Compares flights without and with a link, in turn so that other programs hit all alike. */
+    void flyWithLink()
+    {
+        constexpr int kRounds = 5;
+        const std::array<const char*, 3> names{"no link", "idle link", "three aircraft at 10 Hz"};
+        std::array<std::vector<FlightFigures>, 3> figures;
+        for (int round = 0; round < kRounds; ++round)
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                std::optional<Telemetry> telemetry;
+                if (i > 0)
+                    m_workspace.link().listen([] {
+                        return openLink({.kind = LinkEndpoint::Kind::UdpListen, .port = kLinkPort});
+                    });
+                if (i > 1)
+                    telemetry.emplace();
+                figures[i].push_back(fly(names[i], 50));
+                if (i > 1)
+                    std::printf("    %zu aircraft heard\n",
+                                m_workspace.link().status().vehicles.size());
+                m_workspace.link().stop();
+            }
+        const auto median = [&](std::size_t i, double FlightFigures::*figure) {
+            std::vector<double> values;
+            for (const FlightFigures& each : figures[i])
+                values.push_back(each.*figure);
+            return medianOf(values);
+        };
+        std::printf("  medians of %d rounds, and ratios to no link\n", kRounds);
+        const std::array<std::pair<const char*, double FlightFigures::*>, 5> rows{
+            {{"map paint, ms", &FlightFigures::paint_ms},
+             {"window frame, ms", &FlightFigures::frame_ms},
+             {"frames/s", &FlightFigures::frames_per_s},
+             {"GUI thread at work, %", &FlightFigures::busy_percent},
+             {"longest work, ms", &FlightFigures::longestWork_ms}}};
+        for (const auto& [name, figure] : rows)
+            std::printf("    %-24s %7.2f   %7.2f (%.2f)   %7.2f (%.2f)\n", name, median(0, figure),
+                        median(1, figure), median(1, figure) / median(0, figure), median(2, figure),
+                        median(2, figure) / median(0, figure));
     }
 
     void flyADay()
@@ -97,7 +227,7 @@ private:
         return now().phase == RunPhase::Finished || now().phase == RunPhase::Failed;
     }
 
-    void report(const char* name, const std::function<bool()>& mayEnd)
+    FlightFigures report(const char* name, const std::function<bool()>& mayEnd)
     {
         m_application.paints_ms.clear();
         m_application.frames_ms.clear();
@@ -119,6 +249,11 @@ private:
                     m_application.longest.work_ms, m_application.longest.type,
                     m_application.longest.receiver.c_str());
         std::fflush(stdout);
+        return {.paint_ms = medianOf(m_application.paints_ms),
+                .frame_ms = medianOf(m_application.frames_ms),
+                .frames_per_s = static_cast<double>(m_application.paints_ms.size()) / wall_s,
+                .busy_percent = busy_ms / wall_s / 10,
+                .longestWork_ms = longest.worked_ms};
     }
 
     FrameWatch& m_application;
@@ -159,6 +294,11 @@ int main(int argc, char* argv[])
         if (name == "day") {
             std::printf("100 icebergs for 24 h\n");
             Bench(application, dayOf(100)).flyADay();
+            continue;
+        }
+        if (name == "link") {
+            std::printf("12 icebergs with a link\n");
+            Bench(application, fieldOf(12)).flyWithLink();
             continue;
         }
         std::printf("%s icebergs\n", name.c_str());
