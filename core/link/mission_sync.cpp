@@ -63,7 +63,12 @@ void MissionSync::startNextTransfer()
     if (m_status.transfer.state == TransferState::Running)
         return;
     if (m_status.transfer.state == TransferState::Failed) {
-        m_status.phase = SyncPhase::Failed;
+        if (mayLeaveOut()) {
+            m_status.leftOut.push_back(m_parts[m_part].type);
+            startNextPart();
+        } else {
+            m_status.phase = SyncPhase::Failed;
+        }
         return;
     }
     const MissionPart& part = m_parts[m_part];
@@ -78,12 +83,30 @@ void MissionSync::startNextTransfer()
     m_status.differences = missionDifferences(part.items, m_onBoard.back().items);
     if (!m_status.differences.empty())
         m_status.phase = SyncPhase::Different;
-    else if (m_part + 1 == m_parts.size())
+    else
+        startNextPart();
+}
+
+void MissionSync::startNextPart()
+{
+    if (m_part + 1 == m_parts.size()) {
         m_status.phase = SyncPhase::Equal;
-    else {
-        ++m_part;
-        startPart();
+        return;
     }
+    ++m_part;
+    startPart();
+}
+
+bool MissionSync::mayLeaveOut() const
+{
+    constexpr int kUnsupported = 3;
+    const MissionPart& part = m_parts[m_part];
+    const bool isDispensable =
+        part.type == MissionType::Rally || (part.type == MissionType::Fence && part.items.empty());
+    const TransferStatus& transfer = m_status.transfer;
+    return isDispensable &&
+           (transfer.failure == TransferFailure::NoAnswer ||
+            (transfer.failure == TransferFailure::Refused && transfer.result == kUnsupported));
 }
 
 } // namespace berg

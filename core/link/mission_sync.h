@@ -19,7 +19,7 @@ enum class SyncPhase
 {
     Uploading,
     ReadingBack,
-    Equal, ///< Everything on board equals the plan.
+    Equal, ///< Everything on board equals the plan, except for lists that were left out.
     Different,
     Failed
 };
@@ -32,13 +32,16 @@ struct SyncStatus
     MissionType type = MissionType::Mission;
     TransferStatus transfer;                 ///< Status of that list.
     std::vector<ItemDifference> differences; ///< Empty unless the phase is Different.
+    /** Lists that the vehicle does not support and that were left out: no fence, rally points. */
+    std::vector<MissionType> leftOut;
 };
 
 /**
  * Uploads lists to a vehicle, reads each back and compares it. Only the items on board count, not
  * the vehicle's "accepted". Fence and rally points go before the mission, whatever the order of
- * `parts`; the first list that fails or differs ends the task. Task Compare only reads and
- * compares. The constructor throws `std::logic_error` without parts.
+ * `parts`; the first list that fails or differs ends the task. Rally points, and an empty list in
+ * place of a fence, are left out if the vehicle does not support them or never answers. Task
+ * Compare only reads and compares. The constructor throws `std::logic_error` without parts.
  */
 class MissionSync
 {
@@ -68,6 +71,9 @@ private:
     void startPart();
     /** Records the end of a transfer and starts the next. */
     void startNextTransfer();
+    void startNextPart();
+    /** Returns true if the transfer has failed because the vehicle has no such list. */
+    [[nodiscard]] bool mayLeaveOut() const;
 
     std::vector<MissionPart> m_parts;
     Task m_task;

@@ -6,6 +6,8 @@
 
 using namespace Qt::StringLiterals;
 
+#include <algorithm>
+
 namespace berg {
 namespace {
 
@@ -111,7 +113,9 @@ QString syncText(const SyncStatus& sync)
     case SyncPhase::ReadingBack:
         return LinkText::tr("%1: reading back, %2").arg(partName(sync.type), progress);
     case SyncPhase::Equal:
-        return LinkText::tr("On board: same as the plan");
+        return std::ranges::find(sync.leftOut, MissionType::Rally) == sync.leftOut.end()
+                   ? LinkText::tr("On board: same as the plan")
+                   : LinkText::tr("On board: same as the plan. The aircraft has no rally points");
     case SyncPhase::Different:
         return LinkText::tr("On board differs. %1: %2")
             .arg(partName(sync.type),
