@@ -4584,6 +4584,10 @@ Zone adjacente %4</translation>
         <translation>À bord : identique au plan</translation>
     </message>
     <message>
+        <source>On board: same as the plan. The aircraft has no rally points</source>
+        <translation>À bord : identique au plan. L&apos;aéronef n&apos;a pas de points de ralliement</translation>
+    </message>
+    <message>
         <source>On board differs. %1: %2</source>
         <translation>À bord, cela diffère. %1 : %2</translation>
     </message>

@@ -4584,6 +4584,10 @@ Tilstøtende område %4</translation>
         <translation>Om bord: samme som planen</translation>
     </message>
     <message>
+        <source>On board: same as the plan. The aircraft has no rally points</source>
+        <translation>Om bord: samme som planen. Luftfartøyet har ingen samlingspunkter</translation>
+    </message>
+    <message>
         <source>On board differs. %1: %2</source>
         <translation>Om bord avviker. %1: %2</translation>
     </message>
