@@ -232,19 +232,26 @@ void AircraftController::showStatus()
     showPanel();
 }
 
-/** A new aircraft flies as the first UAV that is still free. */
+/**
+ * A new aircraft flies as the UAV at the place of its id, from 1, in the scenario, or if that one
+ * has an aircraft, as the first UAV that is still free.
+ */
 void AircraftController::matchAircraft()
 {
     const std::vector<Uav>& uavs = workspace().document().scenario().uavs;
+    const auto isFree = [this](const Uav& uav) {
+        return std::ranges::none_of(m_aircraft,
+                                    [&](const auto& entry) { return entry.second.uav == uav.id; });
+    };
     bool isNew = false;
     for (const LinkVehicle& vehicle : workspace().link().status().vehicles) {
         if (m_aircraft.contains(vehicle.address))
             continue;
         isNew = true;
-        const auto free = std::ranges::find_if(uavs, [this](const Uav& uav) {
-            return std::ranges::none_of(
-                m_aircraft, [&](const auto& entry) { return entry.second.uav == uav.id; });
-        });
+        const std::size_t place = vehicle.address.system - std::size_t{1};
+        const auto free = place < uavs.size() && isFree(uavs[place])
+                              ? uavs.begin() + static_cast<std::ptrdiff_t>(place)
+                              : std::ranges::find_if(uavs, isFree);
         m_aircraft[vehicle.address].uav = free == uavs.end() ? std::string() : free->id;
     }
     if (isNew)
