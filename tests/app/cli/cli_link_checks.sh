@@ -86,6 +86,13 @@ if node -e 'require(process.env.BERGWATCH_NODE_MODULES + "/node-mavlink")' 2>/de
             node "$source_dir/tests/app/link/station.cjs" $port $autopilot
         kill $vehicle
         wait $vehicle
+        port=$((port + 2))
+        "$cli" vehicle "$scenario" --link udp:$port --autopilot $autopilot --duration 120 >/dev/null 2>&1 &
+        vehicle=$!
+        check "ground station with MAVProxy's habits: $autopilot" exits 0 \
+            node "$source_dir/tests/app/link/mavproxy.cjs" $port $autopilot
+        kill $vehicle
+        wait $vehicle
     done
 else
     echo "SKIPPED: node or its package node-mavlink is missing: no independent ground station was tested"
