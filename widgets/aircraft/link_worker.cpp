@@ -1,6 +1,5 @@
 #include "widgets/aircraft/link_worker.h"
 
-#include "core/link/transport/link_clock.h"
 #include "widgets/tasks/work_failure.h"
 
 #include <algorithm>
@@ -20,7 +19,8 @@ constexpr std::size_t kMostEvents = 1000;
 
 } // namespace
 
-LinkWorker::LinkWorker(Mailbox<LinkStatus>& statuses) : m_statuses(statuses), m_timer(this)
+LinkWorker::LinkWorker(Mailbox<LinkStatus>& statuses, LinkClock clock)
+    : m_statuses(statuses), m_clock(std::move(clock)), m_timer(this)
 {
     m_timer.setInterval(kPeriod_ms);
     connect(&m_timer, &QTimer::timeout, this, [this] {
@@ -76,12 +76,12 @@ void LinkWorker::sendCommand(LinkAddress vehicle, const LinkCommand& command)
 
 void LinkWorker::pulse()
 {
-    m_pulse_s = monotonicNow_s();
+    m_pulse_s = m_clock().monotonic_s;
 }
 
 void LinkWorker::advance()
 {
-    const LinkTime now = linkTimeNow();
+    const LinkTime now = m_clock();
     if (now.monotonic_s - m_pulse_s > kLongestHang_s)
         return; // a window that hangs must look dead to the vehicle
     LinkUpdate update = m_session->advance(now);
@@ -154,7 +154,7 @@ LinkStatus LinkWorker::status() const
                       .vehicles = m_session->vehicles(),
                       .traffic = m_traffic.targets(),
                       .onBoard = m_onBoard};
-    const double now_s = monotonicNow_s();
+    const double now_s = m_clock().monotonic_s;
     for (const auto& [address, ghost] : m_ghosts)
         status.ghosts.push_back({.address = address,
                                  .readings = ghost.flight.readings(),

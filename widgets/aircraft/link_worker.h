@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/link/transport/link_clock.h"
 #include "widgets/aircraft/link_status.h"
 #include "widgets/tasks/mailbox.h"
 
@@ -14,6 +15,9 @@ namespace berg {
 /** Opens a link on the thread that uses it. */
 using LinkOpener = std::function<std::unique_ptr<TransportLink>()>;
 
+/** Returns the present time; tests have a clock of their own. */
+using LinkClock = std::function<LinkTime()>;
+
 /**
  * The link thread's side of `LinkMonitor`. It listens with a `LinkSession`, predicts the flight of
  * aircraft that are silent, and publishes its state ten times a second.
@@ -24,7 +28,7 @@ class LinkWorker : public QObject
 
 public:
     /** Borrows the mailbox. */
-    explicit LinkWorker(Mailbox<LinkStatus>& statuses);
+    explicit LinkWorker(Mailbox<LinkStatus>& statuses, LinkClock clock = linkTimeNow);
 
     void open(const LinkOpener& opener);
     void close();
@@ -35,16 +39,18 @@ public:
     void setData(const std::map<LinkAddress, AircraftData>& data) { m_data = data; }
     /** The window is alive. Without this for 3 s, nothing is sent or received. */
     void pulse();
+    /** Processes what has arrived and publishes the state when that is due. A timer calls it. */
+    void advance();
 
 signals:
     void published();
 
 private:
-    void advance();
     void updateGhosts(double now_s);
     [[nodiscard]] LinkStatus status() const;
 
     Mailbox<LinkStatus>& m_statuses;
+    LinkClock m_clock;
     QTimer m_timer;
     std::unique_ptr<TransportLink> m_link;
     std::unique_ptr<LinkSession> m_session;
