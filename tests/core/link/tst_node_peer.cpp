@@ -1,6 +1,5 @@
-// Our ground station against a vehicle by the npm package node-mavlink, which shares no code with
-// it. The package must be in the folder BERGWATCH_NODE_MODULES (see CONTRIBUTING.md); else the test
-// is skipped.
+// Our ground station against a vehicle by the npm package node-mavlink. Without the package the
+// test is skipped.
 
 #include "core/io/export/missions/mission_upload.h"
 #include "core/link/link_session.h"
@@ -8,11 +7,9 @@
 #include "core/link/transport/transport_link.h"
 #include "tests/support/flight/link_scene.h"
 #include "tests/support/flight/mission_builder.h"
+#include "tests/support/flight/node_vehicle.h"
 
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QtTest>
 
 using namespace berg;
@@ -37,16 +34,7 @@ public:
                 break;
         }
         session = std::make_unique<LinkSession>(*m_link, LinkSessionOptions{});
-        m_node.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        m_node.start(QStringLiteral("node"),
-                     {QStringLiteral(BERG_SOURCE_DIR "/tests/app/link/vehicle.cjs"),
-                      QString::number(port), kind, QString::number(loss), QString::number(seed)});
-    }
-
-    ~NodeScene()
-    {
-        m_node.closeWriteChannel(); // it ends then
-        m_node.waitForFinished();
+        m_node = std::make_unique<NodeVehicle>(port, kind, loss, seed);
     }
 
     /** Keeps the session going until `isDone`; returns false if that takes two minutes. */
@@ -79,21 +67,18 @@ public:
     /** Returns the next line that node has written. */
     [[nodiscard]] QJsonObject line()
     {
-        if (!until([this] { return m_node.canReadLine(); }))
-            return {};
-        return QJsonDocument::fromJson(m_node.readLine()).object();
+        return m_node->line([this](const auto& isDone) { return until(isDone); });
     }
 
     /** Returns the number of datagrams that node has received. */
     [[nodiscard]] int datagrams()
     {
-        m_node.write("\n");
-        return line()[QStringLiteral("datagrams")].toInt(-1);
+        return m_node->datagrams([this](const auto& isDone) { return until(isDone); });
     }
 
 private:
     std::unique_ptr<TransportLink> m_link;
-    QProcess m_node;
+    std::unique_ptr<NodeVehicle> m_node;
 
 public:
     std::unique_ptr<LinkSession> session; ///< On the link, which lives longer.
@@ -125,14 +110,7 @@ class TestNodePeer : public QObject
 private slots:
     void initTestCase()
     {
-        if (!qEnvironmentVariableIsSet("BERGWATCH_NODE_MODULES"))
-            qputenv("BERGWATCH_NODE_MODULES", BERG_SOURCE_DIR "/build/node/node_modules");
-        const bool isThere =
-            QProcess::execute(QStringLiteral("node"),
-                              {QStringLiteral("-e"),
-                               QStringLiteral("require(process.env.BERGWATCH_NODE_MODULES + "
-                                              "'/node-mavlink')")}) == 0;
-        if (!isThere)
+        if (!NodeVehicle::isThere())
             QSKIP("node or its package node-mavlink is missing: no independent peer was tested");
     }
 
