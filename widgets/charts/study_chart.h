@@ -1,58 +1,45 @@
 #pragma once
 
+#include "core/io/study/study_figures.h"
 #include "widgets/charts/figure_view.h"
-#include "widgets/charts/study_content.h"
 #include "widgets/study/study_runner.h"
+
+#include <QPixmap>
 
 namespace berg {
 
-/** Base of the figures of a study, whose items are the study's settings. */
-class StudyFigure : public FigureView
+/** Mark of a policy on a transparent pixmap, for lists; sharp on high-density screens. */
+[[nodiscard]] QPixmap policyPixmap(PolicyKind policy, const Theme& theme, int size_px);
+
+/** The figures of a study on the screen. */
+enum class StudyFigureKind
+{
+    Zeta,       ///< `zetaFigure`
+    Differences ///< `differenceFigure`, with as many values of tau as there is room for
+};
+
+/** A figure of a study, whose items are the study's settings. */
+class StudyChart : public FigureView
 {
     Q_OBJECT
 
 public:
-    using FigureView::FigureView;
+    StudyChart(StudyFigureKind kind, const Theme& theme, QWidget* parent = nullptr);
 
+    [[nodiscard]] StudyFigureKind kind() const { return m_kind; }
     /** Sets the result; null if there is none yet. */
     void setResult(const StudyPointer& result);
     [[nodiscard]] QSize sizeHint() const override { return {720, 320}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {360, 190}; }
 
 protected:
-    [[nodiscard]] const StudySummary& summary() const { return m_result->summary; }
-    [[nodiscard]] bool hasCases() const { return m_result && !m_result->summary.cases.empty(); }
-    [[nodiscard]] bool hasSpread() const { return summary().cases.size() > 1; }
-    [[nodiscard]] QString nameOfSetting(std::size_t setting) const;
-    [[nodiscard]] QString nameOfReference() const { return nameOfSetting(summary().reference); }
-    /** Figure with title such as "Grand Banks, 100 cases", or with `emptyText` without cases. */
-    [[nodiscard]] Figure titled(const QString& name, const QString& emptyText) const;
-
-private:
-    StudyPointer m_result;
-};
-
-/**
- * zeta against tau, as in Figure 4 of the paper: mean with a band between the quartiles, median
- * dashed; points only for a single case. The other policies are horizontal lines with marks right
- * of the largest tau; the shortest path is labelled TSP as in the paper. Less is better.
- */
-class StudyChart : public StudyFigure
-{
-    Q_OBJECT
-
-public:
-    explicit StudyChart(const Theme& theme, QWidget* parent = nullptr);
-
-protected:
     [[nodiscard]] Figure figure() const override;
 
 private:
-    void addTitles(Figure& figure, const ZetaContent& content) const;
-    void addCurve(Figure& figure, const ZetaContent& content) const;
-    void addPolicies(Figure& figure, const ZetaContent& content) const;
-    void addItem(Figure& figure, std::size_t setting, const PlotPoint& at) const;
-    [[nodiscard]] std::vector<std::string> readout(std::size_t setting) const;
+    [[nodiscard]] Figure figureOf(const StudySummary& summary) const;
+
+    StudyFigureKind m_kind;
+    StudyPointer m_result;
 };
 
 } // namespace berg

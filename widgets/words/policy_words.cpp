@@ -148,12 +148,4 @@ QColor policyColour(PolicyKind policy, const Theme& theme)
                           : theme.toned(QLatin1String(colour.data(), qsizetype(colour.size())));
 }
 
-PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px)
-{
-    return {.at = at,
-            .radius_px = radius_px,
-            .ink = {.of = InkOf::Policy, .value = static_cast<double>(policy)},
-            .shape = styleOf(policy).mark};
-}
-
 } // namespace berg

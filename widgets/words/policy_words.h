@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/io/figure/figure.h"
 #include "core/study/study.h"
 #include "widgets/theme/theme.h"
 
@@ -11,7 +10,7 @@
 
 namespace berg {
 
-// Names of policies and other planner settings, and the colours and symbols of policies.
+// Names of policies and other planner settings, and the colours of policies.
 
 /** Returns every policy in the order of the lists. */
 [[nodiscard]] const std::vector<PolicyKind>& offeredPolicies();
@@ -37,8 +36,5 @@ namespace berg {
  * the visitation policy has the colour of its plan.
  */
 [[nodiscard]] QColor policyColour(PolicyKind policy, const Theme& theme);
-
-/** Returns the symbol of a policy, a shape of its own in its colour. */
-[[nodiscard]] PlotMark policyMark(PolicyKind policy, const PlotPoint& at, double radius_px);
 
 } // namespace berg

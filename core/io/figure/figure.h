@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -164,6 +165,13 @@ struct PlotAxis
     std::vector<std::string> rowEnds{}; ///< texts right of the plot, one per row
     /** Ticks in addition to the round ones. */
     std::vector<std::pair<PlotPoint, std::string>> extra{};
+
+    /** Extends the visible range to `value`. */
+    void include(double value)
+    {
+        least = std::min(least, value);
+        largest = std::max(largest, value);
+    }
 };
 
 /** Chart as plain values. */

@@ -8,7 +8,7 @@
 
 namespace berg {
 
-/** Mark, colours and dashes that distinguish a policy in charts and reports. */
+/** Mark and colours that distinguish a policy in charts and reports. */
 struct PolicyStyle
 {
     PolicyKind policy = PolicyKind::Visitation;
@@ -16,7 +16,6 @@ struct PolicyStyle
     std::string_view light{}; ///< colour on a light background, "#rrggbb"; empty uses the colour of
                               ///< plans
     std::string_view dark{};
-    std::array<double, 4> dash_px{}; ///< alternating lengths of line and gap, terminated by 0
 };
 
 /**
@@ -25,11 +24,11 @@ struct PolicyStyle
  */
 inline constexpr std::array kPolicyStyles{
     PolicyStyle{.policy = PolicyKind::Visitation},
-    PolicyStyle{PolicyKind::Path, MarkShape::Diamond, "#9c4f83", "#e0a0c4", {9, 4}},
-    PolicyStyle{PolicyKind::Tour, MarkShape::Square, "#a86f00", "#e69f00", {9, 3, 2, 3}},
-    PolicyStyle{PolicyKind::Nearest, MarkShape::Triangle, "#2b88bb", "#56b4e9", {2, 3}},
-    PolicyStyle{PolicyKind::Uncertainty, MarkShape::TriangleDown, "#7f7600", "#f0e442", {5, 5}},
-    PolicyStyle{PolicyKind::Latency, MarkShape::Hexagon, "#d55e00", "#ff8a45", {14, 3}},
+    PolicyStyle{PolicyKind::Path, MarkShape::Diamond, "#9c4f83", "#e0a0c4"},
+    PolicyStyle{PolicyKind::Tour, MarkShape::Square, "#a86f00", "#e69f00"},
+    PolicyStyle{PolicyKind::Nearest, MarkShape::Triangle, "#2b88bb", "#56b4e9"},
+    PolicyStyle{PolicyKind::Uncertainty, MarkShape::TriangleDown, "#7f7600", "#f0e442"},
+    PolicyStyle{PolicyKind::Latency, MarkShape::Hexagon, "#d55e00", "#ff8a45"},
     PolicyStyle{.policy = PolicyKind::Coverage,
                 .mark = MarkShape::Star,
                 .light = "#00805d",
@@ -42,6 +41,14 @@ static_assert(std::ranges::equal(kPolicyStyles, kPolicyTable, {}, &PolicyStyle::
 [[nodiscard]] constexpr const PolicyStyle& styleOf(PolicyKind policy)
 {
     return kPolicyStyles.at(static_cast<std::size_t>(policy));
+}
+
+/** Returns the mark of a policy, a shape of its own in its colour. */
+[[nodiscard]] inline PlotMark policyMark(PolicyKind policy, double radius_px)
+{
+    return {.radius_px = radius_px,
+            .ink = {.of = InkOf::Policy, .value = static_cast<double>(policy)},
+            .shape = styleOf(policy).mark};
 }
 
 } // namespace berg

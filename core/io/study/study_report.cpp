@@ -1,15 +1,21 @@
 #include "core/io/study/study_report.h"
 
+#include "core/io/figure/figure_layout.h"
+#include "core/io/figure/figure_svg.h"
 #include "core/io/figure/policy_style.h"
 #include "core/io/figure/report_style.h"
-#include "core/io/study/study_charts.h"
+#include "core/io/study/study_figures.h"
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report_parts.h"
 #include "core/io/text/html_text.h"
 
+#include <algorithm>
+
 namespace berg {
 
 namespace {
+
+constexpr double kFigure_px = 760; // width
 
 constexpr std::string_view kStudyOpens = R"(<script type="application/json" id="study">)";
 constexpr std::string_view kStudyCloses = "</script>";
@@ -29,12 +35,11 @@ std::string policyStyleRules()
     return light + "@media screen and (prefers-color-scheme: dark) {\n" + dark + "}\n";
 }
 
-std::string figureHtml(const std::string& heading, const std::string& drawing,
+std::string figureHtml(const std::string& heading, const Figure& figure, double height_px,
                        const std::string& caption)
 {
-    if (drawing.empty())
-        return {};
-    return "<section>\n<h2>" + heading + "</h2>\n<figure>\n" + drawing + "<figcaption>" + caption +
+    return "<section>\n<h2>" + heading + "</h2>\n<figure>\n" +
+           figureSvg(figure, kFigure_px, height_px) + "<figcaption>" + caption +
            "</figcaption>\n</figure>\n</section>\n";
 }
 
@@ -51,18 +56,19 @@ std::string zetaCaption(const StudySummary& summary, const ReportWords& words)
            words.html(
                QT_TRANSLATE_NOOP(
                    "Report",
-                   "The line is the mean over the cases (%1); the bands contain the middle half "
-                   "and 80 % of them. Horizontal lines are the means of policies without τ."),
+                   "The line is the mean over the cases (%1), dashed their median; the band "
+                   "contains the middle half of them. Horizontal lines are the means of policies "
+                   "without τ."),
                {std::to_string(summary.cases.size())});
 }
 
-std::string differenceCaption(const StudySummary& summary, const ReportWords& words)
+std::string differenceCaption(bool areAllDrawn, const ReportWords& words)
 {
     std::string caption = words.html(QT_TRANSLATE_NOOP(
         "Report", "Differences are taken case by case, with the same icebergs and the same noise; "
                   "the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are "
                   "better than the reference."));
-    if (drawnDifferences(summary).size() < summary.settings.size())
+    if (!areAllDrawn)
         caption += ' ' + words.html(QT_TRANSLATE_NOOP(
                              "Report", "Not every τ is drawn; the table contains all of them."));
     return caption;
@@ -70,16 +76,33 @@ std::string differenceCaption(const StudySummary& summary, const ReportWords& wo
 
 std::string figuresHtml(const StudySummary& summary, const ReportWords& words)
 {
-    return figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "ζ against τ")),
-                      zetaChart(summary, words), zetaCaption(summary, words)) +
-           figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "Differences vs the reference")),
-                      differenceChart(summary, words), differenceCaption(summary, words)) +
-           figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "Best τ of each case")),
-                      bestTauChart(summary, words),
-                      words.html(QT_TRANSLATE_NOOP(
-                          "Report",
-                          "The τ with the lowest ζ of a case, chosen in hindsight; it is not known "
+    constexpr double kRow_px = 18;
+    constexpr std::size_t kMostRows = 48;
+    const StudyFigureFormat format{.words = words};
+    const auto hasTau = [](const SettingSummary& s) { return s.setting.tau.has_value(); };
+    std::string html;
+    if (!summary.cases.empty() && std::ranges::count_if(summary.settings, hasTau) > 1)
+        html =
+            figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "ζ against τ")),
+                       zetaFigure(summary, format, kFigure_px), 420, zetaCaption(summary, words));
+    if (summary.cases.size() < 2)
+        return html;
+    if (summary.settings.size() > 1) {
+        const std::vector<std::size_t> rows = differenceRows(summary, kMostRows);
+        html += figureHtml(words.html(QT_TRANSLATE_NOOP("Report", "Differences vs the reference")),
+                           differenceFigure(summary, rows, format),
+                           kFigureTop_px + kRow_px * static_cast<double>(rows.size()) +
+                               kFigureBottom_px,
+                           differenceCaption(rows.size() == summary.settings.size(), words));
+    }
+    if (summary.bestTau)
+        html += figureHtml(
+            words.html(QT_TRANSLATE_NOOP("Report", "Best τ of each case")),
+            bestTauFigure(summary, format), 260,
+            words.html(QT_TRANSLATE_NOOP(
+                "Report", "The τ with the lowest ζ of a case, chosen in hindsight; it is not known "
                           "before the flight. If several are equal, the smallest counts.")));
+    return html;
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 #include "core/base/number_text.h"
-#include "core/io/study/study_charts.h"
+#include "core/io/study/study_figures.h"
 #include "core/io/study/study_report_parts.h"
 #include "core/io/text/html_text.h"
 

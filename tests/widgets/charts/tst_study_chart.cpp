@@ -1,6 +1,5 @@
 #include "tests/support/window/panel_test.h"
 #include "tests/support/window/study_builder.h"
-#include "widgets/charts/difference_chart.h"
 #include "widgets/charts/study_chart.h"
 #include "widgets/words/policy_words.h"
 
@@ -29,12 +28,13 @@ StudyPointer everything()
     return test::studyOf(spec, zeta_m2s);
 }
 
-template <class Chart>
 struct ShownStudyChart
 {
-    Chart chart{Theme::light()};
-    explicit ShownStudyChart(const StudyPointer& result = test::fourCases(),
+    StudyChart chart;
+    explicit ShownStudyChart(StudyFigureKind kind = StudyFigureKind::Zeta,
+                             const StudyPointer& result = test::fourCases(),
                              const QSize& size = {760, 360})
+        : chart(kind, Theme::light())
     {
         chart.setLocale(QLocale::c());
         chart.resize(size);
@@ -62,49 +62,19 @@ class TestStudyChart : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    void contentIsCurveAndPolicies()
-    {
-        const StudyPointer result = test::fourCases();
-        const ZetaContent content = zetaContent(result->summary, QLocale::c());
-        QCOMPARE(content.curve.size(), std::size_t{3});
-        QCOMPARE(content.curve[0].name, u"τ 0.00"_s);
-        QCOMPARE(content.curve[0].zeta_m2s.mean, 127.5);
-        QCOMPARE(content.curve[1].zeta_m2s.mean, 108.75);
-        QCOMPARE(content.curve[1].zeta_m2s.median, 97.5);
-        QCOMPARE(content.policies.size(), std::size_t{1});
-        QCOMPARE(content.policies[0].of.policy, PolicyKind::Path);
-        QCOMPARE(content.policies[0].zeta_m2s.mean, 117.5);
-        QCOMPARE(content.lowest, std::size_t{1});
-        QCOMPARE(*content.lowestTau, std::size_t{1});
-        QCOMPARE(*content.bestTau_m2s, (80 + 150 + 100 + 90) / 4.0);
-    }
-
-    void tausAreDrawnInOrder()
-    {
-        StudySpec spec = test::quickStudy();
-        spec.taus = {2, 0.5, 1};
-        const StudyPointer result = test::studyOf(spec, {{3, 2, 1, 4}});
-        const ZetaContent content = zetaContent(result->summary, QLocale::c());
-        QCOMPARE(*content.curve.front().of.tau, 0.5);
-        QCOMPARE(content.curve.front().setting, std::size_t{1});
-        QCOMPARE(*content.curve.back().of.tau, 2.0);
-        QVERIFY(!content.bestTau_m2s); // one case: the lowest point says it
-    }
-
     void nothingFlownTeaches()
     {
-        const ShownStudyChart<StudyChart> zeta{nullptr};
+        const ShownStudyChart zeta(StudyFigureKind::Zeta, nullptr);
         QVERIFY(zeta.chart.drawing().items.empty());
         QVERIFY(!zeta.chart.accessibleDescription().isEmpty());
-        const ShownStudyChart<DifferenceChart> differences{nullptr};
+        const ShownStudyChart differences(StudyFigureKind::Differences, nullptr);
         QVERIFY(differences.chart.drawing().items.empty());
-        QVERIFY(zetaContent(StudySummary(), QLocale::c()).curve.empty());
-        QVERIFY(differenceRows(StudySummary(), 10, QLocale::c()).empty());
+        QVERIFY(differenceRows(StudySummary(), 10).empty());
     }
 
     void lessIsLowerAndTauGoesRight()
     {
-        const ShownStudyChart<StudyChart> f;
+        const ShownStudyChart f;
         const PlotScale& x = f.chart.drawing().x;
         const PlotScale& y = f.chart.drawing().y;
         QVERIFY(y.at(100) > y.at(120));
@@ -117,7 +87,7 @@ private slots:
 
     void policiesAreNamedBesideTheirLines()
     {
-        const ShownStudyChart<StudyChart> f;
+        const ShownStudyChart f;
         QStringList names;
         for (const DrawnLabel& label : f.chart.drawing().labels)
             names << QString::fromStdString(label.text);
@@ -126,46 +96,21 @@ private slots:
 
     void readoutHasNameMeanAndDifference()
     {
-        const ShownStudyChart<StudyChart> f;
+        const ShownStudyChart f;
         QCOMPARE(
             readoutOf(f.chart, 0),
             (QStringList{u"τ 0.00"_s, u"mean 127.5, median 110.0"_s, u"quartiles 97.50 to 140.0"_s,
                          u"+16.2 % vs τ 1.00"_s, u"stuck in 1 of 4 cases"_s}));
         QCOMPARE(readoutOf(f.chart, 1).size(), 4); // the reference is not compared with itself
-        const ShownStudyChart<DifferenceChart> d;
+        const ShownStudyChart d(StudyFigureKind::Differences);
         QCOMPARE(readoutOf(d.chart, 1).back(), u"the reference"_s);
         QVERIFY(readoutOf(d.chart, 0).contains(u"+16.2 % vs τ 1.00"_s));
         QVERIFY(readoutOf(d.chart, 3).contains(u"less in 1 of 4 cases"_s));
     }
 
-    void differencesHavePoliciesFirst()
-    {
-        const StudyPointer result = test::fourCases();
-        const std::vector<DifferenceRow> rows = differenceRows(result->summary, 10, QLocale::c());
-        QCOMPARE(rows.size(), std::size_t{4});
-        QCOMPARE(rows[0].of.policy, PolicyKind::Path);
-        QCOMPARE(rows[0].relative.mean, (30.0 / 80 + 30.0 / 160 + 0 - 25.0 / 95) / 4);
-        QVERIFY(rows[0].relative.low < rows[0].relative.mean);
-        QVERIFY(rows[2].isReference);
-        QCOMPARE(rows[2].relative.mean, 0.0);
-    }
-
-    void manyTausAreThinned()
-    {
-        const StudyPointer result = everything();
-        for (const std::size_t most : {8UL, 12UL, 20UL, 47UL}) {
-            const std::vector<DifferenceRow> rows =
-                differenceRows(result->summary, most, QLocale::c());
-            QVERIFY(rows.size() <= std::max<std::size_t>(most, 9));
-            const auto isReference = [](const DifferenceRow& row) { return row.isReference; };
-            QVERIFY(std::any_of(rows.begin(), rows.end(), isReference));
-        }
-        QCOMPARE(differenceRows(result->summary, 60, QLocale::c()).size(), std::size_t{47});
-    }
-
     void arrowsWalkThroughTheSettings()
     {
-        ShownStudyChart<StudyChart> f;
+        ShownStudyChart f;
         QSignalSpy chosen(&f.chart, &FigureView::itemChosen);
         QSignalSpy activated(&f.chart, &FigureView::itemActivated);
         f.chart.setFocus();
@@ -184,7 +129,7 @@ private slots:
 
     void clickChoosesThePointNearby()
     {
-        ShownStudyChart<DifferenceChart> f;
+        ShownStudyChart f(StudyFigureKind::Differences);
         QSignalSpy activated(&f.chart, &FigureView::itemActivated);
         const DrawnItem item = f.chart.drawing().items.front();
         QTest::mouseClick(&f.chart, Qt::LeftButton, {}, toQt(item.at).toPoint() + QPoint(4, 3));
@@ -195,7 +140,7 @@ private slots:
 
     void fewerSettingsForgetTheChoice()
     {
-        ShownStudyChart<StudyChart> f;
+        ShownStudyChart f;
         f.chart.setChosen(3);
         f.chart.setResult(nullptr);
         QVERIFY(!f.chart.chosen());
@@ -212,7 +157,7 @@ private slots:
     void nothingOverlaps()
     {
         QFETCH(QSize, size);
-        const ShownStudyChart<StudyChart> f(everything(), size);
+        const ShownStudyChart f(StudyFigureKind::Zeta, everything(), size);
         const std::vector<DrawnLabel>& labels = f.chart.drawing().labels;
         QVERIFY(labels.size() >= 6);
         for (std::size_t a = 0; a < labels.size(); ++a) {
@@ -242,7 +187,7 @@ private slots:
 
     void themeReachesThePicture()
     {
-        ShownStudyChart<StudyChart> f;
+        ShownStudyChart f;
         const Theme dark = Theme::dark();
         f.chart.setTheme(dark);
         QCOMPARE(f.chart.grab().toImage().pixelColor(0, 0).rgb(), dark.chart.rgb());

@@ -1,3 +1,4 @@
+#include "core/io/figure/policy_style.h"
 #include "tests/support/approx.h"
 #include "tests/support/window/colour_vision.h"
 #include "widgets/map/paint/map_surroundings.h"
@@ -164,8 +165,7 @@ private slots:
                 const bool isSimilar =
                     colourDifference(policyColour(one, shown), policyColour(other, shown), vision) <
                     kApart;
-                QVERIFY(!isSimilar || policyMark(one, PlotPoint{}, 1).shape !=
-                                          policyMark(other, PlotPoint{}, 1).shape);
+                QVERIFY(!isSimilar || policyMark(one, 1).shape != policyMark(other, 1).shape);
             }
     }
 };

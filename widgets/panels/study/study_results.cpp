@@ -1,6 +1,5 @@
 #include "widgets/panels/study/study_results.h"
 
-#include "widgets/charts/difference_chart.h"
 #include "widgets/charts/study_chart.h"
 #include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/panels/study/study_tables.h"
@@ -123,9 +122,9 @@ QWidget* StudyResults::makeFigures()
     m_figures = new QTabWidget;
     m_figures->setObjectName(u"studyFigures"_s);
     m_figures->setDocumentMode(true);
-    m_chart = new StudyChart(Theme::light());
+    m_chart = new StudyChart(StudyFigureKind::Zeta, Theme::light());
     m_chart->setObjectName(u"studyChart"_s);
-    m_differences = new DifferenceChart(Theme::light());
+    m_differences = new StudyChart(StudyFigureKind::Differences, Theme::light());
     m_differences->setObjectName(u"differenceChart"_s);
     m_figures->addTab(m_chart, tr("ζ against τ"));
     m_figures->addTab(m_differences, tr("Differences"));
@@ -134,7 +133,7 @@ QWidget* StudyResults::makeFigures()
     return m_figures;
 }
 
-void StudyResults::connectFigure(StudyFigure& figure)
+void StudyResults::connectFigure(StudyChart& figure)
 {
     connect(&figure, &FigureView::itemChosen, this,
             [this](std::size_t setting) { choose(setting); });
@@ -406,9 +405,9 @@ void StudyResults::updateEnabled()
                 : tr("Choose a point of the picture or a setting, then a case."));
 }
 
-StudyFigure* StudyResults::front() const
+StudyChart* StudyResults::front() const
 {
-    return qobject_cast<StudyFigure*>(m_figures->currentWidget());
+    return qobject_cast<StudyChart*>(m_figures->currentWidget());
 }
 
 QString StudyResults::pictureName() const
@@ -419,24 +418,15 @@ QString StudyResults::pictureName() const
 void StudyResults::writePicture(const QString& path) const
 {
     // A separate chart, so that selection and pointer are not in the image.
-    const auto write = [&](StudyFigure& figure) {
-        figure.resize(kPage_px);
-        figure.setTitleShown(true);
-        figure.setResult(m_runner.result());
-        berg::writePicture({.size_px = kPage_px,
-                            .title = figure.accessibleName(),
-                            .description = figure.accessibleDescription(),
-                            .paint = [&figure](QPainter& painter) { figure.paintFigure(painter); }},
-                           path);
-    };
-    const Theme& theme = front()->theme();
-    if (front() == m_chart) {
-        StudyChart figure(theme);
-        write(figure);
-    } else {
-        DifferenceChart figure(theme);
-        write(figure);
-    }
+    StudyChart figure(front()->kind(), front()->theme());
+    figure.resize(kPage_px);
+    figure.setTitleShown(true);
+    figure.setResult(m_runner.result());
+    berg::writePicture({.size_px = kPage_px,
+                        .title = figure.accessibleName(),
+                        .description = figure.accessibleDescription(),
+                        .paint = [&figure](QPainter& painter) { figure.paintFigure(painter); }},
+                       path);
 }
 
 } // namespace berg

@@ -19,9 +19,7 @@ class QToolButton;
 namespace berg {
 
 class CellModel;
-class DifferenceChart;
 class StudyChart;
-class StudyFigure;
 
 /**
  * Results of a study: zeta against tau, differences, a table of the settings, and the cases of the
@@ -61,7 +59,7 @@ private:
     [[nodiscard]] QWidget* makeFigures();
     [[nodiscard]] QWidget* makeTables();
     [[nodiscard]] QTableView* makeTable(const char* name, const QString& title, CellModel& model);
-    void connectFigure(StudyFigure& figure);
+    void connectFigure(StudyChart& figure);
     void showResult();
     [[nodiscard]] QString contendersText(const StudySummary& summary) const;
     [[nodiscard]] std::optional<std::size_t> offeredSetting() const;
@@ -79,7 +77,7 @@ private:
     /** Returns the scenario of the current case, or of the only case. */
     [[nodiscard]] std::optional<Scenario> chosenMission() const;
     void openRun();
-    [[nodiscard]] StudyFigure* front() const;
+    [[nodiscard]] StudyChart* front() const;
 
     StudyRunner& m_runner;
     StudyPointer m_shown;                 ///< result whose cases are in the table
@@ -91,7 +89,7 @@ private:
     std::array<QToolButton*, 4> m_exports{};
     QTabWidget* m_figures = nullptr;
     StudyChart* m_chart = nullptr;
-    DifferenceChart* m_differences = nullptr;
+    StudyChart* m_differences = nullptr;
     QTabWidget* m_tables = nullptr;
     CellModel* m_settingsModel = nullptr;
     CellModel* m_casesModel = nullptr;

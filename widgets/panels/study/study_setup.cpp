@@ -1,7 +1,7 @@
 #include "widgets/panels/study/study_setup.h"
 
 #include "core/plan/policy/policy.h"
-#include "widgets/charts/study_content.h"
+#include "widgets/charts/study_chart.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/words/policy_words.h"
@@ -31,7 +31,7 @@ constexpr double kLastSeed = 999'999'999;
 
 QIcon markIcon(PolicyKind policy, const Theme& theme)
 {
-    const QPixmap pixmap = policyMark(policy, theme, kMark_px);
+    const QPixmap pixmap = policyPixmap(policy, theme, kMark_px);
     QIcon icon(pixmap);
     icon.addPixmap(pixmap, QIcon::Disabled);
     return icon;

@@ -1,6 +1,6 @@
 #include "widgets/panels/study/study_tables.h"
 
-#include "widgets/charts/study_content.h"
+#include "widgets/charts/study_chart.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/policy_words.h"
@@ -226,7 +226,7 @@ CellSheet studySettings(const StudyPointer& result, const Theme& theme, const QL
         .toolTip = [of](int row, int) { return of.toolTip(row); },
         .other = [of, theme](int row, int column, int role) -> QVariant {
             return role == Qt::DecorationRole && column == 0 && of.isSetting(row)
-                       ? policyMark(of.setting(row).setting.policy, theme, kMark_px)
+                       ? policyPixmap(of.setting(row).setting.policy, theme, kMark_px)
                        : QVariant();
         }};
 }
