@@ -89,7 +89,7 @@ void connectPlayback(WindowContext& context)
     QObject::connect(alarms, &AlarmStrip::restoreRequested, &w, &Workspace::restoreFlight);
     QObject::connect(alarms, &AlarmStrip::newestRequested, &w, &Workspace::seekLatest);
     context.on(&w, &Workspace::aboutToTakeOff, [&panels] {
-        panels.map->cancelGesture();
+        panels.map->tools().cancel();
         panels.finishTyping();
     });
 

@@ -141,7 +141,7 @@ void FlightView::setInFlight(bool inFlight)
     panels().history->setEnabled(!inFlight);
     panels().tradeoff->setInFlight(inFlight);
     if (inFlight)
-        panels().map->setTool(MapToolKind::Select);
+        panels().map->tools().setKind(MapToolKind::Select);
 }
 
 void FlightView::setTruthShown(bool shown)

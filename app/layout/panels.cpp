@@ -79,7 +79,7 @@ private:
         m_column->setContentsMargins(0, m_alarms.lineHeight(), 0, 0);
         m_alarms.setGeometry(0, 0, width(), height_px);
         m_alarms.raise();
-        m_map.setCover(std::max(0, height_px - m_alarms.lineHeight()));
+        m_map.panels().setCover(std::max(0, height_px - m_alarms.lineHeight()));
     }
 
     AlarmStrip& m_alarms;

@@ -64,7 +64,7 @@ StatusLine::StatusLine(WindowContext& context)
     connect(panels().map, &MapView::refused, this, refuse);
     connect(panels().map, &MapView::cursorMoved, this, &StatusLine::showCursor);
     connect(panels().map, &MapView::cursorLeft, m_cursor, &QLabel::clear);
-    connect(panels().map, &MapView::statusText, m_hint, &QLabel::setText);
+    connect(&panels().map->tools(), &MapToolbox::statusText, m_hint, &QLabel::setText);
 }
 
 void StatusLine::showCursor(const Point& position_m)

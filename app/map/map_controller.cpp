@@ -32,16 +32,16 @@ constexpr const char* kHiddenColumnsKey = "icebergs/hiddenColumns";
 
 MapController::MapController(WindowContext& context, const Docks& docks) : WindowPart(context)
 {
-    panels().map->setInset(overviewIsShown() ? panels().overview : nullptr);
+    panels().map->panels().setInset(overviewIsShown() ? panels().overview : nullptr);
     panels().icebergs->setHiddenColumns(settings().value(kHiddenColumnsKey).toStringList());
-    panels().map->setPanels(savedPanels());
+    panels().map->panels().setStates(savedPanels());
     panels().layers->showLayers(savedLayers());
     panels().map->setLayers(panels().layers->layers());
     if (!settings().value(kFormerSweptKey, true).toBool())
         setLayerShown(MapLayer::Swept, false);
     settings().remove(kFormerSweptKey);
     connect(panels().layers, &LayersPanel::layersEdited, this, &MapController::showLayers);
-    connect(panels().map, &MapView::panelsChanged, this, &MapController::savePanels);
+    connect(&panels().map->panels(), &MapPanels::changed, this, &MapController::savePanels);
     connectMap(docks);
     connectTables();
 }
@@ -50,7 +50,7 @@ MapController::MapController(WindowContext& context, const Docks& docks) : Windo
 void MapController::savePanels()
 {
     QStringList states;
-    for (const MapPanelState& state : panels().map->panels())
+    for (const MapPanelState& state : panels().map->panels().states())
         states << u"%1 %2 %3 %4"_s.arg(int(state.isHidden))
                       .arg(int(state.isFolded))
                       .arg(state.moved_px.x())
@@ -129,15 +129,15 @@ void MapController::setBackdrop(const BackdropPointer& backdrop)
 
 bool MapController::panelIsShown(MapPanel panel) const
 {
-    return !panels().map->panels()[static_cast<std::size_t>(panel)].isHidden;
+    return !panels().map->panels().states()[static_cast<std::size_t>(panel)].isHidden;
 }
 
 /** One that is shown again is where and as large as it is by itself. */
 void MapController::setPanelShown(MapPanel panel, bool shown)
 {
-    MapPanelStates states = panels().map->panels();
+    MapPanelStates states = panels().map->panels().states();
     states[static_cast<std::size_t>(panel)] = {.isHidden = !shown, .moved_px = {}};
-    panels().map->setPanels(states);
+    panels().map->panels().setStates(states);
     savePanels();
 }
 
@@ -177,7 +177,7 @@ void MapController::connectTables()
     const auto select = [this](const std::string& id) { workspace().selection().set({id}); };
     PlanPanel* plan = panels().plan;
     connect(plan, &PlanPanel::hovered, map, &MapView::setHighlight);
-    connect(map, &MapView::hovered, plan, &PlanPanel::setHighlight);
+    connect(&map->tools(), &MapToolbox::hoveredChanged, plan, &PlanPanel::setHighlight);
     connect(plan, &PlanPanel::activated, this, select);
     connect(plan, &PlanPanel::assignRequested, this,
             [this](const std::string& iceberg, const std::string& uav) {
@@ -185,7 +185,7 @@ void MapController::connectTables()
             });
     const IcebergTable* icebergs = panels().icebergs;
     connect(icebergs, &IcebergTable::hovered, map, &MapView::setHighlight);
-    connect(map, &MapView::hovered, icebergs, &IcebergTable::setHighlight);
+    connect(&map->tools(), &MapToolbox::hoveredChanged, icebergs, &IcebergTable::setHighlight);
     connect(icebergs, &IcebergTable::chosen, this, [map, select](const std::string& id) {
         select(id);
         map->camera().showIceberg(id);
@@ -203,13 +203,13 @@ bool MapController::overviewIsShown() const
 void MapController::setOverviewShown(bool shown)
 {
     settings().setValue(kOverviewKey, shown);
-    panels().map->setInset(shown ? panels().overview : nullptr);
+    panels().map->panels().setInset(shown ? panels().overview : nullptr);
     showOverview();
 }
 
 void MapController::showOverview()
 {
-    if (!panels().map->hasInset())
+    if (!panels().map->panels().hasInset())
         return;
     panels().overview->setPlace(workspace().document().scenario().origin);
     panels().overview->setExtent(panels().map->camera().outline());

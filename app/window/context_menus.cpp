@@ -50,7 +50,8 @@ void ContextMenus::showOnMap(const QPoint& globalPos, const Point& position_m,
                              const std::vector<std::string>& ids)
 {
     QMenu* menu = makeMenu(u"mapMenu"_s);
-    const std::optional<MapPanel> panel = panels().map->panelAt(globalPos);
+    MapView& map = *panels().map;
+    const std::optional<MapPanel> panel = map.panels().at(map.mapFromGlobal(globalPos));
     if (panel && ids.empty())
         addPanelActions(*menu, *panel);
     else if (ids.empty())
@@ -190,7 +191,7 @@ void ContextMenus::addPlaceActions(QMenu& menu, const Point& position_m)
     menu.addAction(tr("Centre the map here"), this,
                    [this, place] { panels().map->camera().centreOn(place); });
     menu.addAction(tr("Measure from here"), this,
-                   [this, position_m] { panels().map->measureFrom(position_m); });
+                   [this, position_m] { panels().map->tools().measureFrom(position_m); });
     menu.addSeparator();
 }
 
@@ -216,8 +217,8 @@ void ContextMenus::addPanelActions(QMenu& menu, MapPanel panel)
         "titlePanelAction"};
     QAction* command = commandAction(window(), kCommands[static_cast<std::size_t>(panel)]);
     if (std::ranges::find(kFoldingPanels, panel) != kFoldingPanels.end())
-        menu.addAction(panels().map->isFolded(panel) ? tr("Unfold") : tr("Fold"), this,
-                       [this, panel] { panels().map->foldPanel(panel); });
+        menu.addAction(panels().map->panels().isFolded(panel) ? tr("Unfold") : tr("Fold"), this,
+                       [this, panel] { panels().map->panels().fold(panel); });
     menu.addAction(tr("Hide"), command, &QAction::trigger);
     if (panel == MapPanel::Legend)
         menu.addMenu(window().findChild<QMenu*>(u"sigmaEndMenu"_s));

@@ -258,8 +258,8 @@ std::vector<Command> Menus::tools()
     const auto tool = [map = panels().map](const char* id, const QString& text, const char* key,
                                            IconName icon, MapToolKind kind) {
         Command command(id, text,
-                        Switch{[map, kind] { return map->tool() == kind; },
-                               [map, kind](bool) { map->setTool(kind); }, "tools"},
+                        Switch{[map, kind] { return map->tools().kind() == kind; },
+                               [map, kind](bool) { map->tools().setKind(kind); }, "tools"},
                         key, icon);
         command.when = isLockedInFlight(kind) ? When::Unlocked : When::Always;
         return command;
@@ -327,8 +327,8 @@ void Menus::followState()
     follow(&workspace(), &Workspace::discardedFlightChanged);
     follow(&workspace().selection(), &Selection::changed);
     follow(workspace().document().undoStack(), &QUndoStack::indexChanged);
-    follow(panels().map, &MapView::statusText); // drawing has begun or ended
-    follow(panels().map, &MapView::toolChanged);
+    follow(&panels().map->tools(), &MapToolbox::statusText); // drawing has begun or ended
+    follow(&panels().map->tools(), &MapToolbox::kindChanged);
     follow(&panels().map->camera(), &MapCamera::followUavChanged);
     follow(&m_parts.mapLinks, &MapController::layersChanged);
     follow(&m_parts.docks, &Docks::layoutChanged);
@@ -345,7 +345,7 @@ void Menus::update() const
     const bool inFlight = w.inFlight();
     const bool icebergs = !icebergsOf(scenario, ids).empty();
     const bool flown = !w.icebergsInFlight(ids).empty();
-    const bool isDrawing = panels().map->isDrawing();
+    const bool isDrawing = panels().map->tools().isDrawing();
     When state = When::Always;
     const auto note = [&state](When when, bool holds) { state = holds ? state | when : state; };
     note(When::InFlight, inFlight);
@@ -377,8 +377,8 @@ void Menus::update() const
 void Menus::undo()
 {
     panels().finishTyping(); // that is what it undoes then
-    if (panels().map->isDrawing())
-        return panels().map->undoLastPoint();
+    if (panels().map->tools().isDrawing())
+        return panels().map->tools().undoLastPoint();
     if (!workspace().inFlight())
         return workspace().document().undo();
     const std::optional<LastChange> change = workspace().undoableChange();

@@ -47,13 +47,13 @@ QString faultOfUse(MonkeyWindow& w)
     if (w.window().parts().start.pageIsShown() || !w.map().isVisible())
         return {};
     w.map().camera().fit();
-    w.map().setTool(MapToolKind::Iceberg);
+    w.map().tools().setKind(MapToolKind::Iceberg);
     const std::size_t before = w.scenario().icebergs.size();
     const QSize size = w.map().size();
     for (int i = 1; i < 36 && w.scenario().icebergs.size() == before; ++i)
         QTest::mouseClick(&w.map(), Qt::LeftButton, {},
                           {i % 6 * size.width() / 6, (i / 6 * 2 + 1) * size.height() / 12});
-    w.map().setTool(MapToolKind::Select);
+    w.map().tools().setKind(MapToolKind::Select);
     if (w.scenario().icebergs.size() != before + 1)
         return u"no iceberg can be placed"_s;
     QUndoStack& history = *w.document().undoStack();

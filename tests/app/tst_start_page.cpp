@@ -349,7 +349,7 @@ private slots:
         for (const Qt::Key key : {Qt::Key_I, Qt::Key_U, Qt::Key_Period, Qt::Key_Delete})
             StartWindow::press(key);
         QVERIFY(w.isShown());
-        QCOMPARE(w.map().tool(), MapToolKind::Select);
+        QCOMPARE(w.map().tools().kind(), MapToolKind::Select);
         QVERIFY(!w.workspace.inFlight());
         QVERIFY(w.scenario() == three());
     }

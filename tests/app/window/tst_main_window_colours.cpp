@@ -49,7 +49,7 @@ QPoint placeOnLegend(WindowFixture& w)
     for (int x = 0; x < w.map().width(); x += kStep_px)
         for (int y = 0; y < w.map().height(); y += kStep_px)
             if (const QPoint at = w.map().mapToGlobal(QPoint(x, y));
-                w.map().panelAt(at) == MapPanel::Legend)
+                w.map().panels().at(w.map().mapFromGlobal(at)) == MapPanel::Legend)
                 return at;
     qFatal("no legend");
 }

@@ -111,10 +111,10 @@ private slots:
         WindowFixture w(test::MapFixture::fourIcebergs());
         w.trigger(u"analyseLayoutAction"_s);
         auto& focused = test::child<QWidget>(w.window(), name);
-        w.map().setTool(MapToolKind::Iceberg);
+        w.map().tools().setKind(MapToolKind::Iceberg);
         focused.setFocus();
         QTest::keyClick(&focused, Qt::Key_Escape);
-        QCOMPARE(w.map().tool(), MapToolKind::Select);
+        QCOMPARE(w.map().tools().kind(), MapToolKind::Select);
         QCOMPARE(QApplication::focusWidget(), &w.map());
     }
 

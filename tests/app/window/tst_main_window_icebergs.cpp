@@ -147,7 +147,7 @@ private slots:
         QTableView& table = raisedTable(w);
         click(table, 0, IcebergColumn::East);
         QTest::keyClick(&table, Qt::Key_I);
-        QCOMPARE(w.map().tool(), MapToolKind::Iceberg);
+        QCOMPARE(w.map().tools().kind(), MapToolKind::Iceberg);
         QTest::keyClick(&table, Qt::Key_S);
         QTest::keyClick(&table, Qt::Key_Period); // else a step of the flight
         auto& editor = test::child<QWidget>(table, u"icebergCell"_s);

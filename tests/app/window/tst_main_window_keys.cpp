@@ -74,11 +74,11 @@ void raise(WindowFixture& w, const QString& dock)
 /** State of the window that single-key shortcuts change. */
 auto stateOf(WindowFixture& w)
 {
-    return std::tuple(w.scenario().icebergs.size(), w.workspace.selection().ids(), w.map().tool(),
-                      w.map().camera().followsUav(), w.map().view().scale_pxpm(),
-                      w.record().now.generation, w.workspace.inFlight(),
-                      test::child<QComboBox>(w.window(), u"rateCombo"_s).currentIndex(),
-                      w.interaction.informations.size());
+    return std::tuple(
+        w.scenario().icebergs.size(), w.workspace.selection().ids(), w.map().tools().kind(),
+        w.map().camera().followsUav(), w.map().view().scale_pxpm(), w.record().now.generation,
+        w.workspace.inFlight(), test::child<QComboBox>(w.window(), u"rateCombo"_s).currentIndex(),
+        w.interaction.informations.size());
 }
 
 } // namespace
@@ -290,10 +290,10 @@ private slots:
         WindowFixture w(test::MapFixture::fourIcebergs());
         auto& plan = test::child<QTableView>(w.window(), u"planTable"_s);
         for (QWidget* focused : {static_cast<QWidget*>(&w.map()), static_cast<QWidget*>(&plan)}) {
-            w.map().setTool(tool == MapToolKind::Pan ? MapToolKind::Uav : MapToolKind::Pan);
+            w.map().tools().setKind(tool == MapToolKind::Pan ? MapToolKind::Uav : MapToolKind::Pan);
             focused->setFocus();
             QTest::keyClick(focused, key);
-            QCOMPARE(w.map().tool(), tool);
+            QCOMPARE(w.map().tools().kind(), tool);
         }
     }
 

@@ -83,7 +83,7 @@ private slots:
         QVERIFY(w.workspace.runs().reference() == other);
         QTest::keyClick(w.runs, Qt::Key_B);
         QVERIFY(w.workspace.runs().other() == other);
-        QCOMPARE(w.map().tool(), MapToolKind::Select);
+        QCOMPARE(w.map().tools().kind(), MapToolKind::Select);
     }
 
     void messagesAreCopied()

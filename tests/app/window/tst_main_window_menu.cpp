@@ -219,8 +219,8 @@ private slots:
         choose(menuAt(w, kWater_m), u"Centre the map here"_s);
         QVERIFY((w.map().rect().center() - w.pixelOf(kWater_m)).manhattanLength() <= 4);
         choose(menuAt(w, kWater_m), u"Measure from here"_s);
-        QVERIFY(w.map().tool() == MapToolKind::Measure);
-        QVERIFY(w.map().isDrawing());
+        QVERIFY(w.map().tools().kind() == MapToolKind::Measure);
+        QVERIFY(w.map().tools().isDrawing());
     }
 
     void assetIsPlacedWhereOneClicks()
@@ -360,9 +360,9 @@ private slots:
         w.click(w.pixelOf(Point(3000, 1500)));
         QVERIFY(w.action(u"undoAction"_s).isEnabled());
         w.trigger(u"undoAction"_s);
-        QVERIFY(w.map().isDrawing());
+        QVERIFY(w.map().tools().isDrawing());
         w.trigger(u"undoAction"_s);
-        QVERIFY(!w.map().isDrawing());
+        QVERIFY(!w.map().tools().isDrawing());
         QVERIFY(!w.action(u"undoAction"_s).isEnabled());
         QVERIFY(w.scenario() == test::MapFixture::fourIcebergs());
     }

@@ -16,7 +16,7 @@ constexpr int kParts_px = 23; ///< from the top of the map: middle of what folds
 
 const MapPanelState& stateOf(WindowFixture& w, MapPanel panel)
 {
-    return w.map().panels()[static_cast<std::size_t>(panel)];
+    return w.map().panels().states()[static_cast<std::size_t>(panel)];
 }
 
 /** Searches for the fold mark along the upper edge of the title; returns nullopt if the panel did
@@ -146,7 +146,7 @@ private slots:
         w.settings.setValue(u"view/mapPanels"_s,
                             QStringList{u"0 0 nan 0"_s, u"0 0 0 inf"_s, u"0 1 5"_s});
         const MainWindow next(w.workspace, w.interaction, w.settings);
-        QVERIFY(next.mapView().panels() == MapPanelStates());
+        QVERIFY(next.mapView().panels().states() == MapPanelStates());
     }
 
     void menuFoldsAndHides()
@@ -176,19 +176,19 @@ private slots:
     void aLegendWithoutRoomIsOpenedByItsIcon()
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
-        for (int height_px = 700; height_px >= 400 && !w.map().isFolded(MapPanel::Legend);
+        for (int height_px = 700; height_px >= 400 && !w.map().panels().isFolded(MapPanel::Legend);
              height_px -= 20)
             w.window().resize(1000, height_px);
-        QVERIFY(w.map().isFolded(MapPanel::Legend));
+        QVERIFY(w.map().panels().isFolded(MapPanel::Legend));
         QVERIFY(!stateOf(w, MapPanel::Legend).isFolded); // not by the user
         const QPoint icon(25, w.map().height() - 25);
-        QCOMPARE(w.map().panelAt(w.map().mapToGlobal(icon)), std::optional(MapPanel::Legend));
+        QCOMPARE(w.map().panels().at(icon), std::optional(MapPanel::Legend));
         w.click(icon);
-        QVERIFY(!w.map().isFolded(MapPanel::Legend));
-        w.map().foldPanel(MapPanel::Legend);
-        QVERIFY(w.map().isFolded(MapPanel::Legend));
+        QVERIFY(!w.map().panels().isFolded(MapPanel::Legend));
+        w.map().panels().fold(MapPanel::Legend);
+        QVERIFY(w.map().panels().isFolded(MapPanel::Legend));
         w.click(icon);
-        QVERIFY(!w.map().isFolded(MapPanel::Legend));
+        QVERIFY(!w.map().panels().isFolded(MapPanel::Legend));
     }
 
     void hiddenStaysHidden()
@@ -199,7 +199,7 @@ private slots:
             w.trigger(QString::fromLatin1(action));
         w.trigger(u"view/language-nb"_s);
         QTest::qWait(0); // another window
-        for (const MapPanelState& state : w.map().panels())
+        for (const MapPanelState& state : w.map().panels().states())
             QVERIFY(state.isHidden);
         QVERIFY(!w.action(u"legendPanelAction"_s).isChecked());
         w.trigger(u"view/language-en"_s);

@@ -61,7 +61,7 @@ private:
         static constexpr std::array kTools{MapToolKind::Select, MapToolKind::Iceberg,
                                            MapToolKind::Uav,    MapToolKind::Asset,
                                            MapToolKind::Area,   MapToolKind::NoFly};
-        m_w.map().setTool(kTools[m_random.below(kTools.size())]);
+        m_w.map().tools().setKind(kTools[m_random.below(kTools.size())]);
         const Scenario& scenario = m_w.scenario();
         const QPoint from =
             m_random.below(3) == 0
@@ -69,7 +69,7 @@ private:
                 : m_w.pixelOf(scenario.uavs[m_random.below(scenario.uavs.size())].position_m);
         if (m_w.scenario().icebergs.size() < 10)
             m_w.drag(from, anywhere());
-        m_w.map().setTool(MapToolKind::Select);
+        m_w.map().tools().setKind(MapToolKind::Select);
     }
     [[nodiscard]] QString anyText()
     {

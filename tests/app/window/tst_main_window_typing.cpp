@@ -70,7 +70,7 @@ private slots:
         QCOMPARE(w.scenario().uavs.front().spec.endurance_s, endurance_s);
         QCOMPARE(endurance.text(), shown);
         QVERIFY(!w.workspace.inFlight());
-        QCOMPARE(w.map().tool(), MapToolKind::Select);
+        QCOMPARE(w.map().tools().kind(), MapToolKind::Select);
         QCOMPARE(w.remark(u"uavs.endurance_s"_s), QString());
     }
 
@@ -133,7 +133,7 @@ private slots:
         endurance.setFocus();
         QTest::keyClicks(&endurance, u"45 min"_s);
         QVERIFY(w.workspace.isPlaying());
-        QCOMPARE(w.map().tool(), MapToolKind::Select);
+        QCOMPARE(w.map().tools().kind(), MapToolKind::Select);
     }
 
     void startsAreReadAsByTheImport_data()

@@ -161,7 +161,7 @@ private:
             spots_m.push_back(area_m[i]);
             spots_m.emplace_back((area_m[i] + area_m[(i + 1) % area_m.size()]) / 2);
         }
-        if (w.map().tool() != MapToolKind::Area || area_m.empty()) {
+        if (w.map().tools().kind() != MapToolKind::Area || area_m.empty()) {
             for (const Iceberg& iceberg : scenario.icebergs)
                 spots_m.push_back(iceberg.position_m);
             for (const Uav& uav : scenario.uavs)

@@ -83,7 +83,7 @@ private:
         m_map.selection.set(ids);
         m_map.selection.keepExisting(m_map.scenario());
     }
-    void take(MapToolKind tool) { m_map.view.setTool(tool); }
+    void take(MapToolKind tool) { m_map.view.tools().setKind(tool); }
     void key(Qt::Key which, Qt::KeyboardModifiers keys = {})
     {
         QTest::keyClick(&m_map.view, which, keys);

@@ -77,11 +77,11 @@ Written editedIn(const QLocale& locale)
         text.replace(QChar(0x2212), u'-'); // the minus sign of the keyboard
         test::enter(field, text);
     };
-    map.view.setTool(MapToolKind::Area);
+    map.view.tools().setKind(MapToolKind::Area);
     for (const QPoint& at : {QPoint(400, 200), QPoint(650, 210), QPoint(630, 420)})
         map.click(at);
     QTest::keyClick(&map.view, Qt::Key_Return);
-    map.view.setTool(MapToolKind::Iceberg);
+    map.view.tools().setKind(MapToolKind::Iceberg);
     map.drag({500, 300}, {560, 255});
     enter(u"icebergVelocityEast"_s, -1.234);
     enter(u"icebergs.q_m2ps"_s, 0.031);

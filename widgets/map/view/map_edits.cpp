@@ -34,7 +34,7 @@ Point middleOf(std::span<const Iceberg> icebergs)
 /** Cancels the tool's gesture; returns false if the map is locked. */
 bool MapEdits::begin()
 {
-    m_context.view.cancelGesture();
+    m_context.view.tools().cancel();
     return !m_context.view.isLocked();
 }
 
@@ -68,7 +68,7 @@ void MapEdits::deleteSelected()
     const std::vector<std::string> ids = m_context.selection.ids();
     if (m_context.view.isLocked())
         emit m_context.view.removalRequested(ids);
-    if (!begin() || m_context.view.removePart())
+    if (!begin() || m_context.view.tools().removePart())
         return;
     if (const QString text = removalText(ids); !text.isEmpty())
         m_context.document.edit(text, [&](Scenario& scenario) { removeObjects(scenario, ids); });

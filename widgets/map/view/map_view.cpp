@@ -24,8 +24,9 @@ MapView::MapView(ScenarioDocument& document, Selection& selection, QWidget* pare
     , m_document(document)
     , m_selection(selection)
     , m_camera(m_scene, m_selection)
+    , m_panels(m_scene, m_camera, *this)
     , m_edits({m_document, m_selection, m_scene, *this})
-    , m_tool(makeMapTool(MapToolKind::Select, {m_document, m_selection, m_scene, *this}))
+    , m_tools({m_document, m_selection, m_scene, *this})
 {
     setObjectName(u"mapView"_s);
     setFocusPolicy(Qt::StrongFocus);
@@ -70,12 +71,12 @@ void MapView::setLocked(bool locked)
 {
     if (m_isLocked == locked)
         return;
-    m_tool->cancel();
+    m_tools.tool().cancel();
     m_isLocked = locked;
-    if (locked && isEditing(m_toolKind))
-        setTool(MapToolKind::Select);
+    if (locked && isEditing(m_tools.kind()))
+        m_tools.setKind(MapToolKind::Select);
     refreshPicture();
-    updateToolState();
+    m_tools.refresh();
 }
 
 void MapView::setMayIntervene(bool may)
@@ -83,9 +84,9 @@ void MapView::setMayIntervene(bool may)
     if (m_mayIntervene == may)
         return;
     if (m_isLocked)
-        m_tool->cancel();
+        m_tools.tool().cancel();
     m_mayIntervene = may;
-    updateToolState();
+    m_tools.refresh();
 }
 
 void MapView::setDraft(std::function<void(MapPicture&)> draft)
@@ -96,75 +97,12 @@ void MapView::setDraft(std::function<void(MapPicture&)> draft)
     refreshPicture();
 }
 
-void MapView::setTool(MapToolKind kind)
-{
-    if (kind == m_toolKind || (m_isLocked && isLockedInFlight(kind)))
-        return;
-    m_tool->cancel();
-    endNudges();
-    m_tool = makeMapTool(kind, {m_document, m_selection, m_scene, *this});
-    m_toolKind = kind;
-    updateToolState();
-    emit toolChanged(kind);
-}
-
-void MapView::setCover(int cover_px)
-{
-    m_scene.setCover(cover_px);
-    placeInset();
-    update();
-}
-
-void MapView::setInset(QWidget* inset)
-{
-    if (m_inset != nullptr && m_inset != inset)
-        m_inset->hide();
-    m_inset = inset;
-    m_scene.setInset(inset != nullptr ? QSizeF(inset->sizeHint()) : QSizeF());
-    placeInset();
-    update();
-}
-
-void MapView::placeInset()
-{
-    if (m_inset == nullptr)
-        return;
-    const QRectF place = m_scene.layout().inset;
-    m_inset->setVisible(!place.isNull());
-    if (!place.isNull())
-        m_inset->setGeometry(place.toRect());
-}
-
-void MapView::setPanels(const MapPanelStates& panels)
-{
-    m_scene.setPanels(panels);
-    if (m_camera.isFitted())
-        m_camera.fit();
-    placeInset();
-    update();
-}
-
 void MapView::setLayers(const MapLayers& layers)
 {
     if (layers == m_scene.layers())
         return;
     m_scene.setLayers(layers);
     update();
-}
-
-std::optional<MapPanel> MapView::panelAt(const QPoint& globalPos)
-{
-    return m_scene.panelAt(mapFromGlobal(globalPos));
-}
-
-void MapView::measureFrom(const Point& from_m)
-{
-    setTool(MapToolKind::Measure);
-    m_tool->cancelDrawing();
-    const MapPointer pointer{.at_px = toScreen(from_m), .at_m = from_m, .isInside = true};
-    m_tool->press(pointer);
-    m_tool->release(pointer);
-    updateToolState();
 }
 
 void MapView::finishLand()
@@ -213,7 +151,7 @@ void MapView::refreshPicture()
 
 void MapView::scenarioReplaced()
 {
-    m_tool->documentReplaced(); // cancelling would restore the old scenario
+    m_tools.tool().documentReplaced(); // cancelling would restore the old scenario
     m_fitsNextPicture = true;
     MapPicture empty;
     empty.emptyTitle = m_picture.emptyTitle;
@@ -224,7 +162,7 @@ void MapView::scenarioReplaced()
 void MapView::scenarioChanged()
 {
     m_selection.keepExisting(m_document.scenario());
-    m_tool->documentChanged();
+    m_tools.tool().documentChanged();
     refreshPicture();
     if (m_fitsNextPicture)
         m_camera.fit();
@@ -232,45 +170,18 @@ void MapView::scenarioChanged()
 
 void MapView::selectionChanged()
 {
-    endNudges(); // a new selection starts a new undo step
+    m_tools.endNudges(); // a new selection starts a new undo step
     m_camera.keepUavInSight();
     update();
 }
 
-void MapView::endNudges()
-{
-    // A tool's gesture ends with its own release, not in the middle of it.
-    if (!m_tool->isBusy())
-        m_document.endGesture();
-}
-
-void MapView::updateToolState()
-{
-    setCursor(m_tool->cursor(m_hovered));
-    if (const QString status = m_tool->status(); status != m_status) {
-        m_status = status;
-        emit statusText(m_status);
-    }
-    update();
-}
-
-void MapView::setHovered(const std::string& id)
-{
-    if (m_hovered == id)
-        return;
-    m_hovered = id;
-    setCursor(m_tool->cursor(m_hovered));
-    update();
-    emit hovered(m_hovered);
-}
-
 void MapView::updateHover()
 {
-    if (m_tool->isBusy() || m_panFrom)
+    if (m_tools.tool().isBusy() || m_panFrom)
         return;
     if (m_scene.setPointer(m_cursor))
         update();
-    setHovered(m_cursor ? m_scene.objectAt(*m_cursor) : std::string());
+    m_tools.setHovered(m_cursor ? m_scene.objectAt(*m_cursor) : std::string());
 }
 
 void MapView::updateTexts()
@@ -295,8 +206,8 @@ void MapView::paintMarks(QPainter& painter)
         if (const std::optional<LabelDisk> symbol = m_scene.symbolOf(id))
             paintHoverMark(painter, *symbol, theme);
     };
-    hover(m_hovered);
-    if (m_highlighted != m_hovered)
+    hover(m_tools.hovered());
+    if (m_highlighted != m_tools.hovered())
         hover(m_highlighted);
     for (const std::string& id : m_selection.ids())
         if (isOutlineKey(id))
@@ -317,7 +228,7 @@ void MapView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     m_scene.paint(painter, [&] { paintMarks(painter); });
     painter.setRenderHint(QPainter::Antialiasing);
-    m_tool->paint(painter);
+    m_tools.tool().paint(painter);
     if (m_hasKeyboardFocus)
         paintFocusFrame(painter, rect(), m_scene.theme());
     if (m_scene.isUnsettled() && !m_settleTimer.isActive())
@@ -327,7 +238,7 @@ void MapView::paintEvent(QPaintEvent*)
 void MapView::resizeEvent(QResizeEvent*)
 {
     m_camera.resize(QRectF(rect()));
-    placeInset();
+    m_panels.placeInset();
 }
 
 void MapView::changeEvent(QEvent* event)
@@ -335,7 +246,7 @@ void MapView::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
         m_scene.setLocale(locale());
         updateTexts();
-        updateToolState();
+        m_tools.refresh();
     }
     QWidget::changeEvent(event);
 }

@@ -1,11 +1,8 @@
 // Mouse, touch and key events of the map. `keyPressEvent` handles all keys.
 
-#include "widgets/flight/asset_approach.h"
 #include "widgets/map/paint/map_overlays.h"
-#include "widgets/map/paint/wind_panel.h"
-#include "widgets/map/picture/scenario_picture.h"
+#include "widgets/map/view/map_tips.h"
 #include "widgets/map/view/map_view.h"
-#include "widgets/theme/quantity_text.h"
 
 #include <QContextMenuEvent>
 #include <QGestureEvent>
@@ -19,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -66,68 +62,30 @@ MapPointer MapView::pointerOf(const QMouseEvent& event) const
             .isInside = rect().contains(event.position().toPoint())};
 }
 
-bool MapView::pressPanel(const QPointF& at)
-{
-    const std::optional<MapPanelPart> part = m_scene.panelPartAt(at);
-    if (!part || m_tool->isBusy())
-        return false;
-    if (part->isGrip) {
-        m_movedPanel = part->panel;
-        m_panelFrom = at - m_scene.panelOffset_px(part->panel);
-        return true;
-    }
-    foldPanel(part->panel);
-    return true;
-}
-
-void MapView::foldPanel(MapPanel panel)
-{
-    const bool isIcon = isFolded(panel);
-    MapPanelStates states = m_scene.panels();
-    MapPanelState& state = states[static_cast<std::size_t>(panel)];
-    state.isFolded = !isIcon;
-    state.isOpened = isIcon;
-    setPanels(states);
-    emit panelsChanged();
-}
-
-void MapView::movePanel(const QPointF& at)
-{
-    m_scene.movePanel(*m_movedPanel, at - m_panelFrom);
-    placeInset();
-    update();
-}
-
-void MapView::releasePanel()
-{
-    if (std::exchange(m_movedPanel, std::nullopt))
-        emit panelsChanged();
-}
-
 void MapView::mousePressEvent(QMouseEvent* event)
 {
     event->accept();
-    endNudges();
+    m_tools.endNudges();
     m_cursor = event->position();
     updateHover();
-    m_pressedPanel =
-        event->button() == Qt::LeftButton && !m_panFrom && pressPanel(event->position());
+    m_pressedPanel = event->button() == Qt::LeftButton && !m_panFrom && !m_tools.tool().isBusy() &&
+                     m_panels.press(event->position());
     if (m_pressedPanel)
         return;
     if (event->button() == Qt::MiddleButton) {
         m_panFrom = event->position();
         setCursor(Qt::ClosedHandCursor);
-    } else if (event->button() == Qt::RightButton && m_tool->isBusy()) {
-        m_tool->cancel();
-        updateToolState();
-    } else if (event->button() == Qt::RightButton && m_tool->isDrawing()) {
-        m_tool->finishDrawing();
-        updateToolState();
+    } else if (event->button() == Qt::RightButton && m_tools.tool().isBusy()) {
+        m_tools.tool().cancel();
+        m_tools.refresh();
+    } else if (event->button() == Qt::RightButton && m_tools.tool().isDrawing()) {
+        m_tools.tool().finishDrawing();
+        m_tools.refresh();
     } else if (event->button() == Qt::RightButton) {
         requestContextMenu(event->globalPosition().toPoint(), event->position());
     } else if (event->button() == Qt::LeftButton && !m_panFrom) {
-        m_tool->press(pointerOf(*event));
-        updateToolState();
+        m_tools.tool().press(pointerOf(*event));
+        m_tools.refresh();
     }
 }
 
@@ -136,23 +94,23 @@ void MapView::mouseMoveEvent(QMouseEvent* event)
     event->accept();
     m_cursor = event->position();
     if (!event->buttons().testFlag(Qt::LeftButton))
-        releasePanel(); // another widget got the release
-    if (m_movedPanel) {
-        movePanel(event->position());
+        m_panels.release(); // another widget got the release
+    if (m_panels.isMoving()) {
+        m_panels.move(event->position());
     } else if (m_panFrom && event->buttons().testFlag(Qt::MiddleButton)) {
         m_camera.panBy(event->position() - *m_panFrom);
         m_panFrom = event->position();
-    } else if (m_tool->isBusy()) {
+    } else if (m_tools.tool().isBusy()) {
         // Another widget, such as a dialog that opened, may have got the release.
         if (event->buttons().testFlag(Qt::LeftButton))
-            m_tool->move(pointerOf(*event));
+            m_tools.tool().move(pointerOf(*event));
         else
-            m_tool->cancel();
-        updateToolState();
+            m_tools.tool().cancel();
+        m_tools.refresh();
     } else {
         updateHover();
-        if (m_tool->hover(pointerOf(*event)))
-            updateToolState();
+        if (m_tools.tool().hover(pointerOf(*event)))
+            m_tools.refresh();
     }
     emit cursorMoved(toWorld(event->position()));
 }
@@ -162,12 +120,12 @@ void MapView::mouseReleaseEvent(QMouseEvent* event)
     event->accept();
     if (event->button() == Qt::MiddleButton)
         m_panFrom.reset();
-    else if (event->button() == Qt::LeftButton && m_movedPanel)
-        releasePanel();
-    else if (event->button() == Qt::LeftButton && m_tool->isBusy())
-        m_tool->release(pointerOf(*event));
+    else if (event->button() == Qt::LeftButton && m_panels.isMoving())
+        m_panels.release();
+    else if (event->button() == Qt::LeftButton && m_tools.tool().isBusy())
+        m_tools.tool().release(pointerOf(*event));
     updateHover();
-    updateToolState();
+    m_tools.refresh();
 }
 
 void MapView::mouseDoubleClickEvent(QMouseEvent* event)
@@ -175,9 +133,9 @@ void MapView::mouseDoubleClickEvent(QMouseEvent* event)
     event->accept();
     if (event->button() == Qt::LeftButton && m_pressedPanel)
         return; // the first click was on a panel, which may have moved
-    if (event->button() == Qt::LeftButton && m_tool->isDrawing()) {
-        m_tool->finishDrawing();
-        updateToolState();
+    if (event->button() == Qt::LeftButton && m_tools.tool().isDrawing()) {
+        m_tools.tool().finishDrawing();
+        m_tools.refresh();
         return;
     }
     const std::string id = m_scene.objectAt(event->position());
@@ -232,19 +190,19 @@ void MapView::keyPressEvent(QKeyEvent* event)
         QWidget::keyPressEvent(event);
         return;
     }
-    if (m_tool->isDrawing() && isDrawingKey(*event)) {
+    if (m_tools.tool().isDrawing() && isDrawingKey(*event)) {
         if (isEnter(*event))
-            m_tool->finishDrawing();
+            m_tools.tool().finishDrawing();
         else
-            m_tool->undoLastPoint();
+            m_tools.tool().undoLastPoint();
         event->accept();
-        updateToolState();
+        m_tools.refresh();
         return;
     }
     const bool isArrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right ||
                          event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
     if (!isArrow)
-        endNudges();
+        m_tools.endNudges();
     const QPointF middle = m_scene.rect().center();
     if (isArrow)
         pressArrow(*event);
@@ -258,27 +216,14 @@ void MapView::keyPressEvent(QKeyEvent* event)
         m_camera.zoomBy(1 / kKeyZoom, middle);
     else if (event->key() == Qt::Key_F && event->modifiers() == Qt::NoModifier)
         m_camera.fit();
-    else if (event->key() == Qt::Key_Escape && m_tool->isBusy())
-        m_tool->cancel();
     else if (event->key() == Qt::Key_Escape)
-        leave();
-    else if (!m_tool->key(*event)) {
+        m_tools.leave();
+    else if (!m_tools.tool().key(*event)) {
         QWidget::keyPressEvent(event);
         return;
     }
     event->accept();
-    updateToolState();
-}
-
-/** Handles Esc one step at a time: cancels the drawing, leaves the tool, clears the selection. */
-void MapView::leave()
-{
-    if (m_tool->cancelDrawing())
-        return;
-    if (m_toolKind != MapToolKind::Select)
-        setTool(MapToolKind::Select);
-    else
-        m_selection.clear();
+    m_tools.refresh();
 }
 
 void MapView::pressArrow(const QKeyEvent& event)
@@ -293,7 +238,7 @@ void MapView::pressArrow(const QKeyEvent& event)
         direction.y() = 1;
     else
         direction.y() = -1;
-    if (m_selection.isEmpty() || m_tool->isDrawing() || isLocked()) {
+    if (m_selection.isEmpty() || m_tools.tool().isDrawing() || isLocked()) {
         // The view moves in the direction of the arrow, so the map moves against it.
         const double pan_px = isLarge ? kLargePan_px : kPan_px;
         m_camera.panBy(QPointF(-direction.x(), direction.y()) * pan_px);
@@ -310,12 +255,17 @@ bool MapView::event(QEvent* event)
         return nativeGesture(*static_cast<QNativeGestureEvent*>(event)) || QWidget::event(event);
     if (event->type() == QEvent::Gesture)
         return gesture(*static_cast<QGestureEvent*>(event)) || QWidget::event(event);
-    if (event->type() == QEvent::ToolTip)
-        return showToolTip(*static_cast<QHelpEvent*>(event));
+    if (event->type() == QEvent::ToolTip) {
+        const auto& help = *static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help.globalPos(),
+                           m_tools.tool().isBusy() ? QString() : mapToolTip(m_scene, help.pos()),
+                           this);
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
-        if ((m_tool->isBusy() && key.key() == Qt::Key_Escape) ||
-            (m_tool->isDrawing() && isDrawingKey(key))) {
+        if ((m_tools.tool().isBusy() && key.key() == Qt::Key_Escape) ||
+            (m_tools.tool().isDrawing() && isDrawingKey(key))) {
             event->accept(); // the tool's action has priority over shortcuts
             return true;
         }
@@ -336,7 +286,7 @@ bool MapView::gesture(QGestureEvent& event)
     const auto* pinch = qobject_cast<QPinchGesture*>(event.gesture(Qt::PinchGesture));
     if (pinch == nullptr)
         return false;
-    m_tool->cancel(); // the first finger looked like a press
+    m_tools.tool().cancel(); // the first finger looked like a press
     const QPointF centre = mapFromGlobal(pinch->centerPoint());
     if (pinch->changeFlags().testFlag(QPinchGesture::CenterPointChanged) &&
         pinch->state() != Qt::GestureStarted)
@@ -344,39 +294,6 @@ bool MapView::gesture(QGestureEvent& event)
     if (pinch->changeFlags().testFlag(QPinchGesture::ScaleFactorChanged))
         m_camera.zoomBy(pinch->scaleFactor(), centre);
     event.accept();
-    return true;
-}
-
-bool MapView::showToolTip(const QHelpEvent& event)
-{
-    if (!m_tool->isBusy() && m_scene.layout().wind.contains(event.pos())) {
-        QToolTip::showText(event.globalPos(), windToolTip(m_scene.picture().air, m_scene.locale()),
-                           this);
-        return true;
-    }
-    const TimesAhead& times = m_scene.picture().times;
-    if (!m_tool->isBusy() && times.clock.start && m_scene.layout().title.contains(event.pos())) {
-        QToolTip::showText(event.globalPos(), times.clock.details(times.now_s), this);
-        return true;
-    }
-    const std::string id = m_tool->isBusy() ? std::string() : m_scene.objectAt(event.pos());
-    const std::vector<MapIceberg>& icebergs = m_scene.picture().icebergs;
-    const auto iceberg = std::ranges::find(icebergs, id, keyOf);
-    if (iceberg == icebergs.end()) {
-        QToolTip::hideText();
-        return true;
-    }
-    const QLocale& words = m_scene.locale();
-    const double speed_mps = iceberg->velocity_mps.norm();
-    const QString drift =
-        speed_mps > 0 ? tr("drifting %1 towards %2")
-                            .arg(speedText(speed_mps, words), bearingText(iceberg->velocity_mps))
-                      : tr("not drifting");
-    QString text = tr("%1: %2, %3", "name, uncertainty, drift")
-                       .arg(iceberg->id, uncertaintyText(iceberg->sigma_m2, words), drift);
-    if (iceberg->ringEntry_s)
-        text += u'\n' + ringEntryText(iceberg->id, *iceberg->ringEntry_s, words, times);
-    QToolTip::showText(event.globalPos(), text, this);
     return true;
 }
 
@@ -390,39 +307,14 @@ void MapView::focusInEvent(QFocusEvent* event)
 
 void MapView::focusOutEvent(QFocusEvent*)
 {
-    endNudges();
+    m_tools.endNudges();
     m_hasKeyboardFocus = false;
     update();
-}
-
-void MapView::cancelGesture()
-{
-    m_tool->cancel();
-    updateToolState();
-}
-
-bool MapView::isDrawing() const
-{
-    return m_tool->isDrawing();
-}
-
-void MapView::undoLastPoint()
-{
-    m_tool->undoLastPoint();
-    updateToolState();
 }
 
 std::optional<Point> MapView::cursor_m() const
 {
     return m_cursor ? std::optional<Point>(toWorld(*m_cursor)) : std::nullopt;
-}
-
-bool MapView::removePart()
-{
-    if (!m_tool->removePart())
-        return false;
-    updateToolState();
-    return true;
 }
 
 } // namespace berg

@@ -163,7 +163,7 @@ private slots:
         test::MapFixture f;
         OverviewInset overview(&f.view);
         overview.hide();
-        f.view.setInset(&overview);
+        f.view.panels().setInset(&overview);
         QVERIFY(overview.isVisible());
         QVERIFY(f.view.rect().contains(overview.geometry()));
         f.view.camera().fit();
@@ -173,7 +173,7 @@ private slots:
         QTRY_VERIFY(!overview.isVisible());
         f.view.resize(1000, 700);
         QTRY_VERIFY(overview.isVisible());
-        f.view.setInset(nullptr);
+        f.view.panels().setInset(nullptr);
         QVERIFY(!overview.isVisible());
     }
 

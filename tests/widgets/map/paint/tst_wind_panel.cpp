@@ -299,7 +299,7 @@ private slots:
     void strongWindIsAWarningButNoError()
     {
         WindFixture map;
-        QSignalSpy said(&map.view, &MapView::statusText);
+        QSignalSpy said(&map.view.tools(), &MapToolbox::statusText);
         const QPoint from = map.tip();
         map.drag(from, QPoint(500, 600), {}, false);
         QVERIFY(said.last().at(0).toString().startsWith(u"The UAV makes little headway"_s));
@@ -313,7 +313,7 @@ private slots:
     void panelHasAToolTip()
     {
         WindFixture map;
-        QSignalSpy said(&map.view, &MapView::statusText);
+        QSignalSpy said(&map.view.tools(), &MapToolbox::statusText);
         map.move(map.tip() - QPoint(80, 0));
         map.move(map.tip());
         QVERIFY(!said.isEmpty());

@@ -17,9 +17,9 @@ constexpr double kPixel_m = 20;
 
 struct AreaFixture : test::MapFixture
 {
-    QSignalSpy said{&view, &MapView::statusText};
+    QSignalSpy said{&view.tools(), &MapToolbox::statusText};
 
-    explicit AreaFixture(MapToolKind kind = MapToolKind::Area) { view.setTool(kind); }
+    explicit AreaFixture(MapToolKind kind = MapToolKind::Area) { view.tools().setKind(kind); }
 
     void clickAll(const std::vector<Point>& corners_m)
     {
@@ -90,8 +90,8 @@ private slots:
         QCOMPARE(map.undoCount(), 1);
         QCOMPARE(map.undoText(), u"Add area"_s);
         QCOMPARE(map.selection.ids(), (Ids{kAreaKey}));
-        QVERIFY(map.view.tool() == MapToolKind::Area); // stays until it is left
-        QVERIFY(!map.view.isDrawing());
+        QVERIFY(map.view.tools().kind() == MapToolKind::Area); // stays until it is left
+        QVERIFY(!map.view.tools().isDrawing());
         QCOMPARE(menu.count(), 0);
         map.document.undoStack()->undo();
         QVERIFY(map.area_m().empty());
@@ -164,7 +164,7 @@ private slots:
         map.draw();
         map.clickAll({{3500, 1700}, {4000, 1700}, {3800, 2300}});
         map.key(Qt::Key_Enter);
-        map.view.setTool(MapToolKind::Select);
+        map.view.tools().setKind(MapToolKind::Select);
         map.selection.clear();
         const QPoint edge = map.pixelOf({3000, 1750});
         map.click(edge);
@@ -189,11 +189,11 @@ private slots:
         map.draw();
         map.clickAll({{2200, 1700}, {2800, 1700}});
         map.key(Qt::Key_Escape);
-        QVERIFY(!map.view.isDrawing());
-        QVERIFY(map.view.tool() == MapToolKind::Area);
+        QVERIFY(!map.view.tools().isDrawing());
+        QVERIFY(map.view.tools().kind() == MapToolKind::Area);
         QVERIFY(isNear(map.area_m(), kSquare_m));
         map.key(Qt::Key_Escape);
-        QVERIFY(map.view.tool() == MapToolKind::Select);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Select);
         QVERIFY(map.selection.contains(kAreaKey));
         map.key(Qt::Key_Escape);
         QVERIFY(map.selection.isEmpty());
@@ -204,8 +204,8 @@ private slots:
     {
         AreaFixture map;
         map.clickAll({kSquare_m[0], kSquare_m[1], kSquare_m[2]});
-        map.view.setTool(MapToolKind::Pan);
-        map.view.setTool(MapToolKind::Area);
+        map.view.tools().setKind(MapToolKind::Pan);
+        map.view.tools().setKind(MapToolKind::Area);
         map.key(Qt::Key_Return);
         QVERIFY(map.area_m().empty());
     }
@@ -231,12 +231,12 @@ private slots:
         map.key(key, modifiers);
         map.click(map.pixelOf(kSquare_m[3]));
         for (int i = 0; i < 4; ++i) {
-            QVERIFY(map.view.isDrawing());
+            QVERIFY(map.view.tools().isDrawing());
             map.key(key, modifiers);
             QVERIFY(map.scenario() == before);
             QCOMPARE(map.undoIndex(), 1);
         }
-        QVERIFY(!map.view.isDrawing());
+        QVERIFY(!map.view.tools().isDrawing());
         map.clickAll(kSquare_m);
         map.key(Qt::Key_Return);
         QVERIFY(isNear(map.area_m(), kSquare_m));
@@ -263,7 +263,7 @@ private slots:
         AreaFixture map;
         map.clickAll(
             {{2000, 1500}, {3000, 1500}, {3000, 2500}, {2500, 2500}, {2500, 1600}, {2800, 1900}});
-        QVERIFY(map.view.isDrawing());
+        QVERIFY(map.view.tools().isDrawing());
         map.key(Qt::Key_Return);
         QVERIFY(map.area_m().empty());
         QVERIFY(map.status().contains(u"cross"_s));
@@ -279,7 +279,7 @@ private slots:
         map.clickAll({kSquare_m[0], kSquare_m[1]});
         map.key(Qt::Key_Return);
         QVERIFY(map.status().contains(u"three corners"_s));
-        QVERIFY(map.view.isDrawing());
+        QVERIFY(map.view.tools().isDrawing());
         QCOMPARE(map.undoCount(), 0);
     }
 
@@ -288,7 +288,7 @@ private slots:
         AreaFixture map;
         map.press(map.pixelOf(kSquare_m[0]));
         map.release(QPoint(-20, 300));
-        QVERIFY(!map.view.isDrawing());
+        QVERIFY(!map.view.tools().isDrawing());
     }
 
     void arrowKeysPanDuringADrawing()
@@ -301,7 +301,7 @@ private slots:
         map.key(Qt::Key_Right);
         QVERIFY(map.view.toScreen({0, 0}) != corner);
         QVERIFY(map.scenario() == before);
-        QVERIFY(map.view.isDrawing());
+        QVERIFY(map.view.tools().isDrawing());
     }
 
     void takeOffDropsIt()
@@ -309,10 +309,10 @@ private slots:
         AreaFixture map;
         map.clickAll({kSquare_m[0], kSquare_m[1], kSquare_m[2]});
         map.view.setLocked(true);
-        QVERIFY(map.view.tool() == MapToolKind::Select);
-        QVERIFY(!map.view.isDrawing());
-        map.view.setTool(MapToolKind::Area);
-        QVERIFY(map.view.tool() == MapToolKind::Select);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Select);
+        QVERIFY(!map.view.tools().isDrawing());
+        map.view.tools().setKind(MapToolKind::Area);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Select);
         map.view.setLocked(false);
         QVERIFY(map.area_m().empty());
     }
@@ -322,9 +322,9 @@ private slots:
         AreaFixture map;
         map.clickAll({kSquare_m[0], kSquare_m[1], kSquare_m[2]});
         map.document.edit(u"Tau"_s, [](Scenario& s) { s.planner.tau = 3; });
-        QVERIFY(map.view.isDrawing()); // an edit of something else does not
+        QVERIFY(map.view.tools().isDrawing()); // an edit of something else does not
         map.document.reset(test::emptySea());
-        QVERIFY(!map.view.isDrawing());
+        QVERIFY(!map.view.tools().isDrawing());
     }
 
     void outlineIsChanged_data()
@@ -339,7 +339,7 @@ private slots:
         QFETCH(MapToolKind, tool);
         AreaFixture map;
         map.draw();
-        map.view.setTool(tool);
+        map.view.tools().setKind(tool);
         const Scenario before = map.scenario();
         map.drag(map.pixelOf(kSquare_m[2]), map.pixelOf({3200, 2700})); // corner
         QCOMPARE(map.undoCount(), 2);
@@ -407,7 +407,7 @@ private slots:
     {
         AreaFixture map;
         map.draw();
-        map.view.setTool(MapToolKind::Select);
+        map.view.tools().setKind(MapToolKind::Select);
         map.selection.clear();
         const QPoint edge = map.pixelOf({3000, 1750}); // away from corners and middle
         map.click(edge);

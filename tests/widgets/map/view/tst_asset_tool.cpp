@@ -64,13 +64,13 @@ private slots:
     {
         test::MapFixture map;
         const Scenario before = map.scenario();
-        map.view.setTool(MapToolKind::Asset);
+        map.view.tools().setKind(MapToolKind::Asset);
         map.click(map.pixelOf(kWater_m));
         QVERIFY(map.scenario().asset.has_value());
         QVERIFY((map.scenario().asset->position_m - kWater_m).norm() < kPixel_m);
         QCOMPARE(map.document.undoStack()->undoText(), u"Place asset"_s);
         QCOMPARE(map.selection.ids(), (Ids{kAssetKey}));
-        QVERIFY(map.view.tool() == MapToolKind::Asset);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Asset);
         map.click(map.pixelOf({2500, 2800}));
         QCOMPARE(map.document.undoStack()->undoText(), u"Move asset"_s);
         QVERIFY((map.scenario().asset->position_m - Point(2500, 2800)).norm() < kPixel_m);
@@ -87,7 +87,7 @@ private slots:
         for (const double zoom : {1.0, 0.05, 1e-9}) {
             test::MapFixture map;
             map.view.camera().zoomBy(zoom, QRectF(map.view.rect()).center());
-            map.view.setTool(MapToolKind::Asset);
+            map.view.tools().setKind(MapToolKind::Asset);
             map.click(map.view.rect().center());
             const double range_m = map.scenario().asset->range_m;
             const double radius_px = range_m * map.view.view().scale_pxpm();
@@ -101,7 +101,7 @@ private slots:
     {
         test::MapFixture map;
         map.document.reset(withAsset());
-        map.view.setTool(MapToolKind::Asset);
+        map.view.tools().setKind(MapToolKind::Asset);
         const QPoint at = map.pixelOf(kWater_m);
         map.drag(at, at + QPoint(60, 40));
         QCOMPARE(map.undoCount(), 1);

@@ -23,7 +23,7 @@ struct FlightFixture : MapFixture
     QSignalSpy winds{&view, &MapView::windEdited};
     QSignalSpy assets{&view, &MapView::assetMoved};
     QSignalSpy placed{&view, &MapView::icebergPlaced};
-    QSignalSpy status{&view, &MapView::statusText};
+    QSignalSpy status{&view.tools(), &MapToolbox::statusText};
     Scenario flown;
 
     FlightFixture()
@@ -143,8 +143,8 @@ private slots:
     void icebergIsPlaced()
     {
         FlightFixture map;
-        map.view.setTool(MapToolKind::Iceberg);
-        QVERIFY(map.view.tool() == MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Iceberg);
         QVERIFY(map.status.last().at(0).toString().contains(u"cannot be undone"_s));
         map.click(map.pixelOf(kWater_m));
         QCOMPARE(map.placed.count(), 1);
@@ -159,7 +159,7 @@ private slots:
     void icebergIsPlacedWithItsDrift()
     {
         FlightFixture map;
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         const QImage before = map.shown();
         const QPoint at = map.pixelOf(kWater_m);
         map.drag(at, at + QPoint(50, 0), {}, false);
@@ -179,7 +179,7 @@ private slots:
     void icebergToolSelectsExistingIcebergs()
     {
         FlightFixture map;
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         map.drag(map.iceberg(1), map.iceberg(1) + QPoint(50, 20));
         QVERIFY(map.isQuiet());
         QCOMPARE(map.selection.ids(), (Ids{"berg-2"}));
@@ -190,7 +190,7 @@ private slots:
     {
         FlightFixture map;
         map.view.camera().panBy({90, 60}); // moves the asset out of the place clicked
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         QTest::keyClick(&map.view, Qt::Key_Return);
         QCOMPARE(map.placed.count(), 1);
     }

@@ -165,7 +165,7 @@ private slots:
     void theToolMovesTheSelectedOne()
     {
         FleetFixture map;
-        map.view.setTool(MapToolKind::Uav);
+        map.view.tools().setKind(MapToolKind::Uav);
         map.click(map.pixelOf(kWater_m));
         QVERIFY((map.uavOf(0).position_m - kWater_m).norm() < map.pixel_m());
         map.selection.set({"uav-2"});
@@ -179,7 +179,7 @@ private slots:
     void theToolTurnsTheOneUnderIt()
     {
         FleetFixture map;
-        map.view.setTool(MapToolKind::Uav);
+        map.view.tools().setKind(MapToolKind::Uav);
         map.drag(map.pixelOfUav(1), map.pixelOfUav(1) + QPoint(80, 0));
         QVERIFY(map.uavOf(1).position_m == kSecond_m);
         COMPARE_NEAR(map.uavOf(1).heading_deg, 90, 1);
@@ -189,7 +189,7 @@ private slots:
     void controlAddsOne()
     {
         FleetFixture map;
-        map.view.setTool(MapToolKind::Uav);
+        map.view.tools().setKind(MapToolKind::Uav);
         map.click(map.pixelOf(kWater_m), Qt::ControlModifier);
         QCOMPARE(map.scenario().uavs.size(), std::size_t{3});
         QCOMPARE(map.document.undoStack()->undoText(), u"Add UAV"_s);
@@ -231,7 +231,7 @@ private slots:
         map.selection.set({"uav-1"});
         map.view.edits().duplicateSelected();
         QCOMPARE(refused.size(), 2);
-        map.view.setTool(MapToolKind::Uav);
+        map.view.tools().setKind(MapToolKind::Uav);
         map.click(map.pixelOf(kWater_m), Qt::ControlModifier);
         QVERIFY(map.scenario() == full);
     }

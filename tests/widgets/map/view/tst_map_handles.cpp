@@ -266,7 +266,7 @@ private slots:
     void statusExplainsTheHandle()
     {
         HandleFixture map;
-        QSignalSpy said(&map.view, &MapView::statusText);
+        QSignalSpy said(&map.view.tools(), &MapToolbox::statusText);
         map.selection.set({"berg-1", "berg-3"});
         map.move(map.handleOf("berg-3"));
         QVERIFY(!said.isEmpty());

@@ -286,7 +286,7 @@ private slots:
         picture.title = u"A scenario with a long name"_s;
         MapPanelStates panels;
         panels[static_cast<std::size_t>(MapPanel::Title)].moved_px = {300, 215};
-        map.view.setPanels(panels);
+        map.view.panels().setStates(panels);
         map.view.setLocked(true);
         map.view.setPicture(picture);
         map.view.camera().setFollowUav(true);

@@ -303,7 +303,7 @@ private slots:
             s.area_m = {{500, 500}, {4500, 500}, {4500, 3500}, {500, 3500}};
         });
         map.selection.set({kAreaKey});
-        map.view.setTool(tool);
+        map.view.tools().setKind(tool);
         const QPoint from = map.pixelOf(pressed_m);
         map.press(from);
         map.document.edit(u"Empty sea"_s, [](Scenario& s) {
@@ -349,10 +349,10 @@ private slots:
     void lockedMapEditsNothing()
     {
         test::MapFixture map;
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         map.view.setPicture(withScenario({}, map.scenario())); // in flight the picture is all
         map.view.setLocked(true);
-        QVERIFY(map.view.tool() == MapToolKind::Select);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Select);
         const Scenario before = map.scenario();
         map.click(map.iceberg(2));
         QCOMPARE(map.selection.ids(), (Ids{"berg-3"}));
@@ -361,8 +361,8 @@ private slots:
         map.view.edits().deleteSelected();
         QTest::keyClick(&map.view, Qt::Key_Delete);
         QTest::keyClick(&map.view, Qt::Key_Up);
-        map.view.setTool(MapToolKind::Uav);
-        QVERIFY(map.view.tool() == MapToolKind::Select);
+        map.view.tools().setKind(MapToolKind::Uav);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Select);
         map.click(map.pixelOf(kWater_m));
         QVERIFY(map.scenario() == before);
         QCOMPARE(map.undoCount(), 0);
@@ -407,7 +407,7 @@ private slots:
     {
         test::MapFixture map;
         const Scenario before = map.scenario();
-        map.view.setTool(MapToolKind::Pan);
+        map.view.tools().setKind(MapToolKind::Pan);
         const QPointF corner = map.view.toScreen({0, 0});
         map.drag(map.iceberg(2), map.iceberg(2) + QPoint(50, 20));
         COMPARE_NEAR(map.view.toScreen({0, 0}).x(), corner.x() + 50, 1e-6);
@@ -421,7 +421,7 @@ private slots:
         test::MapFixture map;
         map.view.camera().zoomBy(1e-9,
                                  QRectF(map.view.rect()).center()); // the whole range and more
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         map.click({985, 300});
         const Iceberg& added = map.scenario().icebergs.back();
         QVERIFY(added.position_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m);
@@ -431,11 +431,11 @@ private slots:
     void toolsExplainTheNextStep()
     {
         test::MapFixture map;
-        QSignalSpy said(&map.view, &MapView::statusText);
+        QSignalSpy said(&map.view.tools(), &MapToolbox::statusText);
         QSet<QString> texts;
         for (const MapToolKind kind :
              {MapToolKind::Iceberg, MapToolKind::Uav, MapToolKind::Pan, MapToolKind::Select}) {
-            map.view.setTool(kind);
+            map.view.tools().setKind(kind);
             QVERIFY(!said.isEmpty());
             texts.insert(said.last().at(0).toString());
         }

@@ -79,9 +79,9 @@ private slots:
     {
         test::MapFixture map;
         map.selection.set({"berg-1"});
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         QTest::keyClick(&map.view, Qt::Key_Escape);
-        QVERIFY(map.view.tool() == MapToolKind::Select);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Select);
         QVERIFY(!map.selection.isEmpty());
         QTest::keyClick(&map.view, Qt::Key_Escape);
         QVERIFY(map.selection.isEmpty());
@@ -91,7 +91,7 @@ private slots:
     {
         test::MapFixture map;
         QSignalSpy moved(&map.view, &MapView::cursorMoved);
-        QSignalSpy hovered(&map.view, &MapView::hovered);
+        QSignalSpy hovered(&map.view.tools(), &MapToolbox::hoveredChanged);
         const QSignalSpy left(&map.view, &MapView::cursorLeft);
         const QPointF at(map.iceberg(2));
         QMouseEvent over(QEvent::MouseMove, at, map.view.mapToGlobal(at), Qt::NoButton,

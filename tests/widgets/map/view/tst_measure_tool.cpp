@@ -92,37 +92,37 @@ private slots:
     {
         test::MapFixture map;
         const Scenario before = map.scenario();
-        map.view.setTool(MapToolKind::Measure);
+        map.view.tools().setKind(MapToolKind::Measure);
         const QImage empty = map.view.grab().toImage();
         for (const Point& place_m : {Point(2000, 1500), Point(3000, 1500), Point(2500, 2500)})
             map.click(map.pixelOf(place_m));
-        QVERIFY(map.view.isDrawing());
+        QVERIFY(map.view.tools().isDrawing());
         const QImage drawn = map.view.grab().toImage();
         QVERIFY(drawn != empty);
         QTest::keyClick(&map.view, Qt::Key_Return); // ends the line, which stays
-        QVERIFY(!map.view.isDrawing());
+        QVERIFY(!map.view.tools().isDrawing());
         map.move({200, 200});
         QVERIFY(map.view.grab().toImage() != empty);
         QVERIFY(map.scenario() == before);
         QCOMPARE(map.undoCount(), 0);
         QTest::keyClick(&map.view, Qt::Key_Escape); // clears
-        QVERIFY(map.view.tool() == MapToolKind::Measure);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Measure);
         QCOMPARE(map.view.grab().toImage(), empty);
         QTest::keyClick(&map.view, Qt::Key_Escape); // leaves
-        QVERIFY(map.view.tool() == MapToolKind::Select);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Select);
     }
 
     void backspaceRemovesPoints()
     {
         test::MapFixture map;
         map.document.edit(u"Before"_s, [](Scenario& s) { s.icebergs.pop_back(); });
-        map.view.setTool(MapToolKind::Measure);
+        map.view.tools().setKind(MapToolKind::Measure);
         map.click(map.pixelOf({2000, 1500}));
         map.click(map.pixelOf({3000, 1500}));
         QTest::keyClick(&map.view, Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(map.view.isDrawing());
+        QVERIFY(map.view.tools().isDrawing());
         QTest::keyClick(&map.view, Qt::Key_Backspace);
-        QVERIFY(!map.view.isDrawing());
+        QVERIFY(!map.view.tools().isDrawing());
         QCOMPARE(map.undoIndex(), 1);
     }
 
@@ -131,14 +131,14 @@ private slots:
         test::MapFixture map;
         map.view.setPicture(withScenario({}, map.scenario()));
         map.view.setLocked(true);
-        map.view.setTool(MapToolKind::Measure);
-        QVERIFY(map.view.tool() == MapToolKind::Measure);
+        map.view.tools().setKind(MapToolKind::Measure);
+        QVERIFY(map.view.tools().kind() == MapToolKind::Measure);
         map.click(map.pixelOf({2000, 1500}));
-        QVERIFY(map.view.isDrawing());
+        QVERIFY(map.view.tools().isDrawing());
         map.view.setLocked(false);
-        QVERIFY(map.view.isDrawing());
+        QVERIFY(map.view.tools().isDrawing());
         map.document.reset(test::emptySea());
-        QVERIFY(!map.view.isDrawing());
+        QVERIFY(!map.view.tools().isDrawing());
     }
 };
 

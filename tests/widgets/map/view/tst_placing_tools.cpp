@@ -30,8 +30,8 @@ private slots:
     {
         test::MapFixture map;
         const Scenario before = map.scenario();
-        const QSignalSpy toolChanged(&map.view, &MapView::toolChanged);
-        map.view.setTool(MapToolKind::Iceberg);
+        const QSignalSpy toolChanged(&map.view.tools(), &MapToolbox::kindChanged);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         QCOMPARE(toolChanged.count(), 1);
         map.click(map.pixelOf(kWater_m));
         QCOMPARE(map.scenario().icebergs.size(), std::size_t{5});
@@ -44,7 +44,7 @@ private slots:
         QCOMPARE(map.selection.ids(), (Ids{"berg-5"}));
         QCOMPARE(map.undoCount(), 1);
         QCOMPARE(map.document.undoStack()->undoText(), u"Add iceberg"_s);
-        QVERIFY(map.view.tool() == MapToolKind::Iceberg); // stays until it is left
+        QVERIFY(map.view.tools().kind() == MapToolKind::Iceberg); // stays until it is left
         map.click(map.pixelOf({2500, 2900}));
         QCOMPARE(map.undoCount(), 2);
         map.document.undoStack()->undo();
@@ -56,7 +56,7 @@ private slots:
     void clickOnAnIcebergAddsNothing()
     {
         test::MapFixture map;
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         map.click(map.iceberg(0));
         QCOMPARE(map.undoCount(), 0);
         QCOMPARE(map.selection.ids(), (Ids{"berg-1"}));
@@ -65,7 +65,7 @@ private slots:
     void enterAddsInTheMiddle()
     {
         test::MapFixture map;
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         QTest::keyClick(&map.view, Qt::Key_Return);
         QCOMPARE(map.scenario().icebergs.size(), std::size_t{5});
         const QPointF at = map.view.toScreen(map.scenario().icebergs.back().position_m);
@@ -78,7 +78,7 @@ private slots:
         test::MapFixture map;
         map.document.edit(u"Current"_s, [](Scenario& s) { s.current_mps = {0.05, -0.02}; });
         const int steps = map.undoCount();
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         const QPoint from = map.pixelOf(kWater_m);
         map.drag(from, from + QPoint(48, -36));
         QCOMPARE(map.undoCount(), steps + 1);
@@ -94,7 +94,7 @@ private slots:
         std::vector<double> speeds_mps;
         for (const int length_px : {60, 100, 140}) {
             test::MapFixture map;
-            map.view.setTool(MapToolKind::Iceberg);
+            map.view.tools().setKind(MapToolKind::Iceberg);
             const QPoint from = map.pixelOf(kWater_m);
             map.drag(from, from + QPoint(length_px, 0));
             speeds_mps.push_back(map.scenario().icebergs.back().velocity_mps.norm());
@@ -108,7 +108,7 @@ private slots:
     {
         test::MapFixture map;
         map.view.camera().zoomBy(0.002, QRectF(map.view.rect()).center());
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         const QPoint from(480, 200);
         map.drag(from, QPoint(990, 690));
         const Point drift_mps = map.scenario().icebergs.back().velocity_mps;
@@ -120,7 +120,7 @@ private slots:
     {
         test::MapFixture map;
         const Scenario before = map.scenario();
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         map.drag(map.iceberg(0), map.iceberg(0) + QPoint(70, 0));
         QCOMPARE(map.undoCount(), 1);
         QCOMPARE(map.scenario().icebergs.size(), std::size_t{4});
@@ -133,11 +133,11 @@ private slots:
     void escapeTakesAnIcebergBack()
     {
         test::MapFixture map;
-        map.view.setTool(MapToolKind::Iceberg);
+        map.view.tools().setKind(MapToolKind::Iceberg);
         const QPoint from = map.pixelOf(kWater_m);
         map.drag(from, from + QPoint(70, 30), {}, false);
         QTest::keyClick(&map.view, Qt::Key_Escape);
-        QVERIFY(map.view.tool() == MapToolKind::Iceberg); // the first Esc is for the drag
+        QVERIFY(map.view.tools().kind() == MapToolKind::Iceberg); // the first Esc is for the drag
         map.release(from + QPoint(70, 30));
         QCOMPARE(map.scenario().icebergs.size(), std::size_t{4});
         QCOMPARE(map.undoCount(), 0);
@@ -148,7 +148,7 @@ private slots:
     {
         test::MapFixture map;
         const Scenario before = map.scenario();
-        map.view.setTool(MapToolKind::Uav);
+        map.view.tools().setKind(MapToolKind::Uav);
         map.click(map.pixelOf(kWater_m));
         QCOMPARE(map.undoCount(), 1);
         const Uav& uav = map.scenario().uavs.front();
@@ -173,7 +173,7 @@ private slots:
         QFETCH(double, heading_deg);
         test::MapFixture map;
         const Scenario before = map.scenario();
-        map.view.setTool(MapToolKind::Uav);
+        map.view.tools().setKind(MapToolKind::Uav);
         const QPoint from = map.pixelOf(kWater_m);
         map.drag(from, from + path);
         QCOMPARE(map.undoCount(), 1);
@@ -195,7 +195,7 @@ private slots:
         Scenario scenario = map.scenario();
         scenario.uavs.clear();
         map.document.reset(scenario);
-        map.view.setTool(MapToolKind::Uav);
+        map.view.tools().setKind(MapToolKind::Uav);
         map.click(map.pixelOf(kWater_m));
         QCOMPARE(map.scenario().uavs.size(), std::size_t{1});
         QCOMPARE(map.scenario().uavs.front().id, std::string("uav-1"));
