@@ -71,9 +71,11 @@ void TimeChart::setTitleShown(bool shown)
     layOut();
 }
 
-void TimeChart::setColumnWanted(bool wanted)
+void TimeChart::setValuesBeside(bool beside)
 {
-    m_isColumnWanted = wanted;
+    if (m_valuesBeside == beside)
+        return;
+    m_valuesBeside = beside;
     layOut();
 }
 
@@ -166,15 +168,12 @@ int TimeChart::columns() const
 void TimeChart::layOut()
 {
     m_isLaidOut = true;
-    const QSizeF size_px = viewport()->size();
-    m_column = columnFor(size_px);
-    const double beside_px = static_cast<double>(m_column.columns) * m_column.width_px;
     m_figure = timeFigure(m_content, {.theme = m_theme,
                                       .locale = locale(),
-                                      .size_px = {size_px.width() - beside_px, size_px.height()},
+                                      .size_px = viewport()->size(),
                                       .window = window(),
                                       .hasTitle = m_titleShown,
-                                      .hasNames = m_column.columns == 0,
+                                      .hasNames = !m_valuesBeside,
                                       .hasLines = false});
     chart()->setPlotArea(plot());
     for (const LineSeries& series : m_series) {
@@ -191,6 +190,7 @@ void TimeChart::layOut()
     placeLabels(m_figure.figure, figureFonts(m_theme), m_figure.drawing, flagsAtCursor());
     m_pixmap = {};
     viewport()->update();
+    emit readoutChanged();
 }
 
 void TimeChart::setAxes()

@@ -28,20 +28,9 @@ struct ReadoutFlag
     QColor colour; ///< colour of the line
     QString name{};
     QString value{};
+    QString unit{};        ///< unit of the value
     QString key{};         ///< key of the line
     bool isStrong = false; ///< emphasised, or nearest to the pointer
-};
-
-/** Layout of the values beside the plot: a row per line, in one or more columns. */
-struct ValueColumn
-{
-    double left_px = 0; ///< left edge of the first column
-    double top_px = 0;
-    double width_px = 0; ///< width per column
-    double row_px = 0;
-    std::size_t rows = 0;    ///< rows per column
-    std::size_t columns = 0; ///< zero if values are flags over the plot
-    bool hasUnits = false;   ///< value and unit are below the name
 };
 
 /** Values of all lines at one instant. */
@@ -49,9 +38,8 @@ struct ChartReadout
 {
     std::optional<double> hover_px; ///< abscissa of the hover line; nullopt at the cursor
     QRectF timeRect;
-    QString time; ///< empty without pointer and cursor: the column shows the newest values
+    QString time; ///< empty without pointer and cursor: the newest values
     std::vector<ReadoutFlag> flags;
-    std::size_t more = 0; ///< number of lines without room in the column
 };
 
 /**
@@ -78,10 +66,10 @@ public:
     /** Shows the chart's title; without it the plot is larger. */
     void setTitleShown(bool shown);
     /**
-     * Shows names and values of the lines in a column beside the plot if the chart is wide enough:
-     * values at the pointer, at the cursor, or the newest ones.
+     * Leaves names and values of the lines to a table beside the chart, of which `readout` is the
+     * content: values of all lines at the pointer, at the cursor, or the newest ones.
      */
-    void setColumnWanted(bool wanted);
+    void setValuesBeside(bool beside);
     /** Disables gradient pens: lines get one colour each, for formats without gradients. */
     void setGradients(bool wanted);
     [[nodiscard]] const TimeChartContent& content() const { return m_content; }
@@ -109,13 +97,18 @@ public:
     [[nodiscard]] const Drawing& drawing() const { return m_figure.drawing; }
     /** Rectangle of the plot in the widget. */
     [[nodiscard]] QRectF plot() const;
-    /** Values at the pointer, or at the cursor; without flags if there is no value. */
+    /**
+     * Values at the pointer, or at the cursor; without flags if there is no value. With values
+     * beside the chart the flags are those of all lines, without places.
+     */
     [[nodiscard]] ChartReadout readout() const;
 
 signals:
     /** The plot was pressed or dragged at this time. */
     void timePicked(double time_s);
-    /** The label in the margin, or the row, of the line with this key was pressed. */
+    /** Other values are to be read. */
+    void readoutChanged();
+    /** The label in the margin of the line with this key was pressed. */
     void linePicked(const QString& key);
     /** The right button was clicked without panning, or the menu key was pressed. */
     void menuRequested(const QPoint& globalPos);
@@ -158,11 +151,7 @@ private:
     void styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapStyle cap);
     [[nodiscard]] QColor colourOf(const TimeLine& line) const;
     [[nodiscard]] std::vector<PixelRect> flagsAtCursor() const;
-    [[nodiscard]] ValueColumn columnFor(const QSizeF& size_px) const;
-    [[nodiscard]] std::vector<std::size_t> rowsAt(const std::vector<std::optional<QPointF>>& values,
-                                                  ChartReadout& readout) const;
-    void fillColumn(ChartReadout& readout, double time_s) const;
-    void paintColumn(QPainter& painter, const ChartReadout& readout) const;
+    void readAll(ChartReadout& readout, double time_s) const;
     /** Unit of the values of a line in readouts. */
     [[nodiscard]] ShownUnit unitOf(const TimeLine& line) const;
     [[nodiscard]] QString valueText(const TimeLine& line, double value) const;
@@ -172,7 +161,7 @@ private:
     void paintReadout(QPainter& painter) const;
     void pick(const QMouseEvent& event);
     void hoverAt(std::optional<QPointF> position);
-    /** Key of the line whose label or row is at a position; empty if there is none. */
+    /** Key of the line whose label is at a position; empty if there is none. */
     [[nodiscard]] QString lineAt(const QPointF& position) const;
     void zoom(double factor, double anchor_s);
     void pan(double by_s);
@@ -182,8 +171,7 @@ private:
     TimeChartContent m_content;
     bool m_titleShown = true;
     bool m_gradients = true;
-    bool m_isColumnWanted = false;
-    ValueColumn m_column;
+    bool m_valuesBeside = false;
     bool m_plain = false; ///< so many segments that they are drawn thin and without smoothing
     std::optional<TimeWindow> m_zoom; ///< nullopt shows all; when following only its length counts
     bool m_following = false;

@@ -105,10 +105,6 @@ void TimeChart::pick(const QMouseEvent& event)
 
 QString TimeChart::lineAt(const QPointF& position) const
 {
-    if (m_column.columns > 0 && position.x() >= m_column.left_px)
-        for (const ReadoutFlag& row : readout().flags)
-            if (row.rect.contains(position))
-                return row.key;
     const std::vector<DrawnLabel>& labels = m_figure.drawing.labels;
     const auto found = std::find_if(labels.begin(), labels.end(), [&](const DrawnLabel& label) {
         return label.inMargin && toQt(label.rect).contains(position);
@@ -124,6 +120,7 @@ void TimeChart::hoverAt(std::optional<QPointF> position)
         return;
     m_hover = position;
     viewport()->update();
+    emit readoutChanged();
 }
 
 void TimeChart::mousePressEvent(QMouseEvent* event)

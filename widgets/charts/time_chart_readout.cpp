@@ -23,6 +23,7 @@ constexpr double kFlagGap_px = 10;      // distance of the flags from the hover 
 constexpr double kFlagEdge_px = 4;      // distance of the flags from the plot's edge
 constexpr double kFarthestJoin_px = 60; // largest length of the line from a value to its flag
 constexpr double kFarthestFlag_px = 48; // largest distance of a flag from its value
+constexpr double kFarthestNear_px = 24; // reach of the pointer
 constexpr std::size_t kMostFlags = 8;
 
 } // namespace
@@ -36,7 +37,7 @@ QRectF TimeChart::plot() const
 std::vector<PixelRect> TimeChart::flagsAtCursor() const
 {
     std::vector<PixelRect> rects;
-    if (!m_hover && m_column.columns == 0)
+    if (!m_hover && !m_valuesBeside)
         for (const ReadoutFlag& flag : readout().flags)
             rects.push_back(
                 {flag.rect.left(), flag.rect.top(), flag.rect.right(), flag.rect.bottom()});
@@ -52,8 +53,8 @@ ChartReadout TimeChart::readout() const
     if (!hasPoints(m_content))
         return readout;
     if (!m_hover && !atCursor) {
-        if (m_column.columns > 0)
-            fillColumn(readout, view.to_s);
+        if (m_valuesBeside)
+            readAll(readout, view.to_s);
         return readout;
     }
     const double time_s = m_hover ? m_figure.viewToTime(m_hover->x()) : *m_content.cursor_s;
@@ -65,8 +66,8 @@ ChartReadout TimeChart::readout() const
     const double timeWidth_px = metrics.horizontalAdvance(readout.time) + 10;
     readout.timeRect = QRectF(at_px - timeWidth_px / 2, m_figure.drawing.plot.bottom + 4,
                               timeWidth_px, kFlagHeight_px);
-    if (m_column.columns > 0) {
-        fillColumn(readout, time_s);
+    if (m_valuesBeside) {
+        readAll(readout, time_s);
         return readout;
     }
 
@@ -94,6 +95,27 @@ ChartReadout TimeChart::readout() const
             readout.flags.push_back(flagOf(order[k], *values[order[k]], *middles[k]));
     alignFlags(readout, at_px);
     return readout;
+}
+
+/** Adds the values of all lines; without a time, a line that ends earlier has its last value. */
+void TimeChart::readAll(ChartReadout& readout, double time_s) const
+{
+    const auto away_px = [this](const ReadoutFlag& flag) {
+        return m_hover ? std::abs(flag.at.y() - m_hover->y()) : kFarthestNear_px;
+    };
+    for (std::size_t i = 0; i < m_content.lines.size(); ++i) {
+        const TimeLine& line = m_content.lines[i];
+        std::optional<QPointF> value = line.isShown() ? pointAt(line.points, time_s) : std::nullopt;
+        if (!value && line.isShown() && readout.time.isEmpty())
+            value = line.points.back();
+        if (!value)
+            continue;
+        readout.flags.push_back(flagOf(i, *value, 0));
+        readout.flags.back().isStrong = line.emphasis == LineEmphasis::Strong;
+    }
+    const auto nearest = std::ranges::min_element(readout.flags, {}, away_px);
+    if (nearest != readout.flags.end() && away_px(*nearest) < kFarthestNear_px)
+        nearest->isStrong = true;
 }
 
 ShownUnit TimeChart::unitOf(const TimeLine& line) const
@@ -128,8 +150,10 @@ ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double mi
     if (line.role == LineRole::Sigma)
         flag.colour = inkColour(sigmaInk(value.y(), m_content.sigmaFull_m2), m_theme);
     flag.text = flag.name + u' ' + flag.value;
-    if (!line.unit.isEmpty())
-        flag.text += u' ' + unitOf(line).name;
+    if (!line.unit.isEmpty()) {
+        flag.unit = unitOf(line).name;
+        flag.text += u' ' + flag.unit;
+    }
     const double width_px = QFontMetricsF(m_theme.small()).horizontalAdvance(flag.text) + 10;
     flag.rect = QRectF(0, middle_px - kFlagHeight_px / 2, width_px, kFlagHeight_px);
     return flag;
@@ -152,8 +176,6 @@ void TimeChart::alignFlags(ChartReadout& readout, double at_px) const
 void TimeChart::paintReadout(QPainter& painter) const
 {
     const ChartReadout readout = this->readout();
-    if (m_column.columns > 0)
-        paintColumn(painter, readout);
     if (readout.time.isEmpty())
         return;
     const PainterState saved(painter);
@@ -173,17 +195,18 @@ void TimeChart::paintReadout(QPainter& painter) const
             rect, static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextDontClip), text);
     };
     flag(readout.timeRect, readout.time, m_theme.chartAxis);
-    if (m_column.columns > 0)
-        return;
     for (const ReadoutFlag& one : readout.flags) {
-        const bool isRight = one.rect.left() > one.at.x();
         painter.setPen(QPen(one.colour, 1));
+        painter.setBrush(one.colour);
+        const double radius_px = one.isStrong ? 4 : 3;
+        painter.drawEllipse(one.at, radius_px, radius_px);
+        if (m_valuesBeside)
+            continue;
+        const bool isRight = one.rect.left() > one.at.x();
         const QPointF edge(isRight ? one.rect.left() : one.rect.right(), one.rect.center().y());
         // Farther flags are recognised by colour and name.
         if (std::abs(edge.x() - one.at.x()) <= kFarthestJoin_px)
             painter.drawLine(one.at, edge);
-        painter.setBrush(one.colour);
-        painter.drawEllipse(one.at, 3, 3);
         flag(one.rect, one.text, one.colour);
     }
 }

@@ -4,6 +4,8 @@
 #include "widgets/charts/chart_image.h"
 #include "widgets/charts/time_chart.h"
 #include "widgets/charts/value_table.h"
+#include "widgets/tables/cell_model.h"
+#include "widgets/tables/dock_table.h"
 #include "widgets/theme/icons.h"
 
 #include <QApplication>
@@ -12,10 +14,14 @@
 #include <QComboBox>
 #include <QFile>
 #include <QFileInfo>
+#include <QHeaderView>
 #include <QMenu>
+#include <QScrollBar>
+#include <QTableView>
 #include <QToolButton>
 
 #include <algorithm>
+#include <memory>
 
 using namespace Qt::StringLiterals;
 
@@ -24,6 +30,10 @@ namespace {
 
 constexpr int kMargin_px = 6;
 constexpr int kIcon_px = 18;
+constexpr int kRow_px = 17;        // of the table of values
+constexpr int kMark_px = 8;        // mark in the colour of a line
+constexpr int kNarrowest_px = 420; // smallest width of a panel with the table
+constexpr double kMostShare = 0.4; // largest share of the width for the table
 
 DecimationWindow viewOf(const TimeWindow& window, int columns)
 {
@@ -39,17 +49,39 @@ ChartPanel::ChartPanel(ChartKind kind, const Theme& theme, QWidget* parent)
     column->setContentsMargins(0, kMargin_px, 0, 0);
     column->setSpacing(0);
     addRow();
-    m_chart = new TimeChart(theme);
-    m_chart->setObjectName(u"timeChart"_s);
-    m_chart->setTitleShown(false); // the row above names the chart
-    m_chart->setColumnWanted(true);
-    m_values = addValueAction(*m_chart);
-    connect(m_values, &QAction::triggered, this, &ChartPanel::showValues);
-    column->addWidget(m_chart, 1);
+    addBody();
+    column->addWidget(m_body, 1);
     connectChart();
     setTheme(theme);
     m_empty = emptyChart(kind, {}, locale());
     refresh();
+}
+
+void ChartPanel::addBody()
+{
+    m_chart = new TimeChart(m_theme);
+    m_chart->setObjectName(u"timeChart"_s);
+    m_chart->setTitleShown(false); // the row above names the chart
+    m_values = addValueAction(*m_chart);
+    connect(m_values, &QAction::triggered, this, &ChartPanel::showValues);
+    m_lineValues = new CellModel(this);
+    m_lineTable = new QTableView;
+    m_lineTable->setObjectName(u"lineValues"_s);
+    m_lineTable->setAccessibleName(tr("Values of the lines"));
+    m_lineTable->setModel(m_lineValues);
+    setUpDockTable(*m_lineTable, kRow_px);
+    m_lineTable->setSelectionMode(QAbstractItemView::NoSelection);
+    m_lineTable->setFocusPolicy(Qt::NoFocus); // the chart has the keys
+    m_lineTable->setIconSize({kMark_px, kMark_px});
+    m_lineTable->horizontalHeader()->hide();
+    m_lineTable->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_lineTable->hide();
+    m_body = new QWidget;
+    auto* row = new QHBoxLayout(m_body);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(m_chart, 1);
+    row->addWidget(m_lineTable);
 }
 
 QToolButton* ChartPanel::addButton(const QString& name, const QString& text, const QString& toolTip)
@@ -111,10 +143,71 @@ void ChartPanel::connectChart()
     connect(m_chart, &TimeChart::windowChanged, this, &ChartPanel::refresh);
     connect(m_chart, &TimeChart::timePicked, this, &ChartPanel::timePicked);
     connect(m_chart, &TimeChart::menuRequested, this, &ChartPanel::showMenu);
-    connect(m_chart, &TimeChart::linePicked, this, [this](const QString& key) {
-        if (kind() == ChartKind::Sigma)
-            emit icebergPicked(key.toStdString());
+    connect(m_chart, &TimeChart::readoutChanged, this, &ChartPanel::showLineValues);
+    connect(m_chart, &TimeChart::linePicked, this, &ChartPanel::pickLine);
+    connect(m_lineTable, &QTableView::clicked, this, [this](const QModelIndex& index) {
+        pickLine(m_chart->readout().flags.at(static_cast<std::size_t>(index.row())).key);
     });
+}
+
+void ChartPanel::pickLine(const QString& key)
+{
+    if (kind() == ChartKind::Sigma)
+        emit icebergPicked(key.toStdString());
+}
+
+/** Shows the values beside the chart if the panel is wide enough, else they are at the lines. */
+void ChartPanel::showLineValues()
+{
+    const bool isWide = width() >= kNarrowest_px && hasPoints(m_chart->content());
+    m_chart->setValuesBeside(isWide);
+    if (!isWide)
+        return m_lineTable->hide();
+    const auto flags = std::make_shared<const std::vector<ReadoutFlag>>(m_chart->readout().flags);
+    const auto flagAt = [flags](int row) -> const ReadoutFlag& {
+        return flags->at(static_cast<std::size_t>(row));
+    };
+    QFont bold = m_lineTable->font();
+    bold.setBold(true);
+    m_lineValues->setSheet(
+        {.columns = withNumbers(
+             {{.title = tr("Line"), .text = [flagAt](int row) { return flagAt(row).name; }},
+              {.title = tr("Value"),
+               .text =
+                   [flagAt](int row) {
+                       return (flagAt(row).value + u' ' + flagAt(row).unit).trimmed();
+                   }}}),
+         .rows = static_cast<int>(flags->size()),
+         .other = [flagAt, bold](int row, int column, int role) -> QVariant {
+             if (role == Qt::DecorationRole && column == 0)
+                 return flagAt(row).colour;
+             return role == Qt::FontRole && flagAt(row).isStrong ? QVariant(bold) : QVariant();
+         }});
+    fitLineTable();
+    m_lineTable->show();
+}
+
+/** Columns do not become narrower while numbers change, so that the plot keeps its width. */
+void ChartPanel::fitLineTable()
+{
+    m_lineTable->resizeColumnsToContents();
+    for (std::size_t column = 0; column < m_columns_px.size(); ++column)
+        m_columns_px[column] =
+            std::max(m_columns_px[column], m_lineTable->columnWidth(static_cast<int>(column)));
+    const auto [name_px, value_px] = m_columns_px;
+    const int most_px = static_cast<int>(kMostShare * width());
+    const int table_px = std::min(name_px + value_px, most_px);
+    const bool isLong = m_lineValues->rowCount() * kRow_px > m_lineTable->height();
+    const int bar_px = isLong ? m_lineTable->verticalScrollBar()->sizeHint().width() : 0;
+    m_lineTable->setColumnWidth(0, std::max(table_px - value_px, 0));
+    m_lineTable->setColumnWidth(1, value_px);
+    m_lineTable->setFixedWidth(table_px + bar_px);
+}
+
+void ChartPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    showLineValues();
 }
 
 void ChartPanel::showMenu(const QPoint& globalPos)
@@ -140,7 +233,7 @@ void ChartPanel::showMenu(const QPoint& globalPos)
 /** Copies the chart as it is on screen. */
 void ChartPanel::copyPicture() const
 {
-    QApplication::clipboard()->setPixmap(m_chart->grab());
+    QApplication::clipboard()->setPixmap(m_body->grab());
 }
 
 /** Copies the values of the whole flight as text for a spreadsheet. */
@@ -161,6 +254,13 @@ void ChartPanel::setTheme(const Theme& theme)
     m_all->setIcon(icon(IconName::Fit, theme));
     m_export->setIcon(icon(IconName::ExportPlan, theme));
     m_chart->setTheme(theme);
+    m_lineTable->setFont(theme.small());
+    QPalette palette = m_lineTable->palette();
+    palette.setColor(QPalette::Base, theme.chart);
+    palette.setColor(QPalette::Text, theme.text);
+    m_lineTable->setPalette(palette);
+    m_columns_px = {};
+    showLineValues();
 }
 
 bool ChartPanel::isShown(const FlightRecord& record) const
@@ -226,6 +326,7 @@ void ChartPanel::addMenuEntries()
     if (names == m_listed)
         return;
     m_listed = names;
+    m_columns_px = {};
     m_menu->clear();
     m_menu->addAction(tr("Show all"), this, &ChartPanel::showAllLines);
     m_menu->addSeparator();

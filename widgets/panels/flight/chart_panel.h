@@ -5,22 +5,26 @@
 
 #include <QWidget>
 
+#include <array>
 #include <set>
 #include <string>
 
 class QAction;
 class QComboBox;
 class QMenu;
+class QTableView;
 class QToolButton;
 
 namespace berg {
 
+class CellModel;
 class TimeChart;
 
 /**
  * A chart of the mission over time, with controls above it for the kind of chart, its lines,
- * following or the whole run, and export. The record is read when it is shown and not stored; of a
- * long one only the new part is read.
+ * following or the whole run, and export. A table beside it shows the values of its
+ * lines: at the pointer, at the instant viewed, or the newest. The record is read when it is shown
+ * and not stored; of a long one only the new part is read.
  */
 class ChartPanel : public QWidget
 {
@@ -61,17 +65,21 @@ public:
 signals:
     /** Emitted when the user chooses an instant. */
     void timePicked(double time_s);
-    /** Emitted when the user presses the label of an iceberg. */
+    /** Emitted when the user presses the label of an iceberg, or its row of values. */
     void icebergPicked(const std::string& id);
     /** Emitted when another chart is shown, which needs the record. */
     void kindChanged(ChartKind kind);
     /** Requests `exportChart` under a name of the user's choice. */
     void exportRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QToolButton* addButton(const QString& name, const QString& text, const QString& toolTip);
     void addRow();
     void addMenuEntries();
+    void addBody();
     void connectChart();
     void refresh();
     [[nodiscard]] bool isShown(const FlightRecord& record) const;
@@ -79,6 +87,9 @@ private:
     void copyPicture() const;
     void copyNumbers() const;
     void showValues();
+    void showLineValues();
+    void fitLineTable();
+    void pickLine(const QString& key);
     void applyLines(TimeChartContent& content) const;
     void setShown(const QString& key, bool shown);
     void showAllLines();
@@ -99,8 +110,12 @@ private:
     QToolButton* m_follow = nullptr;
     QToolButton* m_all = nullptr;
     QToolButton* m_export = nullptr;
+    QWidget* m_body = nullptr; ///< chart and values of its lines
     TimeChart* m_chart = nullptr;
-    QAction* m_values = nullptr; ///< shows the values as a table
+    CellModel* m_lineValues = nullptr;
+    QTableView* m_lineTable = nullptr; ///< hidden in a narrow panel
+    std::array<int, 2> m_columns_px{}; ///< widths of its columns
+    QAction* m_values = nullptr;       ///< shows the values as a table
 };
 
 } // namespace berg

@@ -215,7 +215,7 @@ private slots:
     {
         QTest::addColumn<int>("width");
         QTest::newRow("label at the end of its line") << 400;
-        QTest::newRow("row of the column") << 700;
+        QTest::newRow("row of the table") << 700;
     }
 
     void labelPicksTheIceberg()
@@ -224,19 +224,19 @@ private slots:
         Shown shown(ChartKind::Sigma, {width, 400});
         const QSignalSpy picked(&shown.panel, &ChartPanel::icebergPicked);
         const QSignalSpy time(&shown.panel, &ChartPanel::timePicked);
-        const std::vector<ReadoutFlag> rows = shown.chart.readout().flags;
-        QCOMPARE(rows.empty(), width == 400);
-        QRectF place;
+        auto& table = child<QTableView>(shown.panel, u"lineValues"_s);
+        QCOMPARE(table.isVisible(), width != 400);
         std::string key;
-        if (rows.empty()) {
-            const DrawnLabel label = shown.chart.drawing().labels.front();
-            place = toQt(label.rect);
-            key = label.of.key;
+        if (table.isVisible()) {
+            const QModelIndex row = table.model()->index(1, 0);
+            key = row.data().toString().toStdString();
+            QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(row).center());
         } else {
-            place = rows.front().rect;
-            key = rows.front().key.toStdString();
+            const DrawnLabel label = shown.chart.drawing().labels.front();
+            key = label.of.key;
+            QTest::mouseClick(shown.chart.viewport(), Qt::LeftButton, {},
+                              toQt(label.rect).center().toPoint());
         }
-        QTest::mouseClick(shown.chart.viewport(), Qt::LeftButton, {}, place.center().toPoint());
         QCOMPARE(picked.count(), 1);
         QCOMPARE(picked[0][0].value<std::string>(), key);
         QCOMPARE(time.count(), 0);

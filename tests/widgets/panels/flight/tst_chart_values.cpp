@@ -1,6 +1,7 @@
 #include "tests/support/window/chart_panel_fixture.h"
 #include "widgets/charts/figure_painter.h"
 
+#include <QTableView>
 #include <QtTest>
 
 using namespace berg;
@@ -8,8 +9,8 @@ using namespace Qt::StringLiterals;
 using test::child;
 using test::Shown;
 
-/** The column of values beside the plot of a chart over time, and flags without one. */
-class TestTimeChartColumn : public QObject
+/** The table of values beside a chart over time. */
+class TestChartValues : public QObject
 {
     Q_OBJECT
 
@@ -26,44 +27,47 @@ private slots:
         }
     }
 
-    /** The column shows every line with and without a pointer, and covers no curve. */
+    /** The table shows every line with and without a pointer, in a row each, beside the plot. */
     void valuesStandBesideThePlot()
     {
         QFETCH(ChartKind, kind);
         QFETCH(QSize, size);
         Shown shown(kind, size);
-        const std::size_t lines = shown.chart.content().lines.size();
-        const auto check = [&](const char* state) {
-            const ChartReadout readout = shown.chart.readout();
-            QVERIFY2(readout.flags.size() == lines && readout.more == 0, state);
-            for (const ReadoutFlag& row : readout.flags) {
-                QVERIFY2(row.rect.left() > shown.chart.plot().right(), state);
-                QVERIFY2(QRectF(shown.chart.rect()).contains(row.rect), state);
-                QVERIFY2(!row.value.isEmpty() && !row.name.isEmpty(), state);
-            }
+        const std::vector<TimeLine>& lines = shown.chart.content().lines;
+        auto& table = child<QTableView>(shown.panel, u"lineValues"_s);
+        const auto valueIn = [&table](int row) {
+            return table.model()->index(row, 1).data().toString();
         };
-        check("newest");
+        QTRY_COMPARE(shown.chart.width() + table.width(), size.width());
+        QVERIFY(shown.chart.geometry().right() < table.geometry().left());
+        QVERIFY(shown.panel.rect().contains(table.geometry()));
+        QCOMPARE(table.model()->rowCount(), static_cast<int>(lines.size()));
+        QStringList newest;
+        for (int row = 0; row < table.model()->rowCount(); ++row) {
+            QCOMPARE(table.model()->index(row, 0).data().toString(),
+                     lines[static_cast<std::size_t>(row)].shownName());
+            QVERIFY(!valueIn(row).isEmpty());
+            newest << valueIn(row);
+        }
         QVERIFY(shown.chart.readout().time.isEmpty());
         const QPointF at = shown.chart.plot().center();
         QMouseEvent move(QEvent::MouseMove, at, shown.chart.mapToGlobal(at), Qt::NoButton, {}, {});
         QCoreApplication::sendEvent(shown.chart.viewport(), &move);
-        check("at the pointer");
         QCOMPARE(shown.chart.readout().time, u"08:20"_s);
+        for (int row = 0; row < table.model()->rowCount(); ++row)
+            QVERIFY(!valueIn(row).isEmpty());
+        QVERIFY(valueIn(0) != newest[0]);
         QVERIFY(shown.chart.plot().width() > 0.4 * size.width());
     }
 
-    /** If there are too many lines, the last row shows the number of hidden ones. */
-    void columnIsNotTooLong()
+    void narrowPanelHasNoTable()
     {
-        const FlightRecord record =
-            test::syntheticRecord({.icebergs = 60, .duration_s = 1000, .interval_s = 10}, 1000);
-        ChartPanel panel(ChartKind::Sigma, Theme::light());
-        panel.resize(480, 200);
-        panel.show();
-        panel.showRecord(record);
-        const ChartReadout readout = child<TimeChart>(panel, u"timeChart"_s).readout();
-        QVERIFY(readout.more > 0);
-        QCOMPARE(readout.flags.size() + readout.more, std::size_t{60});
+        Shown shown(ChartKind::Sigma, {400, 260});
+        QVERIFY(!child<QTableView>(shown.panel, u"lineValues"_s).isVisible());
+        QVERIFY(!shown.chart.drawing().labels.empty()); // names are at the lines
+        shown.panel.resize(600, 260);
+        QVERIFY(child<QTableView>(shown.panel, u"lineValues"_s).isVisible());
+        QVERIFY(shown.chart.drawing().labels.empty());
     }
 
     void emptyTextHasTheWholeChart_data()
@@ -99,5 +103,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTimeChartColumn)
-#include "tst_time_chart_column.moc"
+QTEST_MAIN(TestChartValues)
+#include "tst_chart_values.moc"
