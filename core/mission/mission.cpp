@@ -142,16 +142,7 @@ void Mission::intervene(Intervention intervention)
     if (intervention.appears)
         after.icebergs.push_back(*intervention.appears);
     checked(after);
-    if (intervention.seen)
-        requireAppeared(*intervention.seen, "seen");
-    if (intervention.removed)
-        requireAppeared(*intervention.removed, "removed");
-    if (intervention.assigned) {
-        requireAppeared(intervention.assigned->iceberg, "assigned.iceberg");
-        requireUav(intervention.assigned->uav, "assigned.uav");
-    }
-    if (intervention.commanded)
-        requireUav(intervention.commanded->uav, "commanded.uav");
+    requireNames(intervention);
     // A plan still due is made before the change, as in a replay, which reaches this instant
     // through `advance` and so leaves no plan due.
     if (!m_simulation.finished())
@@ -209,30 +200,24 @@ void Mission::noteChanges(const Intervention& intervention)
 }
 
 /**
- * Throws `Error{InvalidInput}` if no iceberg with this id is monitored now. An iceberg to remove
- * may have left the area already: a comparison flies the same interventions with another policy,
- * whose estimates differ.
+ * Throws `Error{InvalidInput}` if an iceberg that is named is not monitored now, or a UAV is not
+ * in the scenario. An iceberg to remove may have left the area already: a comparison flies the
+ * same interventions with another policy, whose estimates differ.
  */
-void Mission::requireAppeared(const std::string& iceberg, const char* field) const
+void Mission::requireNames(const Intervention& intervention) const
 {
-    const std::optional<int> index = indexOfId(m_icebergs, iceberg);
-    const bool mayHaveLeft = field == std::string_view("removed");
-    if (!index ||
-        (!m_simulation.active(*index) && !(mayHaveLeft && m_simulation.track(*index).left)))
-        throw Error(ErrorCode::InvalidInput, m_scenario.name,
-                    {{Severity::Error, field, {IssueId::NoSuchIceberg, {iceberg}}}});
-}
-
-/**
- * Throws `Error{InvalidInput}` if the scenario has no UAV with this id. The empty id means any UAV
- * and is valid for assignments only.
- */
-void Mission::requireUav(const std::string& uav, const char* field) const
-{
-    const bool isAny = uav.empty() && field == std::string_view("assigned.uav");
-    if (!isAny && !indexOfId(m_scenario.uavs, uav))
-        throw Error(ErrorCode::InvalidInput, m_scenario.name,
-                    {{Severity::Error, field, {IssueId::UnknownUav, {uav}}}});
+    const auto isMonitored = [this](const std::string& id) {
+        const std::optional<int> index = indexOfId(m_icebergs, id);
+        return index && m_simulation.active(*index);
+    };
+    const auto isRemovable = [&](const std::string& id) {
+        const std::optional<int> index = indexOfId(m_icebergs, id);
+        return isMonitored(id) || (index && m_simulation.track(*index).left);
+    };
+    std::vector<Issue> faults = unknownNames(
+        intervention, m_scenario.uavs, {.isMonitored = isMonitored, .isRemovable = isRemovable});
+    if (!faults.empty())
+        throw Error(ErrorCode::InvalidInput, m_scenario.name, std::move(faults));
 }
 
 Metrics Mission::metrics() const

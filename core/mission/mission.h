@@ -154,8 +154,7 @@ private:
     void noteStep();
     void noteEvents();
     void noteAlarms();
-    void requireAppeared(const std::string& iceberg, const char* field) const;
-    void requireUav(const std::string& uav, const char* field) const;
+    void requireNames(const Intervention& intervention) const;
     void noteChanges(const Intervention& intervention);
 
     Scenario m_scenario;

@@ -1,5 +1,7 @@
 #include "core/sim/intervention.h"
 
+#include "core/scenario/text_checks.h"
+
 #include <array>
 
 namespace berg {
@@ -33,6 +35,35 @@ PlannerSettings withChanges(PlannerSettings settings, const Intervention& interv
     settings.tau = intervention.tau.value_or(settings.tau);
     settings.policy = intervention.policy.value_or(settings.policy);
     return settings;
+}
+
+std::vector<Issue> unknownNames(const Intervention& intervention, const std::vector<Uav>& uavs,
+                                const NameableIcebergs& icebergs)
+{
+    std::vector<Issue> faults;
+    const auto require = [&](bool isKnown, const char* field, IssueId id, const std::string& name) {
+        if (!isKnown)
+            faults.push_back({Severity::Error, field, {id, {printable(name)}}});
+    };
+    const auto requireIceberg = [&](bool isKnown, const char* field, const std::string& id) {
+        require(isKnown, field, IssueId::NoSuchIceberg, id);
+    };
+    const auto requireUav = [&](const char* field, const std::string& id) {
+        require(indexOfId(uavs, id).has_value(), field, IssueId::UnknownUav, id);
+    };
+    if (const auto& id = intervention.seen)
+        requireIceberg(icebergs.isMonitored(*id), "seen", *id);
+    if (const auto& id = intervention.removed)
+        requireIceberg(icebergs.isRemovable(*id), "removed", *id);
+    if (const auto& commanded = intervention.commanded)
+        requireUav("commanded.uav", commanded->uav);
+    if (const auto& assigned = intervention.assigned) {
+        requireIceberg(icebergs.isMonitored(assigned->iceberg), "assigned.iceberg",
+                       assigned->iceberg);
+        if (!assigned->uav.empty())
+            requireUav("assigned.uav", assigned->uav);
+    }
+    return faults;
 }
 
 void apply(const Intervention& intervention, Simulation& world,

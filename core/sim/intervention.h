@@ -3,6 +3,7 @@
 #include "core/sim/simulation.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -60,6 +61,18 @@ struct LastChange
 [[nodiscard]] PlannerSettings withChanges(PlannerSettings settings,
                                           const Intervention& intervention);
 
+/** Which icebergs an intervention may name at its time, by id. */
+struct NameableIcebergs
+{
+    std::function<bool(const std::string&)> isMonitored;
+    std::function<bool(const std::string&)> isRemovable; ///< it may have left the area already
+};
+
+/** Returns an error for each iceberg and UAV that the intervention names but that is not there. */
+[[nodiscard]] std::vector<Issue> unknownNames(const Intervention& intervention,
+                                              const std::vector<Uav>& uavs,
+                                              const NameableIcebergs& icebergs);
+
 /** Returns the index of the entry with this id, or nullopt if there is none. */
 template <class Entry>
 [[nodiscard]] std::optional<int> indexOfId(const std::vector<Entry>& entries, const std::string& id)
@@ -71,7 +84,7 @@ template <class Entry>
 
 /**
  * Applies the intervention to the simulation, in flight and when an earlier instant is restored; no
- * other code does so. Its ids must exist (`Mission::intervene` checks them). `icebergs` are the
+ * other code does so. Its ids must exist (`unknownNames`). `icebergs` are the
  * mission's, by index, and `uavs` the scenario's.
  */
 void apply(const Intervention& intervention, Simulation& world,

@@ -144,25 +144,12 @@ void checkReferences(const RunFile& file, Faults& faults)
                 return iceberg.id == id && iceberg.appears_s <= change.time_s + file.scenario.dt_s;
             });
         };
-        const std::string path = entryPath("interventions", i);
-        if (change.seen && (!isThere(*change.seen) || removed.contains(*change.seen)))
-            faults.add(path + ".seen", {IssueId::NoSuchIceberg, {printable(*change.seen)}});
-        if (change.removed && !isThere(*change.removed))
-            faults.add(path + ".removed", {IssueId::NoSuchIceberg, {printable(*change.removed)}});
-        const auto isUav = [&](const std::string& id) {
-            return std::ranges::find(file.scenario.uavs, id, &Uav::id) != file.scenario.uavs.end();
+        const auto isMonitored = [&](const std::string& id) {
+            return isThere(id) && !removed.contains(id);
         };
-        if (change.commanded && !isUav(change.commanded->uav))
-            faults.add(path + ".commanded.uav",
-                       {IssueId::UnknownUav, {printable(change.commanded->uav)}});
-        if (!change.assigned)
-            continue;
-        if (!isThere(change.assigned->iceberg) || removed.contains(change.assigned->iceberg))
-            faults.add(path + ".assigned.iceberg",
-                       {IssueId::NoSuchIceberg, {printable(change.assigned->iceberg)}});
-        const std::string& uav = change.assigned->uav;
-        if (!uav.empty() && !isUav(uav))
-            faults.add(path + ".assigned.uav", {IssueId::UnknownUav, {printable(uav)}});
+        for (const Issue& fault : unknownNames(
+                 change, file.scenario.uavs, {.isMonitored = isMonitored, .isRemovable = isThere}))
+            faults.add(entryPath("interventions", i) + '.' + fault.field, fault.reason);
     }
 }
 
