@@ -3,6 +3,7 @@
 #include "core/checks/validate.h"
 #include "widgets/document/scenario_edits.h"
 #include "widgets/panels/inspector/inspector_row_makers.h"
+#include "widgets/words/field_names.h"
 #include "widgets/words/issue_text.h"
 
 #include <QCheckBox>
@@ -48,25 +49,6 @@ void addRow(QFormLayout& form, const QString& text, std::initializer_list<QWidge
 std::vector<Point> cornersOf(const Point& low_m, const Point& high_m)
 {
     return {low_m, {high_m.x(), low_m.y()}, high_m, {low_m.x(), high_m.y()}};
-}
-
-/** Returns why nothing is generated. The fields prevent all other faults. */
-QString faultText(const Error& error)
-{
-    for (const Issue& issue : error.issues()) {
-        if (issue.field == "spacing_m")
-            return GenerateDialog::tr("There is no room for this many icebergs at this spacing. "
-                                      "Choose fewer icebergs, a smaller spacing or a larger area.");
-        if (issue.field == "area_m")
-            return GenerateDialog::tr("The area is too thin to place icebergs in.");
-        if (issue.field == "icebergs")
-            return GenerateDialog::tr("A scenario holds at most %1 icebergs.").arg(kMostIcebergs);
-        if (issue.field == "speedMax_mps")
-            return GenerateDialog::tr("The highest speed is below the lowest.");
-        if (issue.field == "sigmaMax_m2")
-            return GenerateDialog::tr("The largest uncertainty is below the smallest.");
-    }
-    return issueLines(error).join(u'\n');
 }
 
 } // namespace
@@ -148,8 +130,10 @@ void GenerateDialog::addMotion(QFormLayout& form)
                            0.05,
                            unit.fromSi(value_mps)});
     };
-    m_speedMin = speed("generateSpeedMin", tr("Lowest speed"), standard.speedMin_mps);
-    m_speedMax = speed("generateSpeedMax", tr("Highest speed"), standard.speedMax_mps);
+    m_speedMin =
+        speed("generateSpeedMin", fieldName("generate.speedMin_mps"), standard.speedMin_mps);
+    m_speedMax =
+        speed("generateSpeedMax", fieldName("generate.speedMax_mps"), standard.speedMax_mps);
     addRow(form, tr("S&peed"), {m_speedMin, new QLabel(tr("to")), m_speedMax});
     m_direction = new QComboBox;
     m_direction->setObjectName(u"generateDirection"_s);
@@ -161,15 +145,10 @@ void GenerateDialog::addMotion(QFormLayout& form)
                                 "direction. Icebergs are then measured in flight."),
                              Qt::ToolTipRole);
     addRow(form, tr("D&rift"), {m_direction});
-    m_towards_deg = makeNumber({"generateTowards",
-                                tr("Drift direction, clockwise from north"),
-                                u"°"_s,
-                                {0, 1},
-                                360,
-                                5,
-                                180});
-    m_spread_deg =
-        makeNumber({"generateSpread", tr("Spread to either side"), u"°"_s, {0, 1}, 180, 5, 30});
+    m_towards_deg = makeNumber(
+        {"generateTowards", fieldName("generate.towards_deg"), u"°"_s, {0, 1}, 360, 5, 180});
+    m_spread_deg = makeNumber(
+        {"generateSpread", fieldName("generate.spread_deg"), u"°"_s, {0, 1}, 180, 5, 30});
     m_towards_deg->setWrapping(true);
     addRow(form, tr("D&irection"), {m_towards_deg, new QLabel(u"±"_s), m_spread_deg});
     connect(m_direction, &QComboBox::currentIndexChanged, this, &GenerateDialog::draw);
@@ -181,11 +160,13 @@ void GenerateDialog::addUncertainty(QFormLayout& form)
     const auto sigma = [this](const char* name, const QString& label, double value_m2) {
         return makeNumber({name, label, u" m²"_s, {0, 3}, kLargestSigma, 1, value_m2});
     };
-    m_sigmaMin_m2 = sigma("generateSigmaMin", tr("Smallest σ at the start"), standard.sigmaMin_m2);
-    m_sigmaMax_m2 = sigma("generateSigmaMax", tr("Largest σ at the start"), standard.sigmaMax_m2);
+    m_sigmaMin_m2 =
+        sigma("generateSigmaMin", fieldName("generate.sigmaMin_m2"), standard.sigmaMin_m2);
+    m_sigmaMax_m2 =
+        sigma("generateSigmaMax", fieldName("generate.sigmaMax_m2"), standard.sigmaMax_m2);
     addRow(form, tr("&Uncertainty σ"), {m_sigmaMin_m2, new QLabel(tr("to")), m_sigmaMax_m2});
     m_q_m2ps = makeNumber({"generateGrowth",
-                           tr("Growth of σ"),
+                           fieldName("generate.q_m2ps"),
                            u" m²/s"_s,
                            {0, 4},
                            kLargestGrowth,
@@ -195,7 +176,7 @@ void GenerateDialog::addUncertainty(QFormLayout& form)
     const bool isNautical = shownUnits().distance == DistanceUnit::Nautical;
     const ShownUnit spacing = distanceUnit();
     m_spacing = makeNumber({"generateSpacing",
-                            tr("Minimum distance between two icebergs"),
+                            fieldName("generate.spacing_m"),
                             u' ' + spacing.name,
                             {0, isNautical ? 3 : 1},
                             std::floor(spacing.fromSi(kLargestSpacing_m)),
@@ -307,7 +288,7 @@ void GenerateDialog::draw()
         m_result = std::move(present);
         m_count = static_cast<int>(icebergs.size());
     } catch (const Error& error) {
-        fault = faultText(error);
+        fault = optionIssueLines(error, "generate").join(u'\n');
     }
     showState(fault);
     emit drawn();

@@ -138,17 +138,26 @@ void checkAirspace(const std::vector<AirspaceArea>& airspace, Findings& findings
     }
 }
 
+/** Returns why an id is unusable of which `owner` is the object that has it already, if any. */
+std::optional<IssueReason> faultOf(const std::string& id, const std::optional<std::string>& owner)
+{
+    if (id.empty())
+        return IssueReason{IssueId::IdEmpty};
+    if (!isUtf8(id))
+        return IssueReason{IssueId::NotUtf8};
+    return owner ? std::optional(IssueReason{IssueId::IdTaken, {printable(id), FieldPath{*owner}}})
+                 : std::nullopt;
+}
+
 /** Checks that an id is present, readable and unique among UAVs and icebergs together. */
 void checkId(const std::string& id, const std::string& owner,
              std::map<std::string, std::string>& ownerOfId, Findings& findings)
 {
-    if (id.empty())
-        findings.error(owner + ".id", IssueId::IdEmpty);
-    if (id.empty() || !isUtf8(id))
-        return;
     const auto [it, isNew] = ownerOfId.try_emplace(id, owner);
-    if (!isNew)
-        findings.error(owner + ".id", IssueId::IdTaken, {printable(id), FieldPath{it->second}});
+    std::optional<IssueReason> fault =
+        faultOf(id, isNew ? std::nullopt : std::optional(it->second));
+    if (fault && fault->id != IssueId::NotUtf8) // which is reported with the other texts
+        findings.error(owner + ".id", fault->id, std::move(fault->arguments));
 }
 
 /**
@@ -384,6 +393,18 @@ std::vector<Issue> validate(const Scenario& scenario)
 std::vector<Issue> unreadable(const Scenario& scenario)
 {
     return found(scenario, Findings::Kind::Unreadable);
+}
+
+std::optional<IssueReason> idFault(const Scenario& scenario, const std::string& id)
+{
+    const auto ownerIn = [&id](const auto& objects, const char* list) {
+        const auto it = std::ranges::find_if(objects, [&id](const auto& o) { return o.id == id; });
+        return it == objects.end()
+                   ? std::nullopt
+                   : std::optional(entryPath(list, static_cast<std::size_t>(it - objects.begin())));
+    };
+    const std::optional<std::string> uav = ownerIn(scenario.uavs, "uavs");
+    return faultOf(id, uav ? uav : ownerIn(scenario.icebergs, "icebergs"));
 }
 
 } // namespace berg

@@ -23,4 +23,10 @@ namespace berg {
  */
 [[nodiscard]] std::vector<Issue> unreadable(const Scenario& scenario);
 
+/**
+ * Returns why another object of the scenario cannot have this id, or nullopt if it can: it must be
+ * UTF-8 text and unique among icebergs and UAVs.
+ */
+[[nodiscard]] std::optional<IssueReason> idFault(const Scenario& scenario, const std::string& id);
+
 } // namespace berg

@@ -35,8 +35,13 @@ void raise(Findings& faults)
         throw Error(ErrorCode::InvalidInput, "generate", std::move(issues));
 }
 
-void checkArea(const std::vector<Point>& area_m, Findings& faults)
+void checkArea(const FieldRequest& request, Findings& faults)
 {
+    const std::vector<Point>& area_m = request.area_m;
+    const auto isFlat = [&area_m](int axis) {
+        return std::ranges::all_of(
+            area_m, [&](const Point& p_m) { return p_m[axis] == area_m.front()[axis]; });
+    };
     const auto isPlace = [](const Point& p_m) {
         return p_m.allFinite() && p_m.cwiseAbs().maxCoeff() <= kLargestCoordinate_m;
     };
@@ -45,6 +50,8 @@ void checkArea(const std::vector<Point>& area_m, Findings& faults)
                      {countOf(kMostAreaCorners), countOf(area_m.size())});
     else if (!std::all_of(area_m.begin(), area_m.end(), isPlace))
         faults.error("area_m", IssueId::CornersTooFar, {kLargestCoordinate_m});
+    else if (isFlat(0) || isFlat(1))
+        faults.error("area_m", IssueId::AreaTooThin, {countOf(0), request.icebergs});
     else if (!isSimplePolygon(area_m))
         faults.error("area_m", IssueId::AreaNotSimple);
 }
@@ -58,7 +65,7 @@ void check(const Scenario& scenario, const FieldRequest& request)
         faults.error("icebergs", IssueId::NoRoom);
     else
         faults.inRange(request.icebergs, {.low = 1, .high = room}, "icebergs");
-    checkArea(request.area_m, faults);
+    checkArea(request, faults);
     checkSpan("speedMin_mps", "speedMax_mps", {request.speedMin_mps, request.speedMax_mps},
               limits::kSpeed_mps, faults);
     faults.inRange(request.towards_deg, {.low = -360, .high = 360}, "towards_deg");

@@ -91,7 +91,7 @@ inline const std::vector<Module> kRooms{
     {"widgets/sightings", {"widgets/tasks", "widgets/flight"}},
     {"widgets/study", {"widgets/words", "widgets/tasks", "widgets/document", "widgets/flight"}},
     {"widgets/workspace",
-     {"widgets/aircraft", "widgets/document", "widgets/flight", "widgets/forecast",
+     {"widgets/words", "widgets/aircraft", "widgets/document", "widgets/flight", "widgets/forecast",
       "widgets/sightings", "widgets/study"}},
     {"widgets/map/picture",
      {"widgets/theme", "widgets/words", "widgets/document", "widgets/flight"}},

@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "widgets/document/scenario_edits.h"
+#include "widgets/words/intervention_text.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -29,9 +30,8 @@ Workspace::Workspace(QObject* parent) : QObject(parent)
     connect(&m_document, &ScenarioDocument::scenarioChanged, this, &Workspace::planAgain);
     connect(&m_document, &ScenarioDocument::replaced, &m_selection, &Selection::clear);
     connect(&m_document, &ScenarioDocument::replaced, this, [this] { setDiscarded({}); });
-    connect(&m_document, &ScenarioDocument::refused, this, [this] {
-        emit refused(tr("The scenario is locked in flight. Stop the flight to change it."));
-    });
+    connect(&m_document, &ScenarioDocument::refused, this,
+            [this] { emit refused(lockedInFlightText()); });
     connect(&m_runner, &MissionRunner::updated, this, &Workspace::acceptSnapshot);
     connect(&m_runner, &MissionRunner::commandRefused, this, &Workspace::refused);
     connect(&m_runner, &MissionRunner::instantUpdated, this, &Workspace::acceptInstant);

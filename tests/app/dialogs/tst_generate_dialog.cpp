@@ -156,18 +156,20 @@ private slots:
         f.number(u"generateSpacing"_s).setValue(9000);
         QCOMPARE(f.dialog.count(), 0);
         QVERIFY(f.dialog.result() == randomScenario(3));
-        QVERIFY(f.state().startsWith(u"There is no room for this many"));
+        QVERIFY(f.state().startsWith(u"Minimum distance between two icebergs: only "_s));
+        QVERIFY(f.state().contains(u"at least 9000 m from the others: choose fewer"_s));
         QVERIFY(!f.ok().isEnabled());
         f.number(u"generateSpacing"_s).setValue(0);
         QVERIFY(f.ok().isEnabled());
         f.spin(u"generateNumber"_s).setValue(1000);
-        QVERIFY(f.state().contains(u"at most 1000"));
+        QCOMPARE(f.state(), u"Number of icebergs: must be from 1 to 988, not 1000"_s);
         f.spin(u"generateNumber"_s).setValue(10);
         f.number(u"generateSpeedMin"_s).setValue(1);
-        QCOMPARE(f.state(), u"The highest speed is below the lowest."_s);
+        QCOMPARE(f.state(), u"Highest speed: must not be below \"Lowest speed\""_s);
         f.number(u"generateSpeedMin"_s).setValue(0);
         f.number(u"generateSigmaMin"_s).setValue(11);
-        QCOMPARE(f.state(), u"The largest uncertainty is below the smallest."_s);
+        QCOMPARE(f.state(),
+                 u"Largest σ at the start: must not be below \"Smallest σ at the start\""_s);
     }
 
     /** Fields are in the chosen units, icebergs in metres. */
@@ -197,7 +199,7 @@ private slots:
         f.choose(u"generatePlace"_s, u"Rectangle in the middle of the map"_s);
         f.number(u"generateWidth"_s).setValue(0);
         QVERIFY(!f.ok().isEnabled());
-        QCOMPARE(f.state(), u"The area is too thin to place icebergs in."_s);
+        QCOMPARE(f.state(), u"Area: only 0 of 25 icebergs found a place: the area is too thin"_s);
     }
 };
 

@@ -1,5 +1,6 @@
 #include "widgets/panels/inspector/inspector_panel.h"
 
+#include "core/checks/validate.h"
 #include "widgets/document/scenario_edits.h"
 #include "widgets/panels/fields/entry_field.h"
 #include "widgets/panels/fields/panel_labels.h"
@@ -205,12 +206,11 @@ void InspectorPanel::addForms(QVBoxLayout& column)
     m_scenarioForm = new InspectorForm(m_document, scenarioRows());
     m_noFlyForm = new InspectorForm(m_document, noFlyRows());
     m_forms = {m_icebergForm, m_uavForm, m_assetForm, m_areaForm, m_noFlyForm, m_scenarioForm};
-    m_icebergId = addIdField(*m_icebergForm, u"iceberg"_s,
-                             tr("Identifies the iceberg in files and lists; must be unique."),
-                             tr("An iceberg needs an id."), m_icebergs);
+    m_icebergId =
+        addIdField(*m_icebergForm, u"iceberg"_s,
+                   tr("Identifies the iceberg in files and lists; must be unique."), m_icebergs);
     m_uavId = addIdField(*m_uavForm, u"uav"_s,
-                         tr("Identifies the UAV in files and lists; must be unique."),
-                         tr("A UAV needs an id."), m_uavs);
+                         tr("Identifies the UAV in files and lists; must be unique."), m_uavs);
     for (InspectorForm* form : m_forms) {
         column.addWidget(form);
         connect(form, &InspectorForm::folded, this, &InspectorPanel::folded);
@@ -281,13 +281,14 @@ void InspectorPanel::goToField(const QString& key)
 
 /** Adds the id field on top of its form; it shows the only id in `shown`, which may change. */
 EntryField* InspectorPanel::addIdField(InspectorForm& form, const QString& key,
-                                       const QString& toolTip, const QString& missing,
+                                       const QString& toolTip,
                                        const std::vector<std::string>& shown)
 {
     auto* field =
         new EntryField({.key = key + u"Id"_s, .label = tr("Id"), .toolTip = toolTip},
-                       EntryField::ValidationTime::AtOnce, [this, missing](const QString& id) {
-                           return id.isEmpty() ? missing : whyTaken(id);
+                       EntryField::ValidationTime::AtOnce, [this](const QString& id) {
+                           const auto fault = idFault(m_document.scenario(), id.toStdString());
+                           return fault ? issueSentence(fault->id, fault->arguments) : QString();
                        });
     form.addOnTop(tr("Id"), field);
     connect(field, &EntryField::edited, this, [this, &shown](const QString& id) {
@@ -474,15 +475,6 @@ bool InspectorPanel::isConcerned(const Issue& issue) const
     if (shown == m_noFlyForm) // findings about the whole list are shown for each area
         return issue.field == "no_fly" || issueIndex(issue, "no_fly") == *noFlyPlace(m_noFly);
     return !issueIndex(issue, "icebergs") && !issueIndex(issue, "uavs");
-}
-
-QString InspectorPanel::whyTaken(const QString& id) const
-{
-    const Scenario& scenario = m_document.scenario();
-    const std::vector<std::string> ids{id.toStdString()};
-    if (idsAmong(scenario.icebergs, ids).empty() && idsAmong(scenario.uavs, ids).empty())
-        return {};
-    return tr("The id \"%1\" is taken. Each iceberg and UAV needs a unique id.").arg(id);
 }
 
 void InspectorPanel::rename(const std::string& before, const std::string& after)

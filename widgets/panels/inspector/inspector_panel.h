@@ -99,10 +99,9 @@ private:
     void showIssues();
     [[nodiscard]] bool isConcerned(const Issue& issue) const;
     [[nodiscard]] EntryField* addIdField(InspectorForm& form, const QString& key,
-                                         const QString& toolTip, const QString& missing,
+                                         const QString& toolTip,
                                          const std::vector<std::string>& shown);
     void showChip();
-    [[nodiscard]] QString whyTaken(const QString& id) const;
     void rename(const std::string& before, const std::string& after);
 
     ScenarioDocument& m_document;
