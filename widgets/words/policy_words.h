@@ -6,14 +6,9 @@
 #include <QLocale>
 #include <QString>
 
-#include <vector>
-
 namespace berg {
 
 // Names of policies and other planner settings, and the colours of policies.
-
-/** Returns every policy in the order of the lists. */
-[[nodiscard]] const std::vector<PolicyKind>& offeredPolicies();
 
 /** Returns the name in the lists of the window. */
 [[nodiscard]] QString policyName(PolicyKind policy);

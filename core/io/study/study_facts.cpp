@@ -103,7 +103,7 @@ std::string policiesHtml(const StudySpec& spec, const ReportWords& words)
     std::string html = "<dt>" + words.html(QT_TRANSLATE_NOOP("Report", "Policies")) + "</dt>\n";
     for (const PolicyKind policy : std::set(spec.policies.begin(), spec.policies.end()))
         html += "<dd><strong>" + std::string(traitsOf(policy).name) +
-                "</strong>: " + words.html(traitsOf(policy).meaning) + "</dd>\n";
+                "</strong>: " + words.html(traitsOf(policy).about) + "</dd>\n";
     return html;
 }
 

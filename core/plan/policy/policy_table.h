@@ -39,8 +39,12 @@ enum class ReplanRule
 struct PolicyTraits
 {
     PolicyKind kind = PolicyKind::Visitation;
-    std::string_view name;    ///< name in files and on the command line
-    std::string_view meaning; ///< description after the name in reports
+    std::string_view name; ///< name in files and on the command line
+    // English texts, which the window and reports translate (context Report).
+    const char* title = nullptr;     ///< name in the lists of the window
+    const char* label = nullptr;     ///< short name, with a place for tau if the policy uses it
+    const char* about = nullptr;     ///< description in one sentence
+    const char* pageTitle = nullptr; ///< title on pages, likewise; nullptr means `title`
     PolicyMethod method = PolicyMethod::Solver;
     Criterion criterion = Criterion::Visitation; ///< criterion of the problem that is solved
     ReplanRule replanRule = ReplanRule::ToNextIceberg;
@@ -65,52 +69,72 @@ struct PolicyTraits
 inline constexpr std::array kPolicyTable{
     PolicyTraits{.kind = PolicyKind::Visitation,
                  .name = "visitation",
-                 .meaning = QT_TRANSLATE_NOOP(
-                     "Report",
-                     "the order of Eq. (1) with the weight τ of Eq. (14), planned again at "
-                     "each iceberg"),
+                 .title = QT_TRANSLATE_NOOP("Report", "Weighted visiting order (published method)"),
+                 .label = QT_TRANSLATE_NOOP("Report", "τ %1"),
+                 .about = QT_TRANSLATE_NOOP(
+                     "Report", "Weighs seeing uncertain icebergs early against path length, by τ."),
+                 .pageTitle =
+                     QT_TRANSLATE_NOOP("Report", "Weighted visiting order, trade-off τ %1"),
                  .usesTau = true,
                  .weighsSigma = true,
                  .plansClusters = true},
     PolicyTraits{.kind = PolicyKind::Path,
                  .name = "path",
-                 .meaning = QT_TRANSLATE_NOOP(
-                     "Report",
-                     "the shortest path through all icebergs, flown to its end, then solved "
-                     "again"),
+                 .title = QT_TRANSLATE_NOOP("Report", "Shortest path, repeated"),
+                 .label = QT_TRANSLATE_NOOP("Report", "Shortest path"),
+                 .about = QT_TRANSLATE_NOOP(
+                     "Report", "Flies the shortest path past all icebergs, then the next one."),
                  .replanRule = ReplanRule::ToItsEnd},
     PolicyTraits{.kind = PolicyKind::Tour,
                  .name = "tour",
-                 .meaning =
-                     QT_TRANSLATE_NOOP("Report", "the shortest round tour, flown again and again"),
+                 .title = QT_TRANSLATE_NOOP("Report", "Shortest round tour, repeated"),
+                 .label = QT_TRANSLATE_NOOP("Report", "Round tour"),
+                 .about =
+                     QT_TRANSLATE_NOOP("Report", "Flies one shortest round tour again and again."),
                  .replanRule = ReplanRule::WholeFlight},
     PolicyTraits{.kind = PolicyKind::Nearest,
                  .name = "nearest",
-                 .meaning = QT_TRANSLATE_NOOP("Report", "the nearest iceberg next"),
+                 .title = QT_TRANSLATE_NOOP("Report", "Nearest iceberg first"),
+                 .label = QT_TRANSLATE_NOOP("Report", "Nearest first"),
+                 .about = QT_TRANSLATE_NOOP("Report", "Flies to the nearest iceberg out of view."),
                  .method = PolicyMethod::OneByOne,
                  .weighsSigma = true,
                  .plansClusters = true},
     PolicyTraits{.kind = PolicyKind::Uncertainty,
                  .name = "uncertainty",
-                 .meaning = QT_TRANSLATE_NOOP("Report", "the most uncertain iceberg next"),
+                 .title = QT_TRANSLATE_NOOP("Report", "Most uncertain iceberg first"),
+                 .label = QT_TRANSLATE_NOOP("Report", "Most uncertain first"),
+                 .about = QT_TRANSLATE_NOOP("Report", "Flies to the most uncertain iceberg."),
                  .method = PolicyMethod::OneByOne,
                  .weighsSigma = true,
                  .plansClusters = true},
-    PolicyTraits{.kind = PolicyKind::Latency,
-                 .name = "latency",
-                 .meaning = QT_TRANSLATE_NOOP(
-                     "Report", "the order with the least waiting, weighted by uncertainty, planned "
-                               "again at each iceberg"),
-                 .criterion = Criterion::Latency,
-                 .plansClusters = true},
-    PolicyTraits{.kind = PolicyKind::Coverage,
-                 .name = "coverage",
-                 .meaning = QT_TRANSLATE_NOOP(
-                     "Report",
-                     "legs with aim points that give the lowest predicted ζ, planned again "
-                     "at each sighting"),
-                 .method = PolicyMethod::PredictedZeta},
+    PolicyTraits{
+        .kind = PolicyKind::Latency,
+        .name = "latency",
+        .title = QT_TRANSLATE_NOOP("Report", "Least waiting time"),
+        .label = QT_TRANSLATE_NOOP("Report", "Least waiting"),
+        .about = QT_TRANSLATE_NOOP(
+            "Report",
+            "Keeps the waiting time of all icebergs short, weighted by their uncertainty."),
+        .pageTitle = QT_TRANSLATE_NOOP("Report", "Least waiting time, weighted by uncertainty"),
+        .criterion = Criterion::Latency,
+        .plansClusters = true},
+    PolicyTraits{
+        .kind = PolicyKind::Coverage,
+        .name = "coverage",
+        .title = QT_TRANSLATE_NOOP("Report", "Best predicted coverage"),
+        .label = QT_TRANSLATE_NOOP("Report", "Best coverage"),
+        .about = QT_TRANSLATE_NOOP(
+            "Report",
+            "Predicts zeta for paths that pass icebergs at an offset and see several at once."),
+        .method = PolicyMethod::PredictedZeta},
 };
+
+/** All policies in the order in which people choose among them. */
+inline constexpr std::array kOfferedPolicies{
+    PolicyKind::Visitation, PolicyKind::Latency, PolicyKind::Coverage,   PolicyKind::Path,
+    PolicyKind::Tour,       PolicyKind::Nearest, PolicyKind::Uncertainty};
+static_assert(kOfferedPolicies.size() == kPolicyTable.size());
 
 /** Returns the properties of a policy. */
 [[nodiscard]] constexpr const PolicyTraits& traitsOf(PolicyKind policy)

@@ -34,8 +34,8 @@ private slots:
         const auto table = std::ranges::find_if(
             blocks, [](const MarkdownBlock& block) { return !block.rows.empty(); });
         QVERIFY(table != blocks.end());
-        QCOMPARE(table->rows.size(), offeredPolicies().size() + 1);
-        for (const PolicyKind policy : offeredPolicies()) {
+        QCOMPARE(table->rows.size(), kOfferedPolicies.size() + 1);
+        for (const PolicyKind policy : kOfferedPolicies) {
             const QString key = QString::fromStdString(std::string(nameOf(kPolicyNames, policy)));
             const auto row = std::ranges::find_if(
                 table->rows, [&](const QStringList& cells) { return cells.front() == key; });

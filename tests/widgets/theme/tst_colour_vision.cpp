@@ -158,8 +158,8 @@ private slots:
         QFETCH(int, theme);
         QFETCH(Vision, vision);
         const Theme& shown = themes()[static_cast<std::size_t>(theme)].theme;
-        for (const PolicyKind one : offeredPolicies())
-            for (const PolicyKind other : offeredPolicies()) {
+        for (const PolicyKind one : kOfferedPolicies)
+            for (const PolicyKind other : kOfferedPolicies) {
                 if (one == other)
                     continue;
                 const bool isSimilar =

@@ -112,7 +112,7 @@ int PolicyDelegate::widthFor(const QAbstractItemModel& offers) const
 PolicyCombo::PolicyCombo(QWidget* parent) : QComboBox(parent), m_delegate(new PolicyDelegate(this))
 {
     setItemDelegate(m_delegate);
-    for (const PolicyKind policy : offeredPolicies()) {
+    for (const PolicyKind policy : kOfferedPolicies) {
         addItem(policyName(policy), static_cast<int>(policy));
         setItemData(count() - 1, policySentence(policy), PolicyDelegate::SentenceRole);
     }

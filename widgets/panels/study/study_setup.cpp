@@ -169,7 +169,7 @@ void StudySetup::addTau()
 
 void StudySetup::addPolicies()
 {
-    for (const PolicyKind policy : offeredPolicies()) {
+    for (const PolicyKind policy : kOfferedPolicies) {
         // Without the remark in brackets, for which only the tool tip has room.
         auto* box = new QCheckBox(policyName(policy).section(u" ("_s, 0, 0));
         box->setObjectName(u"studyPolicy-"_s +
