@@ -1315,6 +1315,46 @@
         <source>Origin</source>
         <translation>Origo</translation>
     </message>
+    <message>
+        <source>Number of icebergs</source>
+        <translation>Antal isbjerge</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Laveste fart</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Højeste fart</translation>
+    </message>
+    <message>
+        <source>Drift direction, clockwise from north</source>
+        <translation>Driftens retning, med uret fra nord</translation>
+    </message>
+    <message>
+        <source>Spread to either side</source>
+        <translation>Spredning til hver side</translation>
+    </message>
+    <message>
+        <source>Smallest σ at the start</source>
+        <translation>Mindste σ ved starten</translation>
+    </message>
+    <message>
+        <source>Largest σ at the start</source>
+        <translation>Største σ ved starten</translation>
+    </message>
+    <message>
+        <source>Growth of σ</source>
+        <translation>Vækst i σ</translation>
+    </message>
+    <message>
+        <source>Minimum distance between two icebergs</source>
+        <translation>Mindste afstand mellem to isbjerge</translation>
+    </message>
 </context>
 <context>
     <name>FileNames</name>
@@ -3416,10 +3456,6 @@ Tilstødende område %4</translation>
         <translation>skal ligge inden for %1 m</translation>
     </message>
     <message>
-        <source>only %1 of %2 icebergs found a place at least %3 m from the others</source>
-        <translation>kun %1 af %2 isbjerge fandt en plads mindst %3 m fra de andre</translation>
-    </message>
-    <message>
         <source>only %1 of %2 icebergs found a place: the area is too thin</source>
         <translation>kun %1 af %2 isbjerge fandt en plads: området er for smalt</translation>
     </message>
@@ -4504,6 +4540,10 @@ Tilstødende område %4</translation>
         <source>%1 has no baud rate of a serial port, such as 57600 or 115200</source>
         <translation>%1 har ingen baudhastighed for en seriel port, som 57600 eller 115200</translation>
     </message>
+    <message>
+        <source>only %1 of %2 icebergs found a place at least %3 from the others: choose fewer icebergs, a smaller spacing or a larger area</source>
+        <translation>kun %1 af %2 isbjerge fandt en plads mindst %3 fra de andre: vælg færre isbjerge, en mindre afstand eller et større område</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -5191,6 +5231,22 @@ Tilstødende område %4</translation>
     <message>
         <source>This sortie</source>
         <translation>Dette togt</translation>
+    </message>
+</context>
+<context>
+    <name>MapTipText</name>
+    <message>
+        <source>drifting %1 towards %2</source>
+        <translation>driver %1 mod %2</translation>
+    </message>
+    <message>
+        <source>not drifting</source>
+        <translation>driver ikke</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>name, uncertainty, drift</comment>
+        <translation>%1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -6250,62 +6306,6 @@ Tilstødende område %4</translation>
 <context>
     <name>PolicyText</name>
     <message>
-        <source>Shortest path, repeated</source>
-        <translation>Korteste vej, gentaget</translation>
-    </message>
-    <message>
-        <source>Shortest round tour, repeated</source>
-        <translation>Korteste rundtur, gentaget</translation>
-    </message>
-    <message>
-        <source>Nearest iceberg first</source>
-        <translation>Nærmeste isbjerg først</translation>
-    </message>
-    <message>
-        <source>Most uncertain iceberg first</source>
-        <translation>Mest usikre isbjerg først</translation>
-    </message>
-    <message>
-        <source>Best predicted coverage</source>
-        <translation>Bedste forudsagte dækning</translation>
-    </message>
-    <message>
-        <source>Least waiting time, weighted by uncertainty</source>
-        <translation>Korteste ventetid, vægtet med usikkerhed</translation>
-    </message>
-    <message>
-        <source>Weighted visiting order, trade-off τ %1</source>
-        <translation>Vægtet besøgsrækkefølge, afvejning τ %1</translation>
-    </message>
-    <message>
-        <source>τ %1</source>
-        <translation>τ %1</translation>
-    </message>
-    <message>
-        <source>Shortest path</source>
-        <translation>Korteste vej</translation>
-    </message>
-    <message>
-        <source>Nearest first</source>
-        <translation>Nærmeste først</translation>
-    </message>
-    <message>
-        <source>Most uncertain first</source>
-        <translation>Mest usikre først</translation>
-    </message>
-    <message>
-        <source>Least waiting</source>
-        <translation>Mindst ventetid</translation>
-    </message>
-    <message>
-        <source>Best coverage</source>
-        <translation>Bedste dækning</translation>
-    </message>
-    <message>
-        <source>Least waiting time</source>
-        <translation>Korteste ventetid</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatisk</translation>
     </message>
@@ -6329,42 +6329,6 @@ Tilstødende område %4</translation>
     <message>
         <source>Round trip</source>
         <comment>route</comment>
-        <translation>Rundtur</translation>
-    </message>
-    <message>
-        <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
-        <translation>Afvejer det at se usikre isbjerge tidligt mod vejens længde, med τ.</translation>
-    </message>
-    <message>
-        <source>Flies the shortest path past all icebergs, then the next one.</source>
-        <translation>Flyver den korteste vej forbi alle isbjerge, derefter den næste.</translation>
-    </message>
-    <message>
-        <source>Flies one shortest round tour again and again.</source>
-        <translation>Flyver én korteste rundtur igen og igen.</translation>
-    </message>
-    <message>
-        <source>Flies to the nearest iceberg out of view.</source>
-        <translation>Flyver til det nærmeste isbjerg ude af syne.</translation>
-    </message>
-    <message>
-        <source>Flies to the most uncertain iceberg.</source>
-        <translation>Flyver til det mest usikre isbjerg.</translation>
-    </message>
-    <message>
-        <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
-        <translation>Holder ventetiden for alle isbjerge kort, vægtet med deres usikkerhed.</translation>
-    </message>
-    <message>
-        <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
-        <translation>Forudsiger zeta for baner, der passerer isbjerge på afstand og ser flere på én gang.</translation>
-    </message>
-    <message>
-        <source>Weighted visiting order (published method)</source>
-        <translation>Vægtet besøgsrækkefølge (offentliggjort metode)</translation>
-    </message>
-    <message>
-        <source>Round tour</source>
         <translation>Rundtur</translation>
     </message>
 </context>
@@ -6603,38 +6567,6 @@ Tilstødende område %4</translation>
         <translation>Flyvelog: %1</translation>
     </message>
     <message>
-        <source>90 % of cases below</source>
-        <translation>90 % af tilfældene under</translation>
-    </message>
-    <message>
-        <source>median</source>
-        <translation>median</translation>
-    </message>
-    <message>
-        <source>mean, visitation</source>
-        <translation>middel, visitation</translation>
-    </message>
-    <message>
-        <source>Zeta against tau; the numbers are in the table of settings</source>
-        <translation>Zeta mod tau; tallene står i tabellen over indstillinger</translation>
-    </message>
-    <message>
-        <source>trade-off τ</source>
-        <translation>afvejning τ</translation>
-    </message>
-    <message>
-        <source>Differences vs the reference; the numbers are in the table of differences</source>
-        <translation>Forskelle i forhold til referencen; tallene står i tabellen over forskelle</translation>
-    </message>
-    <message>
-        <source>mean difference of ζ vs %1, %</source>
-        <translation>middelforskel i ζ i forhold til %1, %</translation>
-    </message>
-    <message>
-        <source>%1 (reference)</source>
-        <translation>%1 (reference)</translation>
-    </message>
-    <message>
         <source>Cases in which each tau is the best</source>
         <translation>Tilfælde, hvor hver tau er bedst</translation>
     </message>
@@ -6761,10 +6693,6 @@ Tilstødende område %4</translation>
     <message>
         <source>There is only one case, so there is no spread to show.</source>
         <translation>Der er kun ét tilfælde, så der er ingen spredning at vise.</translation>
-    </message>
-    <message>
-        <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
-        <translation>Linjen er middelværdien over tilfældene (%1); båndene indeholder den midterste halvdel og 80 % af dem. Vandrette linjer er middelværdier for strategier uden τ.</translation>
     </message>
     <message>
         <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
@@ -6927,34 +6855,6 @@ Tilstødende område %4</translation>
         <translation>da</translation>
     </message>
     <message>
-        <source>the order of Eq. (1) with the weight τ of Eq. (14), planned again at each iceberg</source>
-        <translation>rækkefølgen efter lign. (1) med vægten τ fra lign. (14), planlagt igen ved hvert isbjerg</translation>
-    </message>
-    <message>
-        <source>the shortest path through all icebergs, flown to its end, then solved again</source>
-        <translation>den korteste vej gennem alle isbjerge, fløjet til slutningen og så løst igen</translation>
-    </message>
-    <message>
-        <source>the shortest round tour, flown again and again</source>
-        <translation>den korteste rundtur, fløjet igen og igen</translation>
-    </message>
-    <message>
-        <source>the nearest iceberg next</source>
-        <translation>det nærmeste isbjerg som det næste</translation>
-    </message>
-    <message>
-        <source>the most uncertain iceberg next</source>
-        <translation>det mest usikre isbjerg som det næste</translation>
-    </message>
-    <message>
-        <source>the order with the least waiting, weighted by uncertainty, planned again at each iceberg</source>
-        <translation>rækkefølgen med mindst ventetid, vægtet med usikkerhed, planlagt igen ved hvert isbjerg</translation>
-    </message>
-    <message>
-        <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
-        <translation>etaper med sigtepunkter, der giver lavest forudsagt ζ, planlagt igen ved hver observation</translation>
-    </message>
-    <message>
         <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
         <translation>Længst uset: fra et isbjerg blev kendt eller set, til det blev set igen, forlod området, blev fjernet eller optagelsen slutter.</translation>
     </message>
@@ -7033,6 +6933,182 @@ Tilstødende område %4</translation>
     <message>
         <source>Zeta over time, in the end %1.</source>
         <translation>Zeta over tid, til sidst %1.</translation>
+    </message>
+    <message>
+        <source>Lowest: %1.</source>
+        <translation>Lavest: %1.</translation>
+    </message>
+    <message>
+        <source>Lowest: %1; of the values of τ: %2.</source>
+        <translation>Lavest: %1; af værdierne af τ: %2.</translation>
+    </message>
+    <message>
+        <source>Band: quartiles. Dashed: median. Ring: reference.</source>
+        <translation>Bånd: kvartiler. Stiplet: median. Ring: reference.</translation>
+    </message>
+    <message>
+        <source>Ring: reference.</source>
+        <translation>Ring: reference.</translation>
+    </message>
+    <message>
+        <source>Mean ζ, %1</source>
+        <translation>Middel ζ, %1</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zeta ζ, %1</translation>
+    </message>
+    <message>
+        <source>%1 vs %2</source>
+        <translation>%1 mod %2</translation>
+    </message>
+    <message>
+        <source>ζ %1 m² s</source>
+        <translation>ζ %1 m² s</translation>
+    </message>
+    <message>
+        <source>mean %1, median %2</source>
+        <translation>middel %1, median %2</translation>
+    </message>
+    <message>
+        <source>quartiles %1 to %2</source>
+        <translation>kvartiler %1 til %2</translation>
+    </message>
+    <message>
+        <source>stuck in %1 of %2 cases</source>
+        <translation>fastlåst i %1 af %2 tilfælde</translation>
+    </message>
+    <message>
+        <source>stuck: visits at most two icebergs in the second half</source>
+        <translation>fastlåst: besøger højst to isbjerge i anden halvdel</translation>
+    </message>
+    <message>
+        <source>Less ζ is better: to the left</source>
+        <translation>Mindre ζ er bedre: mod venstre</translation>
+    </message>
+    <message>
+        <source>Mean of the cases with its 95 % confidence interval</source>
+        <translation>Gennemsnittet af tilfældene med 95 %-konfidensinterval</translation>
+    </message>
+    <message>
+        <source>Difference of ζ vs %1, %</source>
+        <translation>Forskel i ζ til %1, %</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>referencen</translation>
+    </message>
+    <message>
+        <source>95 %: %1 to %2</source>
+        <translation>95 %: %1 til %2</translation>
+    </message>
+    <message>
+        <source>less in %1 of %2 cases</source>
+        <translation>mindre i %1 af %2 tilfælde</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>værst %1</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty ζ against the trade-off τ</source>
+        <translation>Akkumuleret usikkerhed ζ mod afvejningen τ</translation>
+    </message>
+    <message>
+        <source>The line is the mean over the cases (%1), dashed their median; the band contains the middle half of them. Horizontal lines are the means of policies without τ.</source>
+        <translation>Linjen er middelværdien over tilfældene (%1), stiplet er medianen; båndet indeholder den midterste halvdel af dem. Vandrette linjer er middelværdier for strategier uden τ.</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order (published method)</source>
+        <translation>Vægtet besøgsrækkefølge (offentliggjort metode)</translation>
+    </message>
+    <message>
+        <source>τ %1</source>
+        <translation>τ %1</translation>
+    </message>
+    <message>
+        <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
+        <translation>Afvejer det at se usikre isbjerge tidligt mod vejens længde, med τ.</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order, trade-off τ %1</source>
+        <translation>Vægtet besøgsrækkefølge, afvejning τ %1</translation>
+    </message>
+    <message>
+        <source>Shortest path, repeated</source>
+        <translation>Korteste vej, gentaget</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Korteste vej</translation>
+    </message>
+    <message>
+        <source>Flies the shortest path past all icebergs, then the next one.</source>
+        <translation>Flyver den korteste vej forbi alle isbjerge, derefter den næste.</translation>
+    </message>
+    <message>
+        <source>Shortest round tour, repeated</source>
+        <translation>Korteste rundtur, gentaget</translation>
+    </message>
+    <message>
+        <source>Round tour</source>
+        <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>Flies one shortest round tour again and again.</source>
+        <translation>Flyver én korteste rundtur igen og igen.</translation>
+    </message>
+    <message>
+        <source>Nearest iceberg first</source>
+        <translation>Nærmeste isbjerg først</translation>
+    </message>
+    <message>
+        <source>Nearest first</source>
+        <translation>Nærmeste først</translation>
+    </message>
+    <message>
+        <source>Flies to the nearest iceberg out of view.</source>
+        <translation>Flyver til det nærmeste isbjerg ude af syne.</translation>
+    </message>
+    <message>
+        <source>Most uncertain iceberg first</source>
+        <translation>Mest usikre isbjerg først</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Mest usikre først</translation>
+    </message>
+    <message>
+        <source>Flies to the most uncertain iceberg.</source>
+        <translation>Flyver til det mest usikre isbjerg.</translation>
+    </message>
+    <message>
+        <source>Least waiting time</source>
+        <translation>Korteste ventetid</translation>
+    </message>
+    <message>
+        <source>Least waiting</source>
+        <translation>Mindst ventetid</translation>
+    </message>
+    <message>
+        <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
+        <translation>Holder ventetiden for alle isbjerge kort, vægtet med deres usikkerhed.</translation>
+    </message>
+    <message>
+        <source>Least waiting time, weighted by uncertainty</source>
+        <translation>Korteste ventetid, vægtet med usikkerhed</translation>
+    </message>
+    <message>
+        <source>Best predicted coverage</source>
+        <translation>Bedste forudsagte dækning</translation>
+    </message>
+    <message>
+        <source>Best coverage</source>
+        <translation>Bedste dækning</translation>
+    </message>
+    <message>
+        <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
+        <translation>Forudsiger zeta for baner, der passerer isbjerge på afstand og ser flere på én gang.</translation>
     </message>
 </context>
 <context>
@@ -7767,6 +7843,18 @@ mod %2</translation>
         <source>Reset zoom</source>
         <translation>Nulstil zoom</translation>
     </message>
+    <message>
+        <source>Values of the lines</source>
+        <translation>Linjernes værdier</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linje</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Værdi</translation>
+    </message>
 </context>
 <context>
     <name>berg::CheckPanel</name>
@@ -8023,49 +8111,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>No-fly area</source>
         <translation>Flyveforbudsområde</translation>
-    </message>
-</context>
-<context>
-    <name>berg::DifferenceChart</name>
-    <message>
-        <source>Differences vs the reference</source>
-        <translation>Forskelle til referencen</translation>
-    </message>
-    <message>
-        <source>This chart compares each setting with a reference, case by case.</source>
-        <translation>Dette diagram sammenligner hver indstilling med en reference, tilfælde for tilfælde.</translation>
-    </message>
-    <message>
-        <source>Less ζ is better: to the left</source>
-        <translation>Mindre ζ er bedre: mod venstre</translation>
-    </message>
-    <message>
-        <source>Mean of the cases with its 95 % confidence interval</source>
-        <translation>Gennemsnittet af tilfældene med 95 %-konfidensinterval</translation>
-    </message>
-    <message>
-        <source>Difference of ζ vs %1, %</source>
-        <translation>Forskel i ζ til %1, %</translation>
-    </message>
-    <message>
-        <source>the reference</source>
-        <translation>referencen</translation>
-    </message>
-    <message>
-        <source>95 %: %1 to %2</source>
-        <translation>95 %: %1 til %2</translation>
-    </message>
-    <message>
-        <source>less in %1 of %2 cases</source>
-        <translation>mindre i %1 af %2 tilfælde</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <translation>værst %1</translation>
-    </message>
-    <message>
-        <source>%1 vs %2</source>
-        <translation>%1 mod %2</translation>
     </message>
 </context>
 <context>
@@ -9530,22 +9575,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
 <context>
     <name>berg::GenerateDialog</name>
     <message>
-        <source>There is no room for this many icebergs at this spacing. Choose fewer icebergs, a smaller spacing or a larger area.</source>
-        <translation>Der er ikke plads til så mange isbjerge med denne afstand. Vælg færre isbjerge, en mindre afstand eller et større område.</translation>
-    </message>
-    <message>
-        <source>The area is too thin to place icebergs in.</source>
-        <translation>Området er for smalt til at placere isbjerge i.</translation>
-    </message>
-    <message>
-        <source>The highest speed is below the lowest.</source>
-        <translation>Den højeste fart er under den laveste.</translation>
-    </message>
-    <message>
-        <source>The largest uncertainty is below the smallest.</source>
-        <translation>Den største usikkerhed er under den mindste.</translation>
-    </message>
-    <message>
         <source>Generate icebergs</source>
         <translation>Generér isbjerge</translation>
     </message>
@@ -9582,14 +9611,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>&amp;Størrelse</translation>
     </message>
     <message>
-        <source>Lowest speed</source>
-        <translation>Laveste fart</translation>
-    </message>
-    <message>
-        <source>Highest speed</source>
-        <translation>Højeste fart</translation>
-    </message>
-    <message>
         <source>S&amp;peed</source>
         <translation>&amp;Fart</translation>
     </message>
@@ -9610,40 +9631,16 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>&amp;Drift</translation>
     </message>
     <message>
-        <source>Drift direction, clockwise from north</source>
-        <translation>Driftens retning, med uret fra nord</translation>
-    </message>
-    <message>
-        <source>Spread to either side</source>
-        <translation>Til hver side af den</translation>
-    </message>
-    <message>
         <source>D&amp;irection</source>
         <translation>&amp;Retning</translation>
-    </message>
-    <message>
-        <source>Smallest σ at the start</source>
-        <translation>Mindste σ ved starten</translation>
-    </message>
-    <message>
-        <source>Largest σ at the start</source>
-        <translation>Største σ ved starten</translation>
     </message>
     <message>
         <source>&amp;Uncertainty σ</source>
         <translation>&amp;Usikkerhed σ</translation>
     </message>
     <message>
-        <source>Growth of σ</source>
-        <translation>Vækst i σ</translation>
-    </message>
-    <message>
         <source>&amp;Growth q</source>
         <translation>&amp;Vækst q</translation>
-    </message>
-    <message>
-        <source>Minimum distance between two icebergs</source>
-        <translation>Mindste afstand mellem to isbjerge</translation>
     </message>
     <message>
         <source>&amp;Minimum spacing</source>
@@ -9691,10 +9688,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
         <translation>Som tilpasset en bøje: 0,15 m/s langs hver akse, i enhver retning. Isbjergene måles derefter under flyvning.</translation>
-    </message>
-    <message>
-        <source>A scenario holds at most %1 icebergs.</source>
-        <translation>Et scenarie rummer højst %1 isbjerge.</translation>
     </message>
 </context>
 <context>
@@ -10161,10 +10154,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         </translation>
     </message>
     <message>
-        <source>An iceberg needs an id.</source>
-        <translation>Et isbjerg skal have et id.</translation>
-    </message>
-    <message>
         <source>Change id</source>
         <translation>Ændr id</translation>
     </message>
@@ -10193,20 +10182,12 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Identificerer dronen i filer og lister; skal være unikt.</translation>
     </message>
     <message>
-        <source>A UAV needs an id.</source>
-        <translation>En drone skal have et id.</translation>
-    </message>
-    <message>
         <source>No-fly area</source>
         <translation>Flyveforbudsområde</translation>
     </message>
     <message>
         <source>UAV</source>
         <translation>Drone</translation>
-    </message>
-    <message>
-        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
-        <translation>Id&apos;et »%1« er optaget. Hvert isbjerg og hver drone skal have et unikt id.</translation>
     </message>
 </context>
 <context>
@@ -10376,19 +10357,6 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
             <numerusform>%n isbjerg og dronerne på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F viser alt. Isbjergtabellen viser isbjergene.</numerusform>
             <numerusform>%n isbjerge og dronerne på havet. Piletaster flytter kortet eller det valgte, plus og minus zoomer, F viser alt. Isbjergtabellen viser isbjergene.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>not drifting</source>
-        <translation>driver ikke</translation>
-    </message>
-    <message>
-        <source>drifting %1 towards %2</source>
-        <translation>driver %1 mod %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3</source>
-        <comment>name, uncertainty, drift</comment>
-        <translation>%1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -12228,68 +12196,24 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
 <context>
     <name>berg::StudyChart</name>
     <message>
-        <source>Accumulated uncertainty ζ against the trade-off τ</source>
-        <translation>Akkumuleret usikkerhed ζ mod afvejningen τ</translation>
-    </message>
-    <message>
         <source>Choose what to fly and press Start, or load a figure from the paper.</source>
         <translation>Vælg, hvad der skal flyves, og tryk på Start, eller indlæs en figur fra artiklen.</translation>
     </message>
     <message>
-        <source>Trade-off τ</source>
-        <translation>Afvejning τ</translation>
+        <source>This chart compares each setting with a reference, case by case.</source>
+        <translation>Dette diagram sammenligner hver indstilling med en reference, tilfælde for tilfælde.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cases</source>
+        <translation>
+            <numerusform>%n tilfælde</numerusform>
+            <numerusform>%n tilfælde</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Lowest: %1.</source>
-        <translation>Lavest: %1.</translation>
-    </message>
-    <message>
-        <source>Lowest: %1; of the values of τ: %2.</source>
-        <translation>Lavest: %1; af værdierne af τ: %2.</translation>
-    </message>
-    <message>
-        <source>Band: quartiles. Dashed: median. Ring: reference.</source>
-        <translation>Bånd: kvartiler. Stiplet: median. Ring: reference.</translation>
-    </message>
-    <message>
-        <source>Ring: reference.</source>
-        <translation>Ring: reference.</translation>
-    </message>
-    <message>
-        <source>Best τ of each case</source>
-        <translation>Bedste τ i hvert tilfælde</translation>
-    </message>
-    <message>
-        <source>ζ %1 m² s</source>
-        <translation>ζ %1 m² s</translation>
-    </message>
-    <message>
-        <source>mean %1, median %2</source>
-        <translation>middel %1, median %2</translation>
-    </message>
-    <message>
-        <source>quartiles %1 to %2</source>
-        <translation>kvartiler %1 til %2</translation>
-    </message>
-    <message>
-        <source>stuck in %1 of %2 cases</source>
-        <translation>fastlåst i %1 af %2 tilfælde</translation>
-    </message>
-    <message>
-        <source>stuck: visits at most two icebergs in the second half</source>
-        <translation>fastlåst: besøger højst to isbjerge i anden halvdel</translation>
-    </message>
-    <message>
-        <source>%1 vs %2</source>
-        <translation>%1 mod %2</translation>
-    </message>
-    <message>
-        <source>Mean ζ, %1</source>
-        <translation>Middel ζ, %1</translation>
-    </message>
-    <message>
-        <source>Zeta ζ, %1</source>
-        <translation>Zeta ζ, %1</translation>
+        <source>%1: %2</source>
+        <comment>name of a study, how many cases</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -12325,21 +12249,6 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Study: %1</source>
         <translation>Studie: %1</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StudyFigure</name>
-    <message numerus="yes">
-        <source>%n cases</source>
-        <translation>
-            <numerusform>%n tilfælde</numerusform>
-            <numerusform>%n tilfælde</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>name of a study, how many cases</comment>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -12948,10 +12857,6 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Move asset</source>
         <translation>Flyt objekt</translation>
-    </message>
-    <message>
-        <source>The scenario is locked in flight. Stop the flight to change it.</source>
-        <translation>Scenariet er låst under flyvning. Stop flyvningen for at ændre det.</translation>
     </message>
 </context>
 </TS>

@@ -501,7 +501,7 @@
     </message>
 </context>
 <context>
-    <name>berg::StudyFigure</name>
+    <name>berg::StudyChart</name>
     <message numerus="yes">
         <source>%n cases</source>
         <translation>

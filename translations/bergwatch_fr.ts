@@ -1315,6 +1315,46 @@
         <source>Origin</source>
         <translation>Origine</translation>
     </message>
+    <message>
+        <source>Number of icebergs</source>
+        <translation>Nombre d&apos;icebergs</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Vitesse la plus faible</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Vitesse la plus élevée</translation>
+    </message>
+    <message>
+        <source>Drift direction, clockwise from north</source>
+        <translation>Direction de la dérive, sens horaire depuis le nord</translation>
+    </message>
+    <message>
+        <source>Spread to either side</source>
+        <translation>Écart de chaque côté</translation>
+    </message>
+    <message>
+        <source>Smallest σ at the start</source>
+        <translation>Plus petit σ au début</translation>
+    </message>
+    <message>
+        <source>Largest σ at the start</source>
+        <translation>Plus grand σ au début</translation>
+    </message>
+    <message>
+        <source>Growth of σ</source>
+        <translation>Croissance de σ</translation>
+    </message>
+    <message>
+        <source>Minimum distance between two icebergs</source>
+        <translation>Distance minimale entre deux icebergs</translation>
+    </message>
 </context>
 <context>
     <name>FileNames</name>
@@ -3416,10 +3456,6 @@ Zone adjacente %4</translation>
         <translation>doit se trouver à moins de %1 m</translation>
     </message>
     <message>
-        <source>only %1 of %2 icebergs found a place at least %3 m from the others</source>
-        <translation>seuls %1 icebergs sur %2 ont trouvé une place à au moins %3 m des autres</translation>
-    </message>
-    <message>
         <source>only %1 of %2 icebergs found a place: the area is too thin</source>
         <translation>seuls %1 icebergs sur %2 ont trouvé une place : la zone est trop étroite</translation>
     </message>
@@ -4504,6 +4540,10 @@ Zone adjacente %4</translation>
         <source>%1 has no baud rate of a serial port, such as 57600 or 115200</source>
         <translation>%1 n&apos;a pas de débit de port série, tel que 57600 ou 115200</translation>
     </message>
+    <message>
+        <source>only %1 of %2 icebergs found a place at least %3 from the others: choose fewer icebergs, a smaller spacing or a larger area</source>
+        <translation>seuls %1 icebergs sur %2 ont trouvé une place à au moins %3 des autres : choisissez moins d&apos;icebergs, un espacement plus petit ou une zone plus grande</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -5191,6 +5231,22 @@ Zone adjacente %4</translation>
     <message>
         <source>This sortie</source>
         <translation>Cette sortie</translation>
+    </message>
+</context>
+<context>
+    <name>MapTipText</name>
+    <message>
+        <source>drifting %1 towards %2</source>
+        <translation>dérive de %1 vers %2</translation>
+    </message>
+    <message>
+        <source>not drifting</source>
+        <translation>sans dérive</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>name, uncertainty, drift</comment>
+        <translation>%1 : %2, %3</translation>
     </message>
 </context>
 <context>
@@ -6250,62 +6306,6 @@ Zone adjacente %4</translation>
 <context>
     <name>PolicyText</name>
     <message>
-        <source>Shortest path, repeated</source>
-        <translation>Plus court chemin, répété</translation>
-    </message>
-    <message>
-        <source>Shortest round tour, repeated</source>
-        <translation>Plus court circuit, répété</translation>
-    </message>
-    <message>
-        <source>Nearest iceberg first</source>
-        <translation>Iceberg le plus proche d&apos;abord</translation>
-    </message>
-    <message>
-        <source>Most uncertain iceberg first</source>
-        <translation>Iceberg le plus incertain d&apos;abord</translation>
-    </message>
-    <message>
-        <source>Best predicted coverage</source>
-        <translation>Meilleure couverture prévue</translation>
-    </message>
-    <message>
-        <source>Least waiting time, weighted by uncertainty</source>
-        <translation>Attente minimale, pondérée par l&apos;incertitude</translation>
-    </message>
-    <message>
-        <source>Weighted visiting order, trade-off τ %1</source>
-        <translation>Ordre de visite pondéré, compromis τ %1</translation>
-    </message>
-    <message>
-        <source>τ %1</source>
-        <translation>τ %1</translation>
-    </message>
-    <message>
-        <source>Shortest path</source>
-        <translation>Plus court chemin</translation>
-    </message>
-    <message>
-        <source>Nearest first</source>
-        <translation>Plus proche d&apos;abord</translation>
-    </message>
-    <message>
-        <source>Most uncertain first</source>
-        <translation>Plus incertain d&apos;abord</translation>
-    </message>
-    <message>
-        <source>Least waiting</source>
-        <translation>Attente minimale</translation>
-    </message>
-    <message>
-        <source>Best coverage</source>
-        <translation>Meilleure couverture</translation>
-    </message>
-    <message>
-        <source>Least waiting time</source>
-        <translation>Temps d&apos;attente minimal</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatique</translation>
     </message>
@@ -6330,42 +6330,6 @@ Zone adjacente %4</translation>
         <source>Round trip</source>
         <comment>route</comment>
         <translation>Boucle</translation>
-    </message>
-    <message>
-        <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
-        <translation>Pondère par τ l&apos;observation précoce des icebergs incertains et la longueur du trajet.</translation>
-    </message>
-    <message>
-        <source>Flies the shortest path past all icebergs, then the next one.</source>
-        <translation>Suit le plus court chemin passant par tous les icebergs, puis le suivant.</translation>
-    </message>
-    <message>
-        <source>Flies one shortest round tour again and again.</source>
-        <translation>Suit sans cesse un même circuit, le plus court.</translation>
-    </message>
-    <message>
-        <source>Flies to the nearest iceberg out of view.</source>
-        <translation>Va à l&apos;iceberg hors de vue le plus proche.</translation>
-    </message>
-    <message>
-        <source>Flies to the most uncertain iceberg.</source>
-        <translation>Va à l&apos;iceberg le plus incertain.</translation>
-    </message>
-    <message>
-        <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
-        <translation>Garde court le temps d&apos;attente de tous les icebergs, pondéré par leur incertitude.</translation>
-    </message>
-    <message>
-        <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
-        <translation>Prévoit zêta pour des trajectoires qui passent les icebergs à distance et en voient plusieurs à la fois.</translation>
-    </message>
-    <message>
-        <source>Weighted visiting order (published method)</source>
-        <translation>Ordre de visite pondéré (méthode publiée)</translation>
-    </message>
-    <message>
-        <source>Round tour</source>
-        <translation>Circuit</translation>
     </message>
 </context>
 <context>
@@ -6603,38 +6567,6 @@ Zone adjacente %4</translation>
         <translation>Journal de vol : %1</translation>
     </message>
     <message>
-        <source>90 % of cases below</source>
-        <translation>90 % des cas au-dessous</translation>
-    </message>
-    <message>
-        <source>median</source>
-        <translation>médiane</translation>
-    </message>
-    <message>
-        <source>mean, visitation</source>
-        <translation>moyenne, visitation</translation>
-    </message>
-    <message>
-        <source>Zeta against tau; the numbers are in the table of settings</source>
-        <translation>Zêta selon tau ; les nombres sont dans le tableau des réglages</translation>
-    </message>
-    <message>
-        <source>trade-off τ</source>
-        <translation>compromis τ</translation>
-    </message>
-    <message>
-        <source>Differences vs the reference; the numbers are in the table of differences</source>
-        <translation>Différences avec la référence ; les nombres sont dans le tableau des différences</translation>
-    </message>
-    <message>
-        <source>mean difference of ζ vs %1, %</source>
-        <translation>différence moyenne de ζ avec %1, %</translation>
-    </message>
-    <message>
-        <source>%1 (reference)</source>
-        <translation>%1 (référence)</translation>
-    </message>
-    <message>
         <source>Cases in which each tau is the best</source>
         <translation>Cas où chaque tau est le meilleur</translation>
     </message>
@@ -6761,10 +6693,6 @@ Zone adjacente %4</translation>
     <message>
         <source>There is only one case, so there is no spread to show.</source>
         <translation>Il n&apos;y a qu&apos;un seul cas, donc aucune dispersion à montrer.</translation>
-    </message>
-    <message>
-        <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
-        <translation>La ligne est la moyenne des cas (%1) ; les bandes contiennent la moitié centrale et 80 % d&apos;entre eux. Les lignes horizontales sont les moyennes des stratégies sans τ.</translation>
     </message>
     <message>
         <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
@@ -6927,34 +6855,6 @@ Zone adjacente %4</translation>
         <translation>fr</translation>
     </message>
     <message>
-        <source>the order of Eq. (1) with the weight τ of Eq. (14), planned again at each iceberg</source>
-        <translation>l&apos;ordre de l&apos;éq. (1) avec le poids τ de l&apos;éq. (14), replanifié à chaque iceberg</translation>
-    </message>
-    <message>
-        <source>the shortest path through all icebergs, flown to its end, then solved again</source>
-        <translation>le plus court chemin par tous les icebergs, suivi jusqu&apos;au bout, puis résolu de nouveau</translation>
-    </message>
-    <message>
-        <source>the shortest round tour, flown again and again</source>
-        <translation>le plus court circuit, suivi encore et encore</translation>
-    </message>
-    <message>
-        <source>the nearest iceberg next</source>
-        <translation>l&apos;iceberg le plus proche ensuite</translation>
-    </message>
-    <message>
-        <source>the most uncertain iceberg next</source>
-        <translation>l&apos;iceberg le plus incertain ensuite</translation>
-    </message>
-    <message>
-        <source>the order with the least waiting, weighted by uncertainty, planned again at each iceberg</source>
-        <translation>l&apos;ordre avec la moindre attente, pondérée par l&apos;incertitude, replanifié à chaque iceberg</translation>
-    </message>
-    <message>
-        <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
-        <translation>des segments à points de visée qui donnent le ζ prévu le plus bas, replanifiés à chaque observation</translation>
-    </message>
-    <message>
         <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
         <translation>Plus long sans vue : depuis qu&apos;un iceberg est connu, ou vu, jusqu&apos;à ce qu&apos;il soit revu, sorti, retiré ou que l&apos;enregistrement finisse.</translation>
     </message>
@@ -7033,6 +6933,182 @@ Zone adjacente %4</translation>
     <message>
         <source>Zeta over time, in the end %1.</source>
         <translation>Zêta dans le temps, à la fin %1.</translation>
+    </message>
+    <message>
+        <source>Lowest: %1.</source>
+        <translation>Le plus bas : %1.</translation>
+    </message>
+    <message>
+        <source>Lowest: %1; of the values of τ: %2.</source>
+        <translation>Le plus bas : %1 ; parmi les valeurs de τ : %2.</translation>
+    </message>
+    <message>
+        <source>Band: quartiles. Dashed: median. Ring: reference.</source>
+        <translation>Bande : quartiles. Tirets : médiane. Cercle : référence.</translation>
+    </message>
+    <message>
+        <source>Ring: reference.</source>
+        <translation>Cercle : référence.</translation>
+    </message>
+    <message>
+        <source>Mean ζ, %1</source>
+        <translation>ζ moyen, %1</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zêta ζ, %1</translation>
+    </message>
+    <message>
+        <source>%1 vs %2</source>
+        <translation>%1 contre %2</translation>
+    </message>
+    <message>
+        <source>ζ %1 m² s</source>
+        <translation>ζ %1 m² s</translation>
+    </message>
+    <message>
+        <source>mean %1, median %2</source>
+        <translation>moyenne %1, médiane %2</translation>
+    </message>
+    <message>
+        <source>quartiles %1 to %2</source>
+        <translation>quartiles %1 à %2</translation>
+    </message>
+    <message>
+        <source>stuck in %1 of %2 cases</source>
+        <translation>bloqué dans %1 cas sur %2</translation>
+    </message>
+    <message>
+        <source>stuck: visits at most two icebergs in the second half</source>
+        <translation>bloqué : visite deux icebergs au plus dans la seconde moitié</translation>
+    </message>
+    <message>
+        <source>Less ζ is better: to the left</source>
+        <translation>Moins de ζ est meilleur : vers la gauche</translation>
+    </message>
+    <message>
+        <source>Mean of the cases with its 95 % confidence interval</source>
+        <translation>Moyenne des cas avec son intervalle de confiance à 95 %</translation>
+    </message>
+    <message>
+        <source>Difference of ζ vs %1, %</source>
+        <translation>Différence de ζ par rapport à %1, %</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>la référence</translation>
+    </message>
+    <message>
+        <source>95 %: %1 to %2</source>
+        <translation>95 % : %1 à %2</translation>
+    </message>
+    <message>
+        <source>less in %1 of %2 cases</source>
+        <translation>inférieur dans %1 cas sur %2</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>pire %1</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty ζ against the trade-off τ</source>
+        <translation>Incertitude cumulée ζ en fonction du compromis τ</translation>
+    </message>
+    <message>
+        <source>The line is the mean over the cases (%1), dashed their median; the band contains the middle half of them. Horizontal lines are the means of policies without τ.</source>
+        <translation>La ligne est la moyenne des cas (%1), en tirets leur médiane ; la bande contient la moitié centrale d&apos;entre eux. Les lignes horizontales sont les moyennes des stratégies sans τ.</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order (published method)</source>
+        <translation>Ordre de visite pondéré (méthode publiée)</translation>
+    </message>
+    <message>
+        <source>τ %1</source>
+        <translation>τ %1</translation>
+    </message>
+    <message>
+        <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
+        <translation>Pondère par τ l&apos;observation précoce des icebergs incertains et la longueur du trajet.</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order, trade-off τ %1</source>
+        <translation>Ordre de visite pondéré, compromis τ %1</translation>
+    </message>
+    <message>
+        <source>Shortest path, repeated</source>
+        <translation>Plus court chemin, répété</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Plus court chemin</translation>
+    </message>
+    <message>
+        <source>Flies the shortest path past all icebergs, then the next one.</source>
+        <translation>Suit le plus court chemin passant par tous les icebergs, puis le suivant.</translation>
+    </message>
+    <message>
+        <source>Shortest round tour, repeated</source>
+        <translation>Plus court circuit, répété</translation>
+    </message>
+    <message>
+        <source>Round tour</source>
+        <translation>Circuit</translation>
+    </message>
+    <message>
+        <source>Flies one shortest round tour again and again.</source>
+        <translation>Suit sans cesse un même circuit, le plus court.</translation>
+    </message>
+    <message>
+        <source>Nearest iceberg first</source>
+        <translation>Iceberg le plus proche d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Nearest first</source>
+        <translation>Plus proche d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Flies to the nearest iceberg out of view.</source>
+        <translation>Va à l&apos;iceberg hors de vue le plus proche.</translation>
+    </message>
+    <message>
+        <source>Most uncertain iceberg first</source>
+        <translation>Iceberg le plus incertain d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Plus incertain d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Flies to the most uncertain iceberg.</source>
+        <translation>Va à l&apos;iceberg le plus incertain.</translation>
+    </message>
+    <message>
+        <source>Least waiting time</source>
+        <translation>Temps d&apos;attente minimal</translation>
+    </message>
+    <message>
+        <source>Least waiting</source>
+        <translation>Attente minimale</translation>
+    </message>
+    <message>
+        <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
+        <translation>Garde court le temps d&apos;attente de tous les icebergs, pondéré par leur incertitude.</translation>
+    </message>
+    <message>
+        <source>Least waiting time, weighted by uncertainty</source>
+        <translation>Attente minimale, pondérée par l&apos;incertitude</translation>
+    </message>
+    <message>
+        <source>Best predicted coverage</source>
+        <translation>Meilleure couverture prévue</translation>
+    </message>
+    <message>
+        <source>Best coverage</source>
+        <translation>Meilleure couverture</translation>
+    </message>
+    <message>
+        <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
+        <translation>Prévoit zêta pour des trajectoires qui passent les icebergs à distance et en voient plusieurs à la fois.</translation>
     </message>
 </context>
 <context>
@@ -7767,6 +7843,18 @@ vers le %2</translation>
         <source>Reset zoom</source>
         <translation>Réinitialiser le zoom</translation>
     </message>
+    <message>
+        <source>Values of the lines</source>
+        <translation>Valeurs des courbes</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
 </context>
 <context>
     <name>berg::CheckPanel</name>
@@ -8023,49 +8111,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>No-fly area</source>
         <translation>Zone interdite</translation>
-    </message>
-</context>
-<context>
-    <name>berg::DifferenceChart</name>
-    <message>
-        <source>Differences vs the reference</source>
-        <translation>Différences par rapport à la référence</translation>
-    </message>
-    <message>
-        <source>This chart compares each setting with a reference, case by case.</source>
-        <translation>Ce graphique compare chaque réglage à une référence, cas par cas.</translation>
-    </message>
-    <message>
-        <source>Less ζ is better: to the left</source>
-        <translation>Moins de ζ est meilleur : vers la gauche</translation>
-    </message>
-    <message>
-        <source>Mean of the cases with its 95 % confidence interval</source>
-        <translation>Moyenne des cas avec son intervalle de confiance à 95 %</translation>
-    </message>
-    <message>
-        <source>Difference of ζ vs %1, %</source>
-        <translation>Différence de ζ par rapport à %1, %</translation>
-    </message>
-    <message>
-        <source>the reference</source>
-        <translation>la référence</translation>
-    </message>
-    <message>
-        <source>95 %: %1 to %2</source>
-        <translation>95 % : %1 à %2</translation>
-    </message>
-    <message>
-        <source>less in %1 of %2 cases</source>
-        <translation>inférieur dans %1 cas sur %2</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <translation>pire %1</translation>
-    </message>
-    <message>
-        <source>%1 vs %2</source>
-        <translation>%1 contre %2</translation>
     </message>
 </context>
 <context>
@@ -9530,22 +9575,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
 <context>
     <name>berg::GenerateDialog</name>
     <message>
-        <source>There is no room for this many icebergs at this spacing. Choose fewer icebergs, a smaller spacing or a larger area.</source>
-        <translation>Il n&apos;y a pas de place pour autant d&apos;icebergs à cet espacement. Choisissez moins d&apos;icebergs, un espacement plus petit ou une zone plus grande.</translation>
-    </message>
-    <message>
-        <source>The area is too thin to place icebergs in.</source>
-        <translation>La zone est trop étroite pour y placer des icebergs.</translation>
-    </message>
-    <message>
-        <source>The highest speed is below the lowest.</source>
-        <translation>La vitesse la plus élevée est inférieure à la plus faible.</translation>
-    </message>
-    <message>
-        <source>The largest uncertainty is below the smallest.</source>
-        <translation>L&apos;incertitude la plus grande est inférieure à la plus petite.</translation>
-    </message>
-    <message>
         <source>Generate icebergs</source>
         <translation>Générer des icebergs</translation>
     </message>
@@ -9582,14 +9611,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Ta&amp;ille</translation>
     </message>
     <message>
-        <source>Lowest speed</source>
-        <translation>Vitesse la plus faible</translation>
-    </message>
-    <message>
-        <source>Highest speed</source>
-        <translation>Vitesse la plus élevée</translation>
-    </message>
-    <message>
         <source>S&amp;peed</source>
         <translation>&amp;Vitesse</translation>
     </message>
@@ -9610,40 +9631,16 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Dé&amp;rive</translation>
     </message>
     <message>
-        <source>Drift direction, clockwise from north</source>
-        <translation>Direction de la dérive, sens horaire depuis le nord</translation>
-    </message>
-    <message>
-        <source>Spread to either side</source>
-        <translation>De part et d&apos;autre de celle-ci</translation>
-    </message>
-    <message>
         <source>D&amp;irection</source>
         <translation>&amp;Direction</translation>
-    </message>
-    <message>
-        <source>Smallest σ at the start</source>
-        <translation>Plus petit σ au début</translation>
-    </message>
-    <message>
-        <source>Largest σ at the start</source>
-        <translation>Plus grand σ au début</translation>
     </message>
     <message>
         <source>&amp;Uncertainty σ</source>
         <translation>Incertit&amp;ude σ</translation>
     </message>
     <message>
-        <source>Growth of σ</source>
-        <translation>Croissance de σ</translation>
-    </message>
-    <message>
         <source>&amp;Growth q</source>
         <translation>&amp;Croissance q</translation>
-    </message>
-    <message>
-        <source>Minimum distance between two icebergs</source>
-        <translation>Distance minimale entre deux icebergs</translation>
     </message>
     <message>
         <source>&amp;Minimum spacing</source>
@@ -9691,10 +9688,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
         <translation>Ajustée sur une balise : 0,15 m/s selon chaque axe, dans toutes les directions. Les icebergs sont alors mesurés en vol.</translation>
-    </message>
-    <message>
-        <source>A scenario holds at most %1 icebergs.</source>
-        <translation>Un scénario contient au plus %1 icebergs.</translation>
     </message>
 </context>
 <context>
@@ -10161,10 +10154,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         </translation>
     </message>
     <message>
-        <source>An iceberg needs an id.</source>
-        <translation>Un iceberg a besoin d&apos;un identifiant.</translation>
-    </message>
-    <message>
         <source>Change id</source>
         <translation>Modifier l&apos;identifiant</translation>
     </message>
@@ -10193,20 +10182,12 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Identifie le drone dans les fichiers et les listes ; doit être unique.</translation>
     </message>
     <message>
-        <source>A UAV needs an id.</source>
-        <translation>Un drone a besoin d&apos;un identifiant.</translation>
-    </message>
-    <message>
         <source>No-fly area</source>
         <translation>Zone interdite</translation>
     </message>
     <message>
         <source>UAV</source>
         <translation>Drone</translation>
-    </message>
-    <message>
-        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
-        <translation>L&apos;identifiant « %1 » est pris. Chaque iceberg et chaque drone a besoin d&apos;un identifiant unique.</translation>
     </message>
 </context>
 <context>
@@ -10376,19 +10357,6 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
             <numerusform>%n iceberg et les drones en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs en donne la liste.</numerusform>
             <numerusform>%n icebergs et les drones en mer. Les flèches déplacent la carte ou la sélection, plus et moins zooment, F affiche tout. Le tableau des icebergs en donne la liste.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>not drifting</source>
-        <translation>sans dérive</translation>
-    </message>
-    <message>
-        <source>drifting %1 towards %2</source>
-        <translation>dérive de %1 vers %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3</source>
-        <comment>name, uncertainty, drift</comment>
-        <translation>%1 : %2, %3</translation>
     </message>
 </context>
 <context>
@@ -12228,68 +12196,24 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
 <context>
     <name>berg::StudyChart</name>
     <message>
-        <source>Accumulated uncertainty ζ against the trade-off τ</source>
-        <translation>Incertitude cumulée ζ en fonction du compromis τ</translation>
-    </message>
-    <message>
         <source>Choose what to fly and press Start, or load a figure from the paper.</source>
         <translation>Choisissez ce qui doit être joué et appuyez sur « Démarrer l&apos;étude », ou prenez une figure de l&apos;article.</translation>
     </message>
     <message>
-        <source>Trade-off τ</source>
-        <translation>Compromis τ</translation>
+        <source>This chart compares each setting with a reference, case by case.</source>
+        <translation>Ce graphique compare chaque réglage à une référence, cas par cas.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cases</source>
+        <translation>
+            <numerusform>%n cas</numerusform>
+            <numerusform>%n cas</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Lowest: %1.</source>
-        <translation>Le plus bas : %1.</translation>
-    </message>
-    <message>
-        <source>Lowest: %1; of the values of τ: %2.</source>
-        <translation>Le plus bas : %1 ; parmi les valeurs de τ : %2.</translation>
-    </message>
-    <message>
-        <source>Band: quartiles. Dashed: median. Ring: reference.</source>
-        <translation>Bande : quartiles. Tirets : médiane. Cercle : référence.</translation>
-    </message>
-    <message>
-        <source>Ring: reference.</source>
-        <translation>Cercle : référence.</translation>
-    </message>
-    <message>
-        <source>Best τ of each case</source>
-        <translation>Meilleur τ de chaque cas</translation>
-    </message>
-    <message>
-        <source>ζ %1 m² s</source>
-        <translation>ζ %1 m² s</translation>
-    </message>
-    <message>
-        <source>mean %1, median %2</source>
-        <translation>moyenne %1, médiane %2</translation>
-    </message>
-    <message>
-        <source>quartiles %1 to %2</source>
-        <translation>quartiles %1 à %2</translation>
-    </message>
-    <message>
-        <source>stuck in %1 of %2 cases</source>
-        <translation>bloqué dans %1 cas sur %2</translation>
-    </message>
-    <message>
-        <source>stuck: visits at most two icebergs in the second half</source>
-        <translation>bloqué : visite deux icebergs au plus dans la seconde moitié</translation>
-    </message>
-    <message>
-        <source>%1 vs %2</source>
-        <translation>%1 contre %2</translation>
-    </message>
-    <message>
-        <source>Mean ζ, %1</source>
-        <translation>ζ moyen, %1</translation>
-    </message>
-    <message>
-        <source>Zeta ζ, %1</source>
-        <translation>Zêta ζ, %1</translation>
+        <source>%1: %2</source>
+        <comment>name of a study, how many cases</comment>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -12325,21 +12249,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Study: %1</source>
         <translation>Étude : %1</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StudyFigure</name>
-    <message numerus="yes">
-        <source>%n cases</source>
-        <translation>
-            <numerusform>%n cas</numerusform>
-            <numerusform>%n cas</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>name of a study, how many cases</comment>
-        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -12948,10 +12857,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Move asset</source>
         <translation>Déplacer le bien protégé</translation>
-    </message>
-    <message>
-        <source>The scenario is locked in flight. Stop the flight to change it.</source>
-        <translation>Le scénario est verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
     </message>
 </context>
 </TS>

@@ -1315,6 +1315,46 @@
         <source>Origin</source>
         <translation>Origo</translation>
     </message>
+    <message>
+        <source>Number of icebergs</source>
+        <translation>Antall isfjell</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Område</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Laveste fart</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Høyeste fart</translation>
+    </message>
+    <message>
+        <source>Drift direction, clockwise from north</source>
+        <translation>Retningen på driften, med klokken fra nord</translation>
+    </message>
+    <message>
+        <source>Spread to either side</source>
+        <translation>Spredning til hver side</translation>
+    </message>
+    <message>
+        <source>Smallest σ at the start</source>
+        <translation>Minste σ ved start</translation>
+    </message>
+    <message>
+        <source>Largest σ at the start</source>
+        <translation>Største σ ved start</translation>
+    </message>
+    <message>
+        <source>Growth of σ</source>
+        <translation>Vekst i σ</translation>
+    </message>
+    <message>
+        <source>Minimum distance between two icebergs</source>
+        <translation>Minste avstand mellom to isfjell</translation>
+    </message>
 </context>
 <context>
     <name>FileNames</name>
@@ -3416,10 +3456,6 @@ Tilstøtende område %4</translation>
         <translation>må ligge innenfor %1 m</translation>
     </message>
     <message>
-        <source>only %1 of %2 icebergs found a place at least %3 m from the others</source>
-        <translation>bare %1 av %2 isfjell fikk plass minst %3 m fra de andre</translation>
-    </message>
-    <message>
         <source>only %1 of %2 icebergs found a place: the area is too thin</source>
         <translation>bare %1 av %2 isfjell fikk plass: området er for smalt</translation>
     </message>
@@ -4504,6 +4540,10 @@ Tilstøtende område %4</translation>
         <source>%1 has no baud rate of a serial port, such as 57600 or 115200</source>
         <translation>%1 har ingen baudhastighet for en serieport, som 57600 eller 115200</translation>
     </message>
+    <message>
+        <source>only %1 of %2 icebergs found a place at least %3 from the others: choose fewer icebergs, a smaller spacing or a larger area</source>
+        <translation>bare %1 av %2 isfjell fikk plass minst %3 fra de andre: velg færre isfjell, en mindre avstand eller et større område</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -5191,6 +5231,22 @@ Tilstøtende område %4</translation>
     <message>
         <source>This sortie</source>
         <translation>Dette toktet</translation>
+    </message>
+</context>
+<context>
+    <name>MapTipText</name>
+    <message>
+        <source>drifting %1 towards %2</source>
+        <translation>driver %1 mot %2</translation>
+    </message>
+    <message>
+        <source>not drifting</source>
+        <translation>driver ikke</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>name, uncertainty, drift</comment>
+        <translation>%1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -6250,62 +6306,6 @@ Tilstøtende område %4</translation>
 <context>
     <name>PolicyText</name>
     <message>
-        <source>Shortest path, repeated</source>
-        <translation>Korteste vei, gjentatt</translation>
-    </message>
-    <message>
-        <source>Shortest round tour, repeated</source>
-        <translation>Korteste rundtur, gjentatt</translation>
-    </message>
-    <message>
-        <source>Nearest iceberg first</source>
-        <translation>Nærmeste isfjell først</translation>
-    </message>
-    <message>
-        <source>Most uncertain iceberg first</source>
-        <translation>Mest usikre isfjell først</translation>
-    </message>
-    <message>
-        <source>Best predicted coverage</source>
-        <translation>Best forventet dekning</translation>
-    </message>
-    <message>
-        <source>Least waiting time, weighted by uncertainty</source>
-        <translation>Kortest ventetid, vektet med usikkerheten</translation>
-    </message>
-    <message>
-        <source>Weighted visiting order, trade-off τ %1</source>
-        <translation>Vektet besøksrekkefølge, avveining τ %1</translation>
-    </message>
-    <message>
-        <source>τ %1</source>
-        <translation>τ %1</translation>
-    </message>
-    <message>
-        <source>Shortest path</source>
-        <translation>Korteste vei</translation>
-    </message>
-    <message>
-        <source>Nearest first</source>
-        <translation>Nærmeste først</translation>
-    </message>
-    <message>
-        <source>Most uncertain first</source>
-        <translation>Mest usikre først</translation>
-    </message>
-    <message>
-        <source>Least waiting</source>
-        <translation>Minst venting</translation>
-    </message>
-    <message>
-        <source>Best coverage</source>
-        <translation>Best dekning</translation>
-    </message>
-    <message>
-        <source>Least waiting time</source>
-        <translation>Kortest ventetid</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatisk</translation>
     </message>
@@ -6329,42 +6329,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>Round trip</source>
         <comment>route</comment>
-        <translation>Rundtur</translation>
-    </message>
-    <message>
-        <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
-        <translation>Veier det å se usikre isfjell tidlig mot veiens lengde, med τ.</translation>
-    </message>
-    <message>
-        <source>Flies the shortest path past all icebergs, then the next one.</source>
-        <translation>Flyr den korteste veien forbi alle isfjell, så den neste.</translation>
-    </message>
-    <message>
-        <source>Flies one shortest round tour again and again.</source>
-        <translation>Flyr én korteste rundtur om og om igjen.</translation>
-    </message>
-    <message>
-        <source>Flies to the nearest iceberg out of view.</source>
-        <translation>Flyr til det nærmeste isfjellet ute av syne.</translation>
-    </message>
-    <message>
-        <source>Flies to the most uncertain iceberg.</source>
-        <translation>Flyr til det mest usikre isfjellet.</translation>
-    </message>
-    <message>
-        <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
-        <translation>Holder ventetiden for alle isfjell kort, vektet med usikkerheten deres.</translation>
-    </message>
-    <message>
-        <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
-        <translation>Forutsier zeta for baner som passerer isfjell på avstand og ser flere på én gang.</translation>
-    </message>
-    <message>
-        <source>Weighted visiting order (published method)</source>
-        <translation>Vektet besøksrekkefølge (publisert metode)</translation>
-    </message>
-    <message>
-        <source>Round tour</source>
         <translation>Rundtur</translation>
     </message>
 </context>
@@ -6603,38 +6567,6 @@ Tilstøtende område %4</translation>
         <translation>Flygelogg: %1</translation>
     </message>
     <message>
-        <source>90 % of cases below</source>
-        <translation>90 % av tilfellene under</translation>
-    </message>
-    <message>
-        <source>median</source>
-        <translation>median</translation>
-    </message>
-    <message>
-        <source>mean, visitation</source>
-        <translation>middel, visitation</translation>
-    </message>
-    <message>
-        <source>Zeta against tau; the numbers are in the table of settings</source>
-        <translation>Zeta mot tau; tallene står i tabellen over innstillinger</translation>
-    </message>
-    <message>
-        <source>trade-off τ</source>
-        <translation>avveining τ</translation>
-    </message>
-    <message>
-        <source>Differences vs the reference; the numbers are in the table of differences</source>
-        <translation>Forskjeller mot referansen; tallene står i tabellen over forskjeller</translation>
-    </message>
-    <message>
-        <source>mean difference of ζ vs %1, %</source>
-        <translation>midlere forskjell i ζ mot %1, %</translation>
-    </message>
-    <message>
-        <source>%1 (reference)</source>
-        <translation>%1 (referanse)</translation>
-    </message>
-    <message>
         <source>Cases in which each tau is the best</source>
         <translation>Tilfeller der hver tau er best</translation>
     </message>
@@ -6761,10 +6693,6 @@ Tilstøtende område %4</translation>
     <message>
         <source>There is only one case, so there is no spread to show.</source>
         <translation>Det er bare ett tilfelle, så det er ingen spredning å vise.</translation>
-    </message>
-    <message>
-        <source>The line is the mean over the cases (%1); the bands contain the middle half and 80 % of them. Horizontal lines are the means of policies without τ.</source>
-        <translation>Linjen er gjennomsnittet over tilfellene (%1); båndene inneholder den midterste halvdelen og 80 % av dem. Vannrette linjer er gjennomsnittet for strategier uten τ.</translation>
     </message>
     <message>
         <source>Differences are taken case by case, with the same icebergs and the same noise; the bars are 95 % intervals of the mean (Student’s t). Values left of 0 are better than the reference.</source>
@@ -6927,34 +6855,6 @@ Tilstøtende område %4</translation>
         <translation>nb</translation>
     </message>
     <message>
-        <source>the order of Eq. (1) with the weight τ of Eq. (14), planned again at each iceberg</source>
-        <translation>rekkefølgen etter lign. (1) med vekten τ fra lign. (14), planlagt på nytt ved hvert isfjell</translation>
-    </message>
-    <message>
-        <source>the shortest path through all icebergs, flown to its end, then solved again</source>
-        <translation>den korteste veien gjennom alle isfjell, fløyet til slutten og så løst på nytt</translation>
-    </message>
-    <message>
-        <source>the shortest round tour, flown again and again</source>
-        <translation>den korteste rundturen, fløyet om og om igjen</translation>
-    </message>
-    <message>
-        <source>the nearest iceberg next</source>
-        <translation>det nærmeste isfjellet som neste</translation>
-    </message>
-    <message>
-        <source>the most uncertain iceberg next</source>
-        <translation>det mest usikre isfjellet som neste</translation>
-    </message>
-    <message>
-        <source>the order with the least waiting, weighted by uncertainty, planned again at each iceberg</source>
-        <translation>rekkefølgen med minst venting, vektet med usikkerhet, planlagt på nytt ved hvert isfjell</translation>
-    </message>
-    <message>
-        <source>legs with aim points that give the lowest predicted ζ, planned again at each sighting</source>
-        <translation>etapper med siktepunkter som gir lavest forutsagt ζ, planlagt på nytt ved hver observasjon</translation>
-    </message>
-    <message>
         <source>Longest unseen: from when an iceberg was known of, or seen, until it was seen again, left, was removed or the record ends.</source>
         <translation>Lengst usett: fra et isfjell ble kjent eller sett, til det ble sett igjen, forlot området, ble fjernet eller opptaket slutter.</translation>
     </message>
@@ -7033,6 +6933,182 @@ Tilstøtende område %4</translation>
     <message>
         <source>Zeta over time, in the end %1.</source>
         <translation>Zeta over tid, til slutt %1.</translation>
+    </message>
+    <message>
+        <source>Lowest: %1.</source>
+        <translation>Lavest: %1.</translation>
+    </message>
+    <message>
+        <source>Lowest: %1; of the values of τ: %2.</source>
+        <translation>Lavest: %1; blant verdiene av τ: %2.</translation>
+    </message>
+    <message>
+        <source>Band: quartiles. Dashed: median. Ring: reference.</source>
+        <translation>Bånd: kvartiler. Stiplet: median. Ring: referanse.</translation>
+    </message>
+    <message>
+        <source>Ring: reference.</source>
+        <translation>Ring: referanse.</translation>
+    </message>
+    <message>
+        <source>Mean ζ, %1</source>
+        <translation>Middel ζ, %1</translation>
+    </message>
+    <message>
+        <source>Zeta ζ, %1</source>
+        <translation>Zeta ζ, %1</translation>
+    </message>
+    <message>
+        <source>%1 vs %2</source>
+        <translation>%1 mot %2</translation>
+    </message>
+    <message>
+        <source>ζ %1 m² s</source>
+        <translation>ζ %1 m² s</translation>
+    </message>
+    <message>
+        <source>mean %1, median %2</source>
+        <translation>middel %1, median %2</translation>
+    </message>
+    <message>
+        <source>quartiles %1 to %2</source>
+        <translation>kvartiler %1 til %2</translation>
+    </message>
+    <message>
+        <source>stuck in %1 of %2 cases</source>
+        <translation>hengende i %1 av %2 tilfeller</translation>
+    </message>
+    <message>
+        <source>stuck: visits at most two icebergs in the second half</source>
+        <translation>hengende: besøker høyst to isfjell i andre halvdel</translation>
+    </message>
+    <message>
+        <source>Less ζ is better: to the left</source>
+        <translation>Mindre ζ er bedre: mot venstre</translation>
+    </message>
+    <message>
+        <source>Mean of the cases with its 95 % confidence interval</source>
+        <translation>Gjennomsnittet av tilfellene med 95 % konfidensintervall</translation>
+    </message>
+    <message>
+        <source>Difference of ζ vs %1, %</source>
+        <translation>Forskjell i ζ fra %1, %</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>referansen</translation>
+    </message>
+    <message>
+        <source>95 %: %1 to %2</source>
+        <translation>95 %: %1 til %2</translation>
+    </message>
+    <message>
+        <source>less in %1 of %2 cases</source>
+        <translation>mindre i %1 av %2 tilfeller</translation>
+    </message>
+    <message>
+        <source>worst %1</source>
+        <translation>verst %1</translation>
+    </message>
+    <message>
+        <source>Accumulated uncertainty ζ against the trade-off τ</source>
+        <translation>Akkumulert usikkerhet ζ mot avveiningen τ</translation>
+    </message>
+    <message>
+        <source>The line is the mean over the cases (%1), dashed their median; the band contains the middle half of them. Horizontal lines are the means of policies without τ.</source>
+        <translation>Linjen er gjennomsnittet over tilfellene (%1), stiplet er medianen; båndet inneholder den midterste halvdelen av dem. Vannrette linjer er gjennomsnittet for strategier uten τ.</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order (published method)</source>
+        <translation>Vektet besøksrekkefølge (publisert metode)</translation>
+    </message>
+    <message>
+        <source>τ %1</source>
+        <translation>τ %1</translation>
+    </message>
+    <message>
+        <source>Weighs seeing uncertain icebergs early against path length, by τ.</source>
+        <translation>Veier det å se usikre isfjell tidlig mot veiens lengde, med τ.</translation>
+    </message>
+    <message>
+        <source>Weighted visiting order, trade-off τ %1</source>
+        <translation>Vektet besøksrekkefølge, avveining τ %1</translation>
+    </message>
+    <message>
+        <source>Shortest path, repeated</source>
+        <translation>Korteste vei, gjentatt</translation>
+    </message>
+    <message>
+        <source>Shortest path</source>
+        <translation>Korteste vei</translation>
+    </message>
+    <message>
+        <source>Flies the shortest path past all icebergs, then the next one.</source>
+        <translation>Flyr den korteste veien forbi alle isfjell, så den neste.</translation>
+    </message>
+    <message>
+        <source>Shortest round tour, repeated</source>
+        <translation>Korteste rundtur, gjentatt</translation>
+    </message>
+    <message>
+        <source>Round tour</source>
+        <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>Flies one shortest round tour again and again.</source>
+        <translation>Flyr én korteste rundtur om og om igjen.</translation>
+    </message>
+    <message>
+        <source>Nearest iceberg first</source>
+        <translation>Nærmeste isfjell først</translation>
+    </message>
+    <message>
+        <source>Nearest first</source>
+        <translation>Nærmeste først</translation>
+    </message>
+    <message>
+        <source>Flies to the nearest iceberg out of view.</source>
+        <translation>Flyr til det nærmeste isfjellet ute av syne.</translation>
+    </message>
+    <message>
+        <source>Most uncertain iceberg first</source>
+        <translation>Mest usikre isfjell først</translation>
+    </message>
+    <message>
+        <source>Most uncertain first</source>
+        <translation>Mest usikre først</translation>
+    </message>
+    <message>
+        <source>Flies to the most uncertain iceberg.</source>
+        <translation>Flyr til det mest usikre isfjellet.</translation>
+    </message>
+    <message>
+        <source>Least waiting time</source>
+        <translation>Kortest ventetid</translation>
+    </message>
+    <message>
+        <source>Least waiting</source>
+        <translation>Minst venting</translation>
+    </message>
+    <message>
+        <source>Keeps the waiting time of all icebergs short, weighted by their uncertainty.</source>
+        <translation>Holder ventetiden for alle isfjell kort, vektet med usikkerheten deres.</translation>
+    </message>
+    <message>
+        <source>Least waiting time, weighted by uncertainty</source>
+        <translation>Kortest ventetid, vektet med usikkerheten</translation>
+    </message>
+    <message>
+        <source>Best predicted coverage</source>
+        <translation>Best forventet dekning</translation>
+    </message>
+    <message>
+        <source>Best coverage</source>
+        <translation>Best dekning</translation>
+    </message>
+    <message>
+        <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
+        <translation>Forutsier zeta for baner som passerer isfjell på avstand og ser flere på én gang.</translation>
     </message>
 </context>
 <context>
@@ -7767,6 +7843,18 @@ mot %2</translation>
         <source>Reset zoom</source>
         <translation>Tilbakestill zoom</translation>
     </message>
+    <message>
+        <source>Values of the lines</source>
+        <translation>Linjenes verdier</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linje</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Verdi</translation>
+    </message>
 </context>
 <context>
     <name>berg::CheckPanel</name>
@@ -8023,49 +8111,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>No-fly area</source>
         <translation>Flyforbudsområde</translation>
-    </message>
-</context>
-<context>
-    <name>berg::DifferenceChart</name>
-    <message>
-        <source>Differences vs the reference</source>
-        <translation>Forskjeller mot referansen</translation>
-    </message>
-    <message>
-        <source>This chart compares each setting with a reference, case by case.</source>
-        <translation>Dette diagrammet sammenligner hver innstilling med en referanse, tilfelle for tilfelle.</translation>
-    </message>
-    <message>
-        <source>Less ζ is better: to the left</source>
-        <translation>Mindre ζ er bedre: mot venstre</translation>
-    </message>
-    <message>
-        <source>Mean of the cases with its 95 % confidence interval</source>
-        <translation>Gjennomsnittet av tilfellene med 95 % konfidensintervall</translation>
-    </message>
-    <message>
-        <source>Difference of ζ vs %1, %</source>
-        <translation>Forskjell i ζ fra %1, %</translation>
-    </message>
-    <message>
-        <source>the reference</source>
-        <translation>referansen</translation>
-    </message>
-    <message>
-        <source>95 %: %1 to %2</source>
-        <translation>95 %: %1 til %2</translation>
-    </message>
-    <message>
-        <source>less in %1 of %2 cases</source>
-        <translation>mindre i %1 av %2 tilfeller</translation>
-    </message>
-    <message>
-        <source>worst %1</source>
-        <translation>verst %1</translation>
-    </message>
-    <message>
-        <source>%1 vs %2</source>
-        <translation>%1 mot %2</translation>
     </message>
 </context>
 <context>
@@ -9530,22 +9575,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
 <context>
     <name>berg::GenerateDialog</name>
     <message>
-        <source>There is no room for this many icebergs at this spacing. Choose fewer icebergs, a smaller spacing or a larger area.</source>
-        <translation>Det er ikke plass til så mange isfjell med denne avstanden. Velg færre isfjell, en mindre avstand eller et større område.</translation>
-    </message>
-    <message>
-        <source>The area is too thin to place icebergs in.</source>
-        <translation>Området er for smalt til å plassere isfjell i.</translation>
-    </message>
-    <message>
-        <source>The highest speed is below the lowest.</source>
-        <translation>Høyeste fart er lavere enn laveste.</translation>
-    </message>
-    <message>
-        <source>The largest uncertainty is below the smallest.</source>
-        <translation>Største usikkerhet er mindre enn minste.</translation>
-    </message>
-    <message>
         <source>Generate icebergs</source>
         <translation>Generer isfjell</translation>
     </message>
@@ -9582,14 +9611,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>S&amp;tørrelse</translation>
     </message>
     <message>
-        <source>Lowest speed</source>
-        <translation>Laveste fart</translation>
-    </message>
-    <message>
-        <source>Highest speed</source>
-        <translation>Høyeste fart</translation>
-    </message>
-    <message>
         <source>S&amp;peed</source>
         <translation>&amp;Fart</translation>
     </message>
@@ -9610,40 +9631,16 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>&amp;Drift</translation>
     </message>
     <message>
-        <source>Drift direction, clockwise from north</source>
-        <translation>Retningen på driften, med klokken fra nord</translation>
-    </message>
-    <message>
-        <source>Spread to either side</source>
-        <translation>Til hver side av den</translation>
-    </message>
-    <message>
         <source>D&amp;irection</source>
         <translation>&amp;Retning</translation>
-    </message>
-    <message>
-        <source>Smallest σ at the start</source>
-        <translation>Minste σ ved start</translation>
-    </message>
-    <message>
-        <source>Largest σ at the start</source>
-        <translation>Største σ ved start</translation>
     </message>
     <message>
         <source>&amp;Uncertainty σ</source>
         <translation>&amp;Usikkerhet σ</translation>
     </message>
     <message>
-        <source>Growth of σ</source>
-        <translation>Vekst i σ</translation>
-    </message>
-    <message>
         <source>&amp;Growth q</source>
         <translation>&amp;Vekst q</translation>
-    </message>
-    <message>
-        <source>Minimum distance between two icebergs</source>
-        <translation>Minste avstand mellom to isfjell</translation>
     </message>
     <message>
         <source>&amp;Minimum spacing</source>
@@ -9691,10 +9688,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>As fitted to a beacon: 0.15 m/s along each axis, in any direction. Icebergs are then measured in flight.</source>
         <translation>Som tilpasset en bøye: 0,15 m/s langs hver akse, i alle retninger. Isfjell måles da under flyging.</translation>
-    </message>
-    <message>
-        <source>A scenario holds at most %1 icebergs.</source>
-        <translation>Et scenario har høyst %1 isfjell.</translation>
     </message>
 </context>
 <context>
@@ -10161,10 +10154,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         </translation>
     </message>
     <message>
-        <source>An iceberg needs an id.</source>
-        <translation>Et isfjell må ha en id.</translation>
-    </message>
-    <message>
         <source>Change id</source>
         <translation>Endre id</translation>
     </message>
@@ -10193,20 +10182,12 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Identifiserer UAV-en i filer og lister; må være unik.</translation>
     </message>
     <message>
-        <source>A UAV needs an id.</source>
-        <translation>En UAV må ha en id.</translation>
-    </message>
-    <message>
         <source>No-fly area</source>
         <translation>Flyforbudsområde</translation>
     </message>
     <message>
         <source>UAV</source>
         <translation>UAV</translation>
-    </message>
-    <message>
-        <source>The id &quot;%1&quot; is taken. Each iceberg and UAV needs a unique id.</source>
-        <translation>Id-en «%1» er opptatt. Hvert isfjell og hver UAV trenger en unik id.</translation>
     </message>
 </context>
 <context>
@@ -10376,19 +10357,6 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
             <numerusform>%n isfjell og UAV-ene på sjøen. Piltastene flytter kartet eller utvalget, pluss og minus zoomer, F viser alt. Isfjelltabellen lister opp isfjellene.</numerusform>
             <numerusform>%n isfjell og UAV-ene på sjøen. Piltastene flytter kartet eller utvalget, pluss og minus zoomer, F viser alt. Isfjelltabellen lister opp isfjellene.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>not drifting</source>
-        <translation>driver ikke</translation>
-    </message>
-    <message>
-        <source>drifting %1 towards %2</source>
-        <translation>driver %1 mot %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3</source>
-        <comment>name, uncertainty, drift</comment>
-        <translation>%1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -12228,68 +12196,24 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
 <context>
     <name>berg::StudyChart</name>
     <message>
-        <source>Accumulated uncertainty ζ against the trade-off τ</source>
-        <translation>Akkumulert usikkerhet ζ mot avveiningen τ</translation>
-    </message>
-    <message>
         <source>Choose what to fly and press Start, or load a figure from the paper.</source>
         <translation>Velg hva som skal flys, og trykk Start, eller last en figur fra artikkelen.</translation>
     </message>
     <message>
-        <source>Trade-off τ</source>
-        <translation>Avveining τ</translation>
+        <source>This chart compares each setting with a reference, case by case.</source>
+        <translation>Dette diagrammet sammenligner hver innstilling med en referanse, tilfelle for tilfelle.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cases</source>
+        <translation>
+            <numerusform>%n tilfelle</numerusform>
+            <numerusform>%n tilfeller</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Lowest: %1.</source>
-        <translation>Lavest: %1.</translation>
-    </message>
-    <message>
-        <source>Lowest: %1; of the values of τ: %2.</source>
-        <translation>Lavest: %1; blant verdiene av τ: %2.</translation>
-    </message>
-    <message>
-        <source>Band: quartiles. Dashed: median. Ring: reference.</source>
-        <translation>Bånd: kvartiler. Stiplet: median. Ring: referanse.</translation>
-    </message>
-    <message>
-        <source>Ring: reference.</source>
-        <translation>Ring: referanse.</translation>
-    </message>
-    <message>
-        <source>Best τ of each case</source>
-        <translation>Beste τ i hvert tilfelle</translation>
-    </message>
-    <message>
-        <source>ζ %1 m² s</source>
-        <translation>ζ %1 m² s</translation>
-    </message>
-    <message>
-        <source>mean %1, median %2</source>
-        <translation>middel %1, median %2</translation>
-    </message>
-    <message>
-        <source>quartiles %1 to %2</source>
-        <translation>kvartiler %1 til %2</translation>
-    </message>
-    <message>
-        <source>stuck in %1 of %2 cases</source>
-        <translation>hengende i %1 av %2 tilfeller</translation>
-    </message>
-    <message>
-        <source>stuck: visits at most two icebergs in the second half</source>
-        <translation>hengende: besøker høyst to isfjell i andre halvdel</translation>
-    </message>
-    <message>
-        <source>%1 vs %2</source>
-        <translation>%1 mot %2</translation>
-    </message>
-    <message>
-        <source>Mean ζ, %1</source>
-        <translation>Middel ζ, %1</translation>
-    </message>
-    <message>
-        <source>Zeta ζ, %1</source>
-        <translation>Zeta ζ, %1</translation>
+        <source>%1: %2</source>
+        <comment>name of a study, how many cases</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -12325,21 +12249,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Study: %1</source>
         <translation>Studie: %1</translation>
-    </message>
-</context>
-<context>
-    <name>berg::StudyFigure</name>
-    <message numerus="yes">
-        <source>%n cases</source>
-        <translation>
-            <numerusform>%n tilfelle</numerusform>
-            <numerusform>%n tilfeller</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>name of a study, how many cases</comment>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -12948,10 +12857,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Move asset</source>
         <translation>Flytt objektet</translation>
-    </message>
-    <message>
-        <source>The scenario is locked in flight. Stop the flight to change it.</source>
-        <translation>Scenarioet er låst under flyging. Stopp flygingen for å endre det.</translation>
     </message>
 </context>
 </TS>
