@@ -112,7 +112,6 @@ FileAirspace describedBy(const Json* properties)
 void addFeature(const Json& feature, std::size_t number, AirspaceTable& table, ReadBudget& budget)
 {
     const Json* properties = memberOf(&feature, "properties");
-    const Json* geometry = memberOf(&feature, "geometry");
     FileAirspace area = describedBy(properties);
     area.line = number;
     const bool isClear = !lacksUnit(properties, "floor_m", kFloors) &&
@@ -120,7 +119,7 @@ void addFeature(const Json& feature, std::size_t number, AirspaceTable& table, R
     const auto reject = [&](IssueId fault) {
         table.rejected.add({.line = number, .fault = fault, .detail = cleanText(area.name, 60)});
     };
-    const GeometryParts parts = geometryParts(geometry);
+    const GeometryParts parts = geometryParts(memberOf(&feature, "geometry"));
     for (const Json* polygon : parts.polygons) {
         const Json& rings = listOf(*polygon);
         std::optional<std::vector<LatLon>> ring =
@@ -133,7 +132,7 @@ void addFeature(const Json& feature, std::size_t number, AirspaceTable& table, R
         table.areas.push_back(area);
         table.areas.back().rings.push_back(std::move(*ring));
     }
-    if (parts.broken > 0 && textOf(memberOf(geometry, "type")).ends_with("Polygon"))
+    for (std::size_t i = 0; i < parts.brokenAreas; ++i)
         reject(IssueId::AirspaceUnreadable);
 }
 

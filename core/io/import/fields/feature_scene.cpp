@@ -77,6 +77,20 @@ void addAsset(FileScene& scene, const SceneFeature& feature)
     scene.addAsset(std::move(asset));
 }
 
+bool isVolumePart(std::string_view kind)
+{
+    return std::ranges::find(kVolumePartIds, kind) != kVolumePartIds.end();
+}
+
+/** Returns true for the kinds that `mapFeatures` writes. */
+bool isExportedKind(std::string_view kind)
+{
+    constexpr std::array<std::string_view, 12> kKinds{"iceberg",   "uav",      "home",  "visit",
+                                                      "plan",      "path",     "track", "no-fly",
+                                                      "stand-off", "airspace", "area",  "asset"};
+    return std::ranges::find(kKinds, kind) != kKinds.end() || isVolumePart(kind);
+}
+
 } // namespace
 
 const std::string& valueOf(const FeatureData& data, std::string_view name)
@@ -98,13 +112,17 @@ bool isVectorPart(std::string_view name)
 
 bool isOwnExport(std::string_view text)
 {
-    return text.find("airspeed_mps") != std::string_view::npos; // every export describes its UAVs
+    // Every export describes its UAVs.
+    constexpr std::array<std::string_view, 3> kNames{"heading_deg", "airspeed_mps", "altitude_m"};
+    return std::ranges::all_of(kNames, [text](std::string_view name) {
+        return text.find(name) != std::string_view::npos;
+    });
 }
 
 std::string featureKind(const FeatureData& data, std::string_view mark)
 {
     if (const std::string& kind = valueOf(data, "kind"); !kind.empty())
-        return kind;
+        return isExportedKind(kind) ? kind : std::string();
     if (mark.starts_with('#'))
         mark.remove_prefix(1);
     if (mark.starts_with("uav-")) // style of a home, of visits and of paths
@@ -114,8 +132,7 @@ std::string featureKind(const FeatureData& data, std::string_view mark)
                                                      "home"};
     if (std::ranges::find(kKinds, word) != kKinds.end())
         return std::string(word);
-    const bool isOther = word == "uav" || word == "airspace" ||
-                         std::ranges::find(kVolumePartIds, word) != kVolumePartIds.end();
+    const bool isOther = word == "uav" || word == "airspace" || isVolumePart(word);
     return isOther ? "path" : "";
 }
 

@@ -31,7 +31,7 @@ using FeatureData = std::map<std::string, std::string, std::less<>>;
 [[nodiscard]] bool isOwnExport(std::string_view text);
 /**
  * Returns the kind of a feature of a Bergwatch export: its property, or in files of older versions
- * that of `mark` (its style, type or id); empty for features of others.
+ * that of `mark` (its style, type or id); empty for features of others, whose kind is unknown here.
  */
 [[nodiscard]] std::string featureKind(const FeatureData& data, std::string_view mark);
 

@@ -78,15 +78,18 @@ void addParts(const Json* geometry, GeometryParts& parts)
                                            : kind == "Polygon"    ? &parts.polygons
                                            : kind == "LineString" ? &parts.lines
                                                                   : nullptr;
-    if (coordinates == nullptr)
+    if (coordinates == nullptr) {
         ++parts.broken;
-    else if (list == nullptr)
+        if (kind == "Polygon")
+            ++parts.brokenAreas;
+    } else if (list == nullptr) {
         parts.other = type.empty() ? "?" : type;
-    else if (!isMulti)
+    } else if (!isMulti) {
         list->push_back(coordinates);
-    else
+    } else {
         for (const Json& one : *coordinates)
             list->push_back(&one);
+    }
 }
 
 /** Whether a line of a text is a complete object, so that another may follow it. */

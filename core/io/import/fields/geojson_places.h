@@ -46,6 +46,7 @@ struct GeometryParts
     std::vector<const Json*> polygons; ///< lists of rings
     std::vector<const Json*> lines;    ///< lists of positions
     std::size_t broken = 0;            ///< number of geometries without coordinates
+    std::size_t brokenAreas = 0;       ///< those of them that should be polygons
     std::string other; ///< type of a geometry of another kind; empty if there is none
 };
 /** Splits a geometry into its parts; null is a broken one. */

@@ -23,7 +23,8 @@ void FeatureSightings::begin(std::size_t line)
 void FeatureSightings::setProperty(const std::string& name, const std::string& text)
 {
     setData(name, text);
-    if (isVectorPart(name))
+    const bool isDrift = name == "drift_east_mps" || name == "drift_north_mps";
+    if (isDrift || (m_isOwn && isVectorPart(name)))
         return;
     const std::optional<FieldUse> use = m_names.of(name);
     const bool isPlace =

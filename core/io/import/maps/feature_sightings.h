@@ -37,6 +37,8 @@ public:
     /** Begins a document of the file, which may be a Bergwatch export. */
     void beginText(std::string_view text) { m_isOwn = isOwnExport(text); }
     [[nodiscard]] bool isOwn() const { return m_isOwn; }
+    /** Records that another program wrote the document, although it looks like an export. */
+    void setForeign() { m_isOwn = false; }
 
     /** Begins a feature without properties. */
     void begin(std::size_t line);

@@ -33,6 +33,8 @@ private:
 
     void opened(const XmlElement& element)
     {
+        if (element.name == "gpx" && element.attribute("creator") != "Bergwatch")
+            m_found.setForeign();
         if (element.name == "trk") {
             m_track.clear();
             m_first = m_found.table().sightings.size();

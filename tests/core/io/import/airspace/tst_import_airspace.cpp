@@ -282,6 +282,19 @@ private slots:
                 1e-9);
     }
 
+    void polygonsWithoutCoordinatesAreRejected()
+    {
+        std::string text = "{'type': 'Feature', 'properties': {'name': 'R'}, 'geometry': "
+                           "{'type': 'GeometryCollection', 'geometries': [{'type': 'Polygon'}, "
+                           "{'type': 'Point'}, {'type': 'Polygon', 'coordinates': [[[-48, 47], "
+                           "[-47.9, 47], [-47.9, 47.1], [-48, 47.1], [-48, 47]]]}]}}";
+        std::ranges::replace(text, '\'', '"'); // moc misparses raw strings with quotes
+        const AirspaceResult result = readAirspace(text);
+        QCOMPARE(result.added, std::size_t{1});
+        QCOMPARE(result.rejected.count, std::size_t{1});
+        QVERIFY(result.rejected.first[0].fault == IssueId::AirspaceUnreadable);
+    }
+
     /** A Bergwatch export gives back its airspace and nothing else. */
     void airspaceOfAnExportIsReadBack()
     {

@@ -249,6 +249,30 @@ private slots:
             }
     }
 
+    /** Nothing of an export but its icebergs becomes an iceberg, whatever its kind. */
+    void everyKindIsRecognised()
+    {
+        Scenario scenario = twoUavsAndAsset();
+        scenario.asset->standoff_m = 450;
+        scenario.asset->position_m += Point(0, 20000); // away from the UAVs
+        const std::vector<Point> corners_m{{9000, 0}, {9900, 0}, {9900, 800}};
+        scenario.noFly = {{.corners_m = corners_m}};
+        scenario.airspace = {{.name = "R", .corners_m = corners_m}};
+        scenario.operation = Operation{};
+        const Plan plan = planFromStart(scenario);
+        const Mission mission = flown(scenario, 100);
+        for (const ExportContent& content :
+             {planContent(scenario, plan), planContent(scenario, plan, {.what = ExportScope::Path}),
+              runContent(mission, {.what = ExportScope::Track})})
+            for (const std::string& text :
+                 {geoJson(content), kmlText(content), czmlText(content), gpxText(content)}) {
+                const SightingTable table = readSightings(text, "export");
+                QCOMPARE(static_cast<std::ptrdiff_t>(table.sightings.size()),
+                         std::ranges::count_if(content.icebergs, &ExportIceberg::isListed));
+                QCOMPARE(table.rejected.count, std::size_t{0});
+            }
+    }
+
     /** The asset moves on to the chosen start. */
     void assetMovesToTheStart()
     {

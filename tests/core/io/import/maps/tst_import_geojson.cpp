@@ -407,6 +407,38 @@ private slots:
                 std::string::npos);
     }
 
+    /** Names and kinds of a Bergwatch export may occur in files of others. */
+    void filesOfOthersKeepTheirIcebergs_data()
+    {
+        QTest::addColumn<QByteArray>("properties");
+        QTest::newRow("word in a remark")
+            << QByteArray(R"("remark": "seen from UAV, airspeed_mps 20")");
+        QTest::newRow("airspeed") << QByteArray(R"("airspeed_mps": 20, "kind": "track")");
+        QTest::newRow("all that a UAV has")
+            << QByteArray(R"("heading_deg": 10, "airspeed_mps": 20, "altitude_m": 90)");
+    }
+
+    void filesOfOthersKeepTheirIcebergs()
+    {
+        QFETCH(QByteArray, properties);
+        const std::string first = feature(R"("A")", properties.toStdString(), point(-50, 60));
+        const SightingTable table = readText(
+            collection(first + ',' + feature(R"("B")", R"("kind": "growler")", point(-50.1, 60))));
+        QCOMPARE(idsOf(table), std::string("A,B"));
+        QCOMPARE(table.rejected.count, std::size_t{0});
+        QVERIFY(table.scene.uavs.empty());
+    }
+
+    /** Only the drift of a Bergwatch export has two components. */
+    void componentsOfOthersCanBeMapped()
+    {
+        const std::string text =
+            collection(feature(R"("A")", R"("speed_east_mps": 0.3)", point(-50, 60)));
+        const SightingTable table =
+            readText(text, {.mapping = {{SightingField::Speed, "speed_east_mps"}}});
+        QCOMPARE(table.sightings.at(0).speed_mps, std::optional(0.3));
+    }
+
     /** Comparing each part with each other one would take minutes. */
     void manyPartsAtTheAntimeridianAreFast()
     {

@@ -425,6 +425,28 @@ private slots:
         QCOMPARE(table.sightings.back().id, std::string("T 30000"));
     }
 
+    /** Loggers have extensions of their own, and only Bergwatch's tracks are those of UAVs. */
+    void tracksOfLoggersAreIcebergs_data()
+    {
+        QTest::addColumn<QString>("extensions");
+        QTest::newRow("airspeed") << u"<x:airspeed_mps>20</x:airspeed_mps>"_s;
+        QTest::newRow("all that a UAV has")
+            << u"<x:heading_deg>10</x:heading_deg><x:airspeed_mps>20</x:airspeed_mps>"
+               "<x:altitude_m>90</x:altitude_m>"_s;
+    }
+
+    void tracksOfLoggersAreIcebergs()
+    {
+        QFETCH(QString, extensions);
+        const QString text =
+            u"<gpx creator='BeaconLogger' xmlns:x='urn:x'><trk><name>A68</name><extensions>%1"
+            "</extensions><trkseg><trkpt lat='60' lon='-50'><time>2026-05-01T00:00:00Z</time>"
+            "</trkpt><trkpt lat='60.01' lon='-50'><time>2026-05-01T06:00:00Z</time></trkpt>"
+            "</trkseg></trk></gpx>"_s;
+        QCOMPARE(QString::fromStdString(idsOf(readText(text.arg(extensions).toStdString()))),
+                 u"A68,A68"_s);
+    }
+
     void waypointsOfOneNameAreSeparated()
     {
         const SightingTable table =

@@ -12,7 +12,9 @@ using namespace berg::test;
 namespace {
 
 /** Returns GeoJSON of a Bergwatch export: a UAV, an iceberg and this text. */
-std::string own(const std::string& features, const std::string& numbers = R"("airspeed_mps": 20)")
+std::string
+own(const std::string& features,
+    const std::string& numbers = R"("heading_deg": 90, "airspeed_mps": 20, "altitude_m": 120)")
 {
     return R"({"type": "FeatureCollection", "features": [
         {"type": "Feature", "properties": {"kind": "uav", "id": "u", )" +
