@@ -161,6 +161,7 @@ void AircraftController::rehearse(bool isOn)
         options.uav = uav.spec;
         options.home = frame.toGeographic(uav.home_m.value_or(uav.position_m));
         options.wind_mps = scenario.wind_mps;
+        options.loiterRadius_m = uav.aircraft.loiterRadius_m.value_or(0);
         options.start = frame.toGeographic(uav.position_m);
         options.heading_deg = uav.heading_deg - degFromRad(northAngle_rad(frame, uav.position_m));
     }

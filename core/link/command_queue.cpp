@@ -1,6 +1,7 @@
 #include "core/link/command_queue.h"
 
 #include "core/base/error.h"
+#include "core/link/autopilot_modes.h"
 
 #include <algorithm>
 #include <string>
@@ -18,15 +19,16 @@ constexpr std::int64_t kResultInProgress = 5;
 /** Returns true for modes that neither take off nor land: automatic, circling, home, guided. */
 bool isHarmlessMode(const LinkCommand& command, AutopilotKind kind)
 {
-    // Main mode 4 is automatic; sub-mode 3 hold, 4 mission, 5 return.
-    if (kind == AutopilotKind::Px4) {
-        const std::array<double, 3> subs{3, 4, 5};
-        return command.params[1] == 4 &&
-               std::find(subs.begin(), subs.end(), command.params[2]) != subs.end();
-    }
-    const std::array<double, 4> modes{10, 11, 12, 15}; // AUTO, RTL, LOITER, GUIDED
-    return kind == AutopilotKind::ArduPilot &&
-           std::find(modes.begin(), modes.end(), command.params[1]) != modes.end();
+    if (kind == AutopilotKind::Other)
+        return false;
+    const AutopilotModes modes = autopilotModes(kind);
+    const std::array<std::uint32_t, 4> harmless{modes.mission, modes.home, modes.hold,
+                                                modes.guided};
+    return std::any_of(harmless.begin(), harmless.end(), [&](std::uint32_t mode) {
+        return kind == AutopilotKind::Px4
+                   ? command.params[1] == (mode >> 16U & 0xFFU) && command.params[2] == mode >> 24U
+                   : command.params[1] == mode;
+    });
 }
 
 LinkMessage commandMessage(const LinkCommand& command, LinkAddress vehicle, int confirmation)

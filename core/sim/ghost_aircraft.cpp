@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/error.h"
+#include "core/link/autopilot_modes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,11 +42,14 @@ GhostAircraft::GhostAircraft(const LastContact& last)
     : m_flight(*m_link, optionsOf(last)), m_now_s(last.vehicle.state.position->received_s)
 {
     const AircraftState& state = last.vehicle.state;
-    const int home = last.vehicle.autopilot != AutopilotKind::Px4 ? 1 : 0; // ArduPilot's item 0
+    const AutopilotKind kind = last.vehicle.autopilot;
+    const int home = kind == AutopilotKind::ArduPilot ? 1 : 0; // its item 0
     m_flight.load(MissionType::Mission, last.onBoard);
     m_flight.setProgress(state.position->altitude_m,
                          state.mission ? state.mission->item - home : 0);
     m_flight.setMode(last.vehicle.mode);
+    if (last.onBoard.empty() && last.vehicle.mode == autopilotModes(kind).mission)
+        m_flight.flyStraightOn(); // the end of an empty mission would lead it home
     m_flight.advance(timeOf(m_now_s));
 }
 

@@ -13,7 +13,7 @@ namespace berg {
 struct LastContact
 {
     LinkVehicle vehicle;                  ///< its position must be known
-    std::vector<LinkMissionItem> onBoard; ///< mission as read back, without home; may be empty
+    std::vector<LinkMissionItem> onBoard; ///< mission as read back, without home; empty: unknown
     UavSpec uav;
     Point wind_mps = Point::Zero(); ///< wind over ground, east and north
 };
@@ -27,7 +27,8 @@ struct ExpectedContact
 
 /**
  * The aircraft where it should be now: it flies on from the last contact along the mission on
- * board, or in the mode in which it was. Used by one thread.
+ * board, or in the mode in which it was. If it flies a mission that is unknown, it flies straight
+ * on. Used by one thread.
  */
 class GhostAircraft
 {

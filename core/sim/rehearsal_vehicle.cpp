@@ -1,6 +1,7 @@
 #include "core/sim/rehearsal_vehicle.h"
 
 #include "core/base/angles.h"
+#include "core/link/autopilot_modes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,32 +15,24 @@ constexpr double kStep_s = 0.1;
 constexpr double kClimb_mps = 3;
 /** Per radian of course error, as in the paper's autopilot. */
 constexpr double kTurnGain_radps = 1;
-constexpr double kReach_m = 50;      ///< Acceptance radius of a waypoint without one.
-constexpr double kCircleRadii = 1.2; ///< Radius of the smallest circle, in turn radii.
 
 bool isCircle(std::uint16_t command)
 {
     return command >= LinkCommandId::kLoiterUnlimited && command <= LinkCommandId::kLoiterTime;
 }
 
-/** The modes that a rehearsal flies by itself, as custom_mode of HEARTBEAT. */
-struct RehearsedModes
+/** Returns the number, or the vehicle's own value in place of NaN, as MAVLink defines it. */
+double orOwn(double number, double own)
 {
-    std::uint32_t mission;
-    std::uint32_t home;
-    std::uint32_t hold;
-    std::uint32_t guided;
-};
-
-RehearsedModes modesOf(AutopilotKind kind)
-{
-    if (kind == AutopilotKind::Px4) // in PX4 guided flight is a hold at another place
-        return {
-            .mission = 0x04040000, .home = 0x05040000, .hold = 0x03040000, .guided = 0x03040000};
-    return {.mission = 10, .home = 11, .hold = 12, .guided = 15};
+    return std::isfinite(number) ? number : own;
 }
 
 } // namespace
+
+double smallestCircle_m(const UavSpec& uav)
+{
+    return 1.2 * turnRadius_m(uav);
+}
 
 RehearsalVehicle::RehearsalVehicle(ByteLink& link, RehearsalOptions options)
     : m_options(std::move(options))
@@ -53,7 +46,7 @@ RehearsalVehicle::RehearsalVehicle(ByteLink& link, RehearsalOptions options)
     m_readings.homeAltitude_m = m_options.homeAltitude_m;
     m_readings.isArmed = true;
     m_readings.isFlying = true;
-    m_readings.mode = modesOf(m_options.side.autopilot).hold;
+    m_readings.mode = autopilotModes(m_options.side.autopilot).hold;
     m_motion.psi_rad = psiFromHeading(m_options.heading_deg);
     if (m_options.start)
         m_motion.position_m = m_frame.toPlane(*m_options.start);
@@ -62,7 +55,7 @@ RehearsalVehicle::RehearsalVehicle(ByteLink& link, RehearsalOptions options)
 
 void RehearsalVehicle::setMode(std::uint32_t mode)
 {
-    const RehearsedModes modes = modesOf(m_options.side.autopilot);
+    const AutopilotModes modes = autopilotModes(m_options.side.autopilot);
     m_readings.mode = mode;
     m_centre_m = m_motion.position_m;
     m_radius_m = 0;
@@ -74,7 +67,7 @@ void RehearsalVehicle::setMode(std::uint32_t mode)
 
 void RehearsalVehicle::flyMission()
 {
-    setMode(modesOf(m_options.side.autopilot).mission);
+    setMode(autopilotModes(m_options.side.autopilot).mission);
 }
 
 void RehearsalVehicle::setProgress(double altitude_m, int item)
@@ -86,7 +79,7 @@ void RehearsalVehicle::setProgress(double altitude_m, int item)
 
 void RehearsalVehicle::execute(const VehicleOrder& order)
 {
-    const RehearsedModes modes = modesOf(m_options.side.autopilot);
+    const AutopilotModes modes = autopilotModes(m_options.side.autopilot);
     switch (order.kind) {
     case VehicleOrder::Kind::SetMode:
         setMode(order.mode);
@@ -99,10 +92,8 @@ void RehearsalVehicle::execute(const VehicleOrder& order)
         if (m_readings.mode != modes.guided)
             setMode(modes.guided);
         m_centre_m = m_frame.toPlane(order.place);
-        m_radius_m = std::abs(order.radius_m);
-        m_targetAltitude_m = order.frame == ItemFrame::AboveHome
-                                 ? m_options.homeAltitude_m + order.altitude_m
-                                 : order.altitude_m;
+        m_radius_m = std::abs(orOwn(order.radius_m, 0));
+        m_targetAltitude_m = altitudeIn(static_cast<std::uint8_t>(order.frame), order.altitude_m);
         return;
     case VehicleOrder::Kind::ChangeSpeed:
         m_airspeed_mps = std::clamp(order.speed_mps, 0.7 * m_options.uav.airspeed_mps,
@@ -183,7 +174,7 @@ std::optional<LinkMissionItem> RehearsalVehicle::itemToFly()
 
 void RehearsalVehicle::endMission()
 {
-    const RehearsedModes modes = modesOf(m_options.side.autopilot);
+    const AutopilotModes modes = autopilotModes(m_options.side.autopilot);
     const bool isReturn =
         m_item < m_items.size() && m_items[m_item].command == LinkCommandId::kReturnToLaunch;
     const bool isArduPilot = m_options.side.autopilot != AutopilotKind::Px4;
@@ -194,21 +185,29 @@ void RehearsalVehicle::endMission()
 
 Point RehearsalVehicle::placeOf(const LinkMissionItem& item) const
 {
-    if (item.x == 0 && item.y == 0) // "here", for a circle or take-off without a place
+    const LatLon place{.latitude_deg = item.x / 1e7, .longitude_deg = item.y / 1e7};
+    const bool isNowhere = item.x == 0 && item.y == 0; // a circle or take-off without a place
+    if (isNowhere || std::abs(place.latitude_deg) > 90 || std::abs(place.longitude_deg) > 180)
         return m_motion.position_m;
-    return m_frame.toPlane({.latitude_deg = item.x / 1e7, .longitude_deg = item.y / 1e7});
+    return m_frame.toPlane(place);
 }
 
-double RehearsalVehicle::altitudeOf(const LinkMissionItem& item) const
+double RehearsalVehicle::altitudeIn(std::uint8_t frame, double altitude_m) const
 {
-    const bool isAbsolute = item.frame == 0 || item.frame == 5;
-    return static_cast<double>(item.z) + (isAbsolute ? 0 : m_options.homeAltitude_m);
+    const bool isAbsolute = frame == 0 || frame == 5;
+    return orOwn(altitude_m + (isAbsolute ? 0 : m_options.homeAltitude_m), m_targetAltitude_m);
+}
+
+double RehearsalVehicle::flownRadius_m(double radius_m) const
+{
+    return std::max(radius_m > 0 ? radius_m : m_options.loiterRadius_m,
+                    smallestCircle_m(m_options.uav));
 }
 
 double RehearsalVehicle::turnRateFor(const LinkMissionItem& item, double dt_s)
 {
     const Point target_m = placeOf(item);
-    m_targetAltitude_m = altitudeOf(item);
+    m_targetAltitude_m = altitudeIn(item.frame, static_cast<double>(item.z));
     const bool isLevel = std::abs(m_altitude_m - m_targetAltitude_m) < 1;
     if (item.command == LinkCommandId::kTakeOff) { // it is already in the air
         if (isLevel)
@@ -221,26 +220,26 @@ double RehearsalVehicle::turnRateFor(const LinkMissionItem& item, double dt_s)
         return turnRateToPoint(target_m);
     }
     const bool isToAltitude = item.command == LinkCommandId::kLoiterToAltitude;
-    const double radius_m = std::abs(static_cast<double>(item.params[isToAltitude ? 1 : 2]));
-    const double flown_m = std::max(radius_m, kCircleRadii * turnRadius_m(m_options.uav));
+    const auto given_m = static_cast<double>(item.params[isToAltitude ? 1 : 2]);
+    const double flown_m = flownRadius_m(std::abs(orOwn(given_m, 0)));
     if ((target_m - m_motion.position_m).norm() < 1.5 * flown_m)
         m_itemFlown_s += dt_s;
-    const double wanted = static_cast<double>(item.params[0]);
+    const double wanted = orOwn(static_cast<double>(item.params[0]), 0);
     const double turn_s = 2 * kPi * flown_m / m_airspeed_mps;
-    const bool isDone =
+    const bool isOver =
         (item.command == LinkCommandId::kLoiterTurns && m_itemFlown_s >= wanted * turn_s) ||
         (item.command == LinkCommandId::kLoiterTime && m_itemFlown_s >= wanted) ||
-        (isToAltitude && isLevel && m_itemFlown_s > 0);
-    if (isDone)
+        (isToAltitude && isLevel);
+    if (isOver && m_itemFlown_s > 0)
         reachItem();
-    return turnRateRound(target_m, radius_m);
+    return turnRateRound(target_m, flown_m);
 }
 
 bool RehearsalVehicle::isReached(const LinkMissionItem& item, const Point& target_m) const
 {
     const Point path_m = target_m - m_motion.position_m;
     const double named_m = static_cast<double>(item.params[1]);
-    if (path_m.norm() <= (named_m > 0 ? named_m : kReach_m))
+    if (path_m.norm() <= (named_m > 0 ? named_m : kRehearsalReach_m))
         return true;
     // A waypoint inside the turning circle counts as passed, since the aircraft could circle it for
     // ever.
@@ -273,7 +272,7 @@ double RehearsalVehicle::turnRateToPoint(const Point& target_m) const
 
 double RehearsalVehicle::turnRateRound(const Point& centre_m, double radius_m) const
 {
-    const double flown_m = std::max(radius_m, kCircleRadii * turnRadius_m(m_options.uav));
+    const double flown_m = flownRadius_m(radius_m);
     const Point out_m = m_motion.position_m - centre_m;
     const double out_rad = std::atan2(out_m.y(), out_m.x());
     // The course is clockwise along the circle, and straight to the centre far outside it.

@@ -11,6 +11,11 @@
 
 namespace berg {
 
+/** Distance at which a rehearsal vehicle has reached a waypoint without an acceptance radius. */
+inline constexpr double kRehearsalReach_m = 50;
+/** Returns the radius of the smallest circle that a rehearsal vehicle flies, m. */
+[[nodiscard]] double smallestCircle_m(const UavSpec& uav);
+
 /** The aircraft of a rehearsal and the world in which it flies. */
 struct RehearsalOptions
 {
@@ -22,6 +27,8 @@ struct RehearsalOptions
     std::optional<LatLon> start;    ///< Nullopt means home.
     double heading_deg = 90;        ///< At the start, clockwise from north.
     double speed = 1;               ///< Seconds of flight in each second of the link.
+    /** Radius of circles that are given without one; `smallestCircle_m` if it is smaller. */
+    double loiterRadius_m = 0;
 };
 
 /**
@@ -29,8 +36,9 @@ struct RehearsalOptions
  * and upload missions. It starts in the air, circling home. It flies the mission on board
  * (waypoints, circles, jumps, speeds, return) with the Dubins model, and follows mode changes and
  * guided targets. After the last item it flies home as ArduPilot or circles as PX4. In any other
- * mode the pilot is taken to be in control, and it flies straight on. Used by one thread; the
- * caller supplies the time.
+ * mode the pilot is taken to be in control, and it flies straight on. NaN in an item or a command
+ * means its own value, as MAVLink defines it: the altitude stays, and a circle has the radius of
+ * the options. Used by one thread; the caller supplies the time.
  */
 class RehearsalVehicle
 {
@@ -51,6 +59,8 @@ public:
      * Switches the mode as the pilot's transmitter does; `mode` is the custom_mode of HEARTBEAT.
      */
     void setMode(std::uint32_t mode);
+    /** Flies straight on until the next change of the mode or of a guided target. */
+    void flyStraightOn() { m_flight = Flight::Pilot; }
     /** Sets altitude above mean sea level and present item, from 0 and without home. */
     void setProgress(double altitude_m, int item);
     /**
@@ -84,7 +94,10 @@ private:
     void reachItem();
     void endMission();
     [[nodiscard]] Point placeOf(const LinkMissionItem& item) const;
-    [[nodiscard]] double altitudeOf(const LinkMissionItem& item) const;
+    /** Returns an altitude above mean sea level; `frame` is a MAV_FRAME, above home if not sea. */
+    [[nodiscard]] double altitudeIn(std::uint8_t frame, double altitude_m) const;
+    /** Returns the radius of a circle for which `radius_m` is given; 0 means none. */
+    [[nodiscard]] double flownRadius_m(double radius_m) const;
     void updateReadings(double turnRate_radps, double climb_mps);
 
     RehearsalOptions m_options;
@@ -96,7 +109,7 @@ private:
     double m_targetAltitude_m; ///< Above mean sea level.
     Flight m_flight = Flight::Circle;
     Point m_centre_m = Point::Zero();
-    double m_radius_m = 0; ///< Radius of the circle; 0 selects the smallest comfortable one.
+    double m_radius_m = 0; ///< Radius of the circle; 0 selects that of the options.
     std::size_t m_item = 0;
     double m_itemFlown_s = 0;           ///< Time spent on the circle of the present item.
     std::map<std::size_t, int> m_jumps; ///< Number of times each jump was taken, by item.

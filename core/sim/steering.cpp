@@ -1,5 +1,7 @@
 #include "core/sim/steering.h"
 
+#include "core/link/autopilot_modes.h"
+
 #include <array>
 #include <cmath>
 
@@ -7,10 +9,8 @@ namespace berg {
 
 namespace {
 
-constexpr std::uint32_t kPx4Mission = 0x04040000;
-constexpr std::uint32_t kPx4Hold = 0x03040000;
-constexpr std::uint32_t kPlaneAuto = 10;
-constexpr std::uint32_t kPlaneGuided = 15;
+constexpr AutopilotModes kPlane = autopilotModes(AutopilotKind::ArduPilot);
+constexpr AutopilotModes kPx4 = autopilotModes(AutopilotKind::Px4);
 
 struct NamedMode
 {
@@ -19,11 +19,28 @@ struct NamedMode
 };
 
 constexpr std::array<NamedMode, 22> kPlaneModes{{
-    {0, "MANUAL"},      {1, "CIRCLE"},    {2, "STABILIZE"}, {3, "TRAINING"}, {4, "ACRO"},
-    {5, "FBWA"},        {6, "FBWB"},      {7, "CRUISE"},    {8, "AUTOTUNE"}, {10, "AUTO"},
-    {11, "RTL"},        {12, "LOITER"},   {13, "TAKEOFF"},  {14, "AVOID"},   {15, "GUIDED"},
-    {17, "QSTABILIZE"}, {18, "QHOVER"},   {19, "QLOITER"},  {20, "QLAND"},   {21, "QRTL"},
-    {24, "THERMAL"},    {26, "AUTOLAND"},
+    {0, "MANUAL"},
+    {1, "CIRCLE"},
+    {2, "STABILIZE"},
+    {3, "TRAINING"},
+    {4, "ACRO"},
+    {5, "FBWA"},
+    {6, "FBWB"},
+    {7, "CRUISE"},
+    {8, "AUTOTUNE"},
+    {kPlane.mission, "AUTO"},
+    {kPlane.home, "RTL"},
+    {kPlane.hold, "LOITER"},
+    {13, "TAKEOFF"},
+    {14, "AVOID"},
+    {kPlane.guided, "GUIDED"},
+    {17, "QSTABILIZE"},
+    {18, "QHOVER"},
+    {19, "QLOITER"},
+    {20, "QLAND"},
+    {21, "QRTL"},
+    {24, "THERMAL"},
+    {26, "AUTOLAND"},
 }};
 
 /** Main mode in the third byte, sub-mode of automatic flight in the highest. */
@@ -36,9 +53,9 @@ constexpr std::array<NamedMode, 12> kPx4Modes{{
     {0x00070000, "Stabilized"},
     {0x01040000, "Ready"},
     {0x02040000, "Takeoff"},
-    {kPx4Hold, "Hold"},
-    {kPx4Mission, "Mission"},
-    {0x05040000, "Return"},
+    {kPx4.hold, "Hold"},
+    {kPx4.mission, "Mission"},
+    {kPx4.home, "Return"},
     {0x06040000, "Land"},
 }};
 
@@ -65,9 +82,8 @@ void Steering::setMode(std::uint32_t mode)
 
 std::uint32_t steeringMode(SteeringKind kind, AutopilotKind autopilot)
 {
-    if (autopilot == AutopilotKind::Px4) // it is guided in its hold mode
-        return kind == SteeringKind::Guided ? kPx4Hold : kPx4Mission;
-    return kind == SteeringKind::Guided ? kPlaneGuided : kPlaneAuto;
+    const AutopilotModes modes = autopilotModes(autopilot);
+    return kind == SteeringKind::Guided ? modes.guided : modes.mission;
 }
 
 std::string modeName(AutopilotKind autopilot, std::uint32_t mode)

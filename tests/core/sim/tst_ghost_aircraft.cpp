@@ -50,7 +50,66 @@ private slots:
         QCOMPARE(ghost.readings().item, 1);
     }
 
-    /** In a mode of the pilot it flies straight on; without items it cannot fly a mission. */
+    /** A link that only listens does not know the mission, but the aircraft flies it. */
+    void unknownMissionIsFlownStraightOn_data()
+    {
+        QTest::addColumn<AutopilotKind>("kind");
+        QTest::addColumn<std::uint32_t>("mode");
+        QTest::newRow("ArduPilot") << AutopilotKind::ArduPilot << 10U;
+        QTest::newRow("PX4") << AutopilotKind::Px4 << 0x04040000U;
+        QTest::newRow("other") << AutopilotKind::Other << 10U;
+    }
+
+    void unknownMissionIsFlownStraightOn()
+    {
+        QFETCH(AutopilotKind, kind);
+        QFETCH(std::uint32_t, mode);
+        LastContact last = lastContact(mode);
+        last.vehicle.autopilot = kind;
+        last.onBoard.clear();
+        GhostAircraft ghost(last);
+        ghost.advance(400);
+        QCOMPARE(ghost.readings().mode, mode);
+        QVERIFY(std::abs(greatCircle_m(ghost.readings().place, kStart) - 6000) < 30);
+    }
+
+    /** Only ArduPilot counts its home as item 0. */
+    void presentItemIsThatOfTheAutopilot_data()
+    {
+        QTest::addColumn<AutopilotKind>("kind");
+        QTest::addColumn<std::uint32_t>("mode");
+        QTest::addColumn<int>("item");
+        QTest::newRow("ArduPilot") << AutopilotKind::ArduPilot << 10U << 0;
+        QTest::newRow("PX4") << AutopilotKind::Px4 << 0x04040000U << 1;
+        QTest::newRow("other") << AutopilotKind::Other << 10U << 1;
+    }
+
+    void presentItemIsThatOfTheAutopilot()
+    {
+        QFETCH(AutopilotKind, kind);
+        QFETCH(std::uint32_t, mode);
+        QFETCH(int, item);
+        LastContact last = lastContact(mode); // MISSION_CURRENT says 1
+        last.vehicle.autopilot = kind;
+        GhostAircraft ghost(last);
+        ghost.advance(160);
+        QCOMPARE(ghost.readings().item, item);
+        QCOMPARE(ghost.readings().place.latitude_deg > 47, item == 0); // the second is south
+    }
+
+    /** Items of other ground stations have NaN where the vehicle decides. */
+    void itemsWithMissingValuesAreFlown()
+    {
+        LastContact last = lastContact(10);
+        last.onBoard[0].command = LinkCommandId::kLoiterUnlimited;
+        last.onBoard[0].params.fill(std::numeric_limits<float>::quiet_NaN());
+        GhostAircraft ghost(last);
+        ghost.advance(1000);
+        QVERIFY(std::abs(greatCircle_m(ghost.readings().place, kStart) - 10'000) < 300);
+        QCOMPARE(ghost.readings().altitude_m, 120.0);
+    }
+
+    /** In a mode of the pilot it flies straight on. */
     void otherModesFlyOnAsTheyWould()
     {
         GhostAircraft pilot(lastContact(5));

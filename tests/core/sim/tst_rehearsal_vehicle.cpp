@@ -182,7 +182,6 @@ private slots:
         QVERIFY(rehearsal.reached == std::vector<int>{3});
     }
 
-    /** The station sees the pilot's mode, and no item is flown in it. */
     /** At ten times the speed, 22 m/s for 5 s of the link are 1100 m. */
     void planOnBoardIsFlownFromTheStart()
     {
@@ -203,6 +202,106 @@ private slots:
         QCOMPARE(vehicle.side().missions().items(MissionType::Mission).size(), std::size_t{1});
     }
 
+    /** NaN means the vehicle's own value: its altitude, its circle, no time to wait. */
+    void valuesThatAreMissingAreTheVehiclesOwn_data()
+    {
+        constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+        QTest::addColumn<LinkMissionItem>("item");
+        QTest::addColumn<bool>("isDone");
+        const LinkMissionItem waypoint{
+            .params = {0, 30, 0, kNan}, .x = 470'000'000, .y = -479'950'000, .z = 120};
+        LinkMissionItem item = waypoint;
+        item.command = LinkCommandId::kLoiterUnlimited;
+        item.params[2] = kNan;
+        QTest::newRow("radius") << item << false;
+        item.command = LinkCommandId::kLoiterTime;
+        item.params[0] = kNan;
+        QTest::newRow("time") << item << true;
+        item.command = LinkCommandId::kLoiterTurns;
+        QTest::newRow("turns") << item << true;
+        item.command = LinkCommandId::kLoiterToAltitude;
+        item.params[1] = kNan;
+        QTest::newRow("radius of a climb") << item << true;
+        item = waypoint;
+        item.z = kNan;
+        QTest::newRow("altitude") << item << true;
+        item = waypoint;
+        item.params.fill(kNan);
+        QTest::newRow("acceptance radius") << item << true;
+        item = waypoint;
+        item.x = 2'000'000'000;
+        QTest::newRow("place that is none") << item << true; // it counts as the present one
+    }
+
+    void valuesThatAreMissingAreTheVehiclesOwn()
+    {
+        QFETCH(LinkMissionItem, item);
+        QFETCH(bool, isDone);
+        auto [station, aircraft] = MemoryLink::pair();
+        RehearsalVehicle vehicle(aircraft, {.home = kHome});
+        vehicle.load(MissionType::Mission, std::span(&item, 1));
+        vehicle.flyMission();
+        for (int i = 1; i <= 100; ++i)
+            vehicle.advance({.monotonic_s = static_cast<double>(i), .unix_us = 1'000'000 * i});
+        const VehicleReadings& readings = vehicle.readings();
+        QVERIFY(greatCircle_m(readings.place, kHome) < 1000); // not if it is NaN
+        COMPARE_NEAR(readings.altitude_m, 120, 1e-3);
+        QVERIFY(std::isfinite(readings.roll_rad));
+        QCOMPARE(readings.mode, isDone ? 11U : 10U); // it flies home after its last item
+    }
+
+    /** A circle of no time is over on arrival, not before. */
+    void circleWithoutTimeIsFlownTo()
+    {
+        auto [station, aircraft] = MemoryLink::pair();
+        RehearsalVehicle vehicle(aircraft, {.home = kHome});
+        const LinkMissionItem item{
+            .command = LinkCommandId::kLoiterTime, .x = 470'000'000, .y = -479'800'000, .z = 120};
+        vehicle.load(MissionType::Mission, std::span(&item, 1));
+        vehicle.flyMission();
+        for (int i = 1; i <= 50; ++i)
+            vehicle.advance({.monotonic_s = static_cast<double>(i), .unix_us = 1'000'000 * i});
+        QCOMPARE(vehicle.readings().mode, 10U);
+        for (int i = 51; i <= 100; ++i)
+            vehicle.advance({.monotonic_s = static_cast<double>(i), .unix_us = 1'000'000 * i});
+        QCOMPARE(vehicle.readings().mode, 11U); // it is 1520 m away, 70 s at 22 m/s
+    }
+
+    void guidedTargetMayLeaveTheAltitude()
+    {
+        Rehearsal rehearsal(AutopilotKind::ArduPilot);
+        const LinkMissionItem target = squareMission()[0];
+        const auto x = static_cast<double>(target.x);
+        const auto y = static_cast<double>(target.y);
+        rehearsal.command(LinkCommandId::kReposition, {-1, 1, std::nan(""), 0, x, y, std::nan("")},
+                          ItemFrame::AboveHome);
+        rehearsal.run(200);
+        COMPARE_NEAR(rehearsal.vehicle.readings().altitude_m, 125, 1e-6);
+        QVERIFY(rehearsal.distanceTo(target) < 200);
+        // Altitudes above terrain are taken as above home, as those of items.
+        rehearsal.command(LinkCommandId::kReposition, {-1, 1, 0, 0, x, y, 80},
+                          ItemFrame::AboveTerrain);
+        rehearsal.run(60);
+        COMPARE_NEAR(rehearsal.vehicle.readings().altitude_m, 85, 1e-6);
+    }
+
+    /** The radius that a station reads among the parameters is that of the circle. */
+    void circlesHaveTheRadiusOfTheAutopilot()
+    {
+        auto [station, aircraft] = MemoryLink::pair();
+        const RehearsalOptions options{.home = kHome, .loiterRadius_m = 350};
+        RehearsalVehicle vehicle(aircraft, options);
+        for (int i = 1; i <= 300; ++i)
+            vehicle.advance({.monotonic_s = static_cast<double>(i), .unix_us = 1'000'000 * i});
+        COMPARE_NEAR(greatCircle_m(vehicle.readings().place, kHome), 350, 20);
+        RehearsalVehicle tight(aircraft, {.home = kHome, .loiterRadius_m = 1});
+        for (int i = 1; i <= 300; ++i)
+            tight.advance({.monotonic_s = static_cast<double>(i), .unix_us = 1'000'000 * i});
+        COMPARE_NEAR(greatCircle_m(tight.readings().place, kHome), smallestCircle_m(options.uav),
+                     20);
+    }
+
+    /** The station sees the pilot's mode, and no item is flown in it. */
     void pilotTakesOver()
     {
         Rehearsal rehearsal(AutopilotKind::ArduPilot);
