@@ -62,7 +62,7 @@ AdvanceStatus Mission::advance(double until_s, const std::stop_token& stop,
         if (m_simulation.step() >= untilStep)
             return AdvanceStatus::Reached;
         const World& world = m_simulation.world();
-        m_simulation.advanceStep(m_poseTracks.posesAt(world.time_s() + world.dt_s()));
+        m_simulation.advanceStep(m_poseTracks.posesAt(world.time_s() + world.dt_s(), world.dt_s()));
         noteStep();
         if (m_options.record)
             m_recorder.record(m_simulation);

@@ -73,8 +73,8 @@ public:
 
     /**
      * Adds a pose of a real aircraft: from now on its UAV flies along the fixes instead of the
-     * Dubins model (`PoseTracks::add`). To fly with them, advance no further than
-     * `poseTracks().knownUntil_s()`.
+     * Dubins model (`PoseTracks::add`), except while it is on the ground. To fly with them, advance
+     * no further than `poseTracks().knownUntil_s()`.
      */
     void addFix(const PoseFix& fix) { m_poseTracks.add(fix, m_simulation.time_s()); }
     /** Restores the fixes of a recorded run, before it is flown again. */

@@ -23,7 +23,8 @@ public:
     {
         while (m_world.step() < step) {
             const World& world = m_world.world();
-            m_world.advanceStep(m_mission.poseTracks().posesAt(world.time_s() + world.dt_s()));
+            m_world.advanceStep(
+                m_mission.poseTracks().posesAt(world.time_s() + world.dt_s(), world.dt_s()));
             apply();
         }
     }

@@ -303,50 +303,6 @@ bool Autopilot::command(int uav, Observer& observer, StepReport& report)
     return wasHomeward;
 }
 
-void Autopilot::move(int uav, const DubinsState* measured, StepReport& report)
-{
-    m_before_m = m_pose.position_m;
-    const double dt_s = m_guard.uav().clock.dt_s;
-    if (!isOnGround()) {
-        m_pose = measured != nullptr
-                     ? *measured
-                     : step(m_pose, motion().airspeed_mps, m_u_radps, dt_s, motion().wind_mps);
-        m_flown_m += motion().airspeed_mps * dt_s;
-    }
-    watchFence(uav, report);
-    if (!m_guard.uav().sortie)
-        return;
-    if (m_guard.tick())
-        report.add({.kind = EventKind::LateHome, .uav = uav});
-    if (mode() != FlightMode::Home || !m_guard.isLanding(m_before_m, m_pose.position_m))
-        return;
-    m_guard.land();
-    m_mode = Ground{};
-    m_u_radps = 0;
-    m_crossTrack_m = 0;
-    report.add({.kind = EventKind::Landed, .uav = uav});
-}
-
-bool Autopilot::isInsideFence() const
-{
-    const Geofence* fence = m_guard.uav().fence.get();
-    return fence == nullptr || fence->contains(m_pose.position_m);
-}
-
-/**
- * Reports crossings of the fence. An autopilot crosses it only after a start too close to it; wind
- * and telemetry may lead across.
- */
-void Autopilot::watchFence(int uav, StepReport& report) const
-{
-    const Geofence* fence = m_guard.uav().fence.get();
-    if (fence == nullptr)
-        return;
-    const bool isInside = isInsideFence();
-    if (isInside != fence->contains(m_before_m))
-        report.add({.kind = isInside ? EventKind::BackInside : EventKind::LeftFence, .uav = uav});
-}
-
 double Autopilot::steer(int uav, Observer& observer, StepReport& report)
 {
     switch (mode()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/sim/pose_tracks.h"
 #include "core/vehicle/safety_guard.h"
 #include "core/world/observer.h"
 
@@ -114,9 +115,10 @@ public:
     void deviateTo(double u_radps);
     /**
      * Moves the UAV by one step of the Dubins model, or to the pose in `measured` if that is not
-     * null. Reports landing, fence crossings and late returns.
+     * null; on the ground it stays. A returning UAV lands where it passes home, with a measured
+     * pose once it stands there. Reports landing, fence crossings and late returns.
      */
-    void move(int uav, const DubinsState* measured, StepReport& report);
+    void move(int uav, const ExternalPose* measured, StepReport& report);
 
 private:
     template <FlightMode>
@@ -142,6 +144,7 @@ private:
     /** Alternatives in the order of `FlightMode`. */
     using Mode = std::variant<Idle, Leg, RunOut, Circle, Searching, Home, Ground, Hold>;
 
+    [[nodiscard]] bool isFlying(const ExternalPose& measured) const;
     void watchFence(int uav, StepReport& report) const;
     void limitTurnGain();
     [[nodiscard]] double steer(int uav, Observer& observer, StepReport& report);

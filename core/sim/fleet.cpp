@@ -110,7 +110,7 @@ void Fleet::advance(std::span<const std::optional<ExternalPose>> poses)
             noteHomeward(uav);
         if (!given)
             enforceSeparation(uav);
-        me.move(uav, given ? &given->pose : nullptr, m_report);
+        me.move(uav, given ? &*given : nullptr, m_report);
         if (me.isOnGround())
             m_separation.leave(uav);
         else if (given)

@@ -1,8 +1,10 @@
 #include "core/sim/pose_tracks.h"
 
 #include "core/base/angles.h"
+#include "core/scenario/limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace berg {
@@ -35,12 +37,20 @@ std::optional<ExternalPose> poseAt(const std::vector<PoseFix>& track, double tim
                         .hasView = before.isMeasured && after->isMeasured};
 }
 
+bool isStorable(const DubinsState& pose)
+{
+    const Point& at_m = pose.position_m;
+    return std::isfinite(pose.psi_rad) && std::abs(at_m.x()) <= kLargestCoordinate_m &&
+           std::abs(at_m.y()) <= kLargestCoordinate_m;
+}
+
 } // namespace
 
 void PoseTracks::add(PoseFix fix, double now_s)
 {
     std::vector<PoseFix>& track = m_tracks.at(static_cast<std::size_t>(fix.uav));
-    if (fix.time_s <= now_s + kSame_s || (!track.empty() && fix.time_s <= track.back().time_s))
+    if (!isStorable(fix.pose) || fix.time_s <= now_s + kSame_s ||
+        (!track.empty() && fix.time_s <= track.back().time_s))
         return;
     fix.isFirst = track.empty() || track.back().time_s < now_s - kSame_s;
     track.push_back(fix);
@@ -54,13 +64,14 @@ void PoseTracks::restore(std::span<const PoseFix> fixes)
         m_tracks.at(static_cast<std::size_t>(fix.uav)).push_back(fix);
 }
 
-std::vector<std::optional<ExternalPose>> PoseTracks::posesAt(double time_s) const
+std::vector<std::optional<ExternalPose>> PoseTracks::posesAt(double time_s, double step_s) const
 {
     std::vector<std::optional<ExternalPose>> poses;
     for (std::size_t uav = 0; uav < m_tracks.size(); ++uav)
         if (const std::optional<ExternalPose> pose = poseAt(m_tracks[uav], time_s)) {
             poses.resize(m_tracks.size());
             poses[uav] = pose;
+            poses[uav]->isJump = !poseAt(m_tracks[uav], time_s - step_s);
         }
     return poses;
 }

@@ -13,6 +13,8 @@ struct ExternalPose
 {
     DubinsState pose;
     bool hasView = true; ///< False if nothing that the camera may show there counts as seen.
+    /** True if the UAV was simulated up to the step before, so that it jumps to this pose. */
+    bool isJump = false;
 };
 
 /** Pose of a UAV at one instant of a run, as reported by its aircraft or predicted for it. */
@@ -40,15 +42,20 @@ public:
 
     /**
      * Adds a fix of a flight that has been flown up to `now_s` and sets its `isFirst`. A fix that
-     * is not later than `now_s` and the previous fix of its UAV is dropped. Throws
-     * `std::out_of_range` if there is no such UAV.
+     * is not later than `now_s` and the previous fix of its UAV is dropped, and so is one beyond
+     * `kLargestCoordinate_m`, which a run file cannot hold. Throws `std::out_of_range` if there is
+     * no such UAV.
      */
     void add(PoseFix fix, double now_s);
     /** Replaces all fixes by recorded ones, in the order of `all`. Throws as `add`. */
     void restore(std::span<const PoseFix> fixes);
 
-    /** Returns the poses at a time by UAV; it is empty if no UAV has one. */
-    [[nodiscard]] std::vector<std::optional<ExternalPose>> posesAt(double time_s) const;
+    /**
+     * Returns the poses by UAV at the end of the step of `step_s` that ends at `time_s`; it is
+     * empty if no UAV has one.
+     */
+    [[nodiscard]] std::vector<std::optional<ExternalPose>> posesAt(double time_s,
+                                                                   double step_s) const;
     /**
      * Returns the time up to which the flight can be flown: that of the last fix of the UAV whose
      * last fix is oldest, or nullopt without fixes. UAVs whose last fix is more than `kPatience_s`

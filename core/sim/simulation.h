@@ -75,8 +75,8 @@ public:
     /**
      * Advances one time step. Must not be called while a plan is needed or after the end. `poses`
      * is empty or has an entry for each UAV: its pose at the end of the step, as telemetry reports
-     * it, or nullopt for the Dubins model. Throws `std::logic_error` if one of these conditions is
-     * violated.
+     * it, or nullopt for the Dubins model; a UAV on the ground stays where it is. Throws
+     * `std::logic_error` if one of these conditions is violated.
      */
     void advanceStep(std::span<const std::optional<ExternalPose>> poses = {});
 

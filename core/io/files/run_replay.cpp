@@ -224,8 +224,8 @@ bool RunFile::operator==(const RunFile& other) const
 {
     return scenario == other.scenario && options == other.options &&
            flownUntil_s == other.flownUntil_s && interventions == other.interventions &&
-           linesOf(plans) == linesOf(other.plans) && keyframes == other.keyframes &&
-           metrics == other.metrics;
+           fixes == other.fixes && linesOf(plans) == linesOf(other.plans) &&
+           keyframes == other.keyframes && metrics == other.metrics;
 }
 
 RunFile runOf(const Mission& mission)

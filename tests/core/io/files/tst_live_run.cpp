@@ -41,6 +41,27 @@ Mission liveFlight(double lost_s = 1e9)
     return mission;
 }
 
+/**
+ * Flies along fixes up to `end_s`, without view from 45 s to 55 s, and simulated from 60 s to 75 s.
+ * Keyframes at 50 s, 60 s and 70 s begin in these parts.
+ */
+Mission interruptedFlight(double end_s)
+{
+    Mission mission(twoIcebergs(), {.keyframeInterval_s = 10});
+    const auto fly = [&](double from_s, double to_s) {
+        for (double time_s = from_s + 0.25; time_s <= to_s; time_s += 0.25) {
+            PoseFix fix = fixAt(time_s);
+            fix.isMeasured = time_s < 45 || time_s > 55;
+            mission.addFix(fix);
+        }
+        mission.advance(std::min(to_s, end_s));
+    };
+    fly(0, 60);
+    mission.advance(std::min(75.0, end_s));
+    fly(75, 90);
+    return mission;
+}
+
 std::ptrdiff_t sightingsOf(const Mission& mission, int iceberg)
 {
     return std::ranges::count_if(mission.events(), [iceberg](const MissionEvent& event) {
@@ -71,6 +92,34 @@ private slots:
         QCOMPARE(sightingsOf(mission, 1), std::ptrdiff_t{1});
         QCOMPARE(sightingsOf(mission, 0), std::ptrdiff_t{0});
         QVERIFY(mission.simulation().track(0).sigma_m2 > mission.simulation().track(1).sigma_m2);
+        // It was simulated for two steps and jumped to the path in the third, at 22 m/s.
+        QVERIFY(std::abs(mission.metrics().flown_m - 22 * 0.3 - kSpeed_mps * 89.4) < 1e-6);
+    }
+
+    /** A pass over home, at the origin after 20 s, is no landing. */
+    void aircraftLandsWhereItStands_data()
+    {
+        QTest::addColumn<double>("end_m");
+        QTest::addColumn<int>("landings");
+        QTest::newRow("passes") << 1e9 << 0;
+        QTest::newRow("stands") << 0.0 << 1;
+        QTest::newRow("stands elsewhere") << 100.0 << 0;
+    }
+
+    void aircraftLandsWhereItStands()
+    {
+        QFETCH(double, end_m);
+        QFETCH(int, landings);
+        Mission mission(twoIcebergs(), {});
+        mission.intervene(
+            {.commanded = UavCommand{.uav = "uav-1", .order = FlightOrder::ReturnNow}});
+        for (double time_s = 0.05; time_s < 40; time_s += 0.25)
+            mission.addFix(
+                {.time_s = time_s,
+                 .pose = {.position_m = {std::min(kSpeed_mps * (time_s - 20), end_m), 0}}});
+        mission.advance(39);
+        QCOMPARE(std::ranges::count(mission.events(), EventKind::Landed, &MissionEvent::kind),
+                 std::ptrdiff_t{landings});
     }
 
     /** A predicted aircraft passes over the iceberg at 50 s, but sends no pictures. */
@@ -91,6 +140,26 @@ private slots:
         QVERIFY(instantAt(mission, 89.7).simulation.state() == then.simulation().state());
     }
 
+    /** The aircraft has no view when it passes over the iceberg, and is simulated for a while. */
+    void earlierInstantsOfAnInterruptedFlight_data()
+    {
+        QTest::addColumn<double>("time_s");
+        QTest::newRow("without view") << 52.0;
+        QTest::newRow("with view again") << 58.0;
+        QTest::newRow("simulated") << 65.0;
+        QTest::newRow("jump to the path") << 75.3;
+        QTest::newRow("on the path again") << 80.0;
+    }
+
+    void earlierInstantsOfAnInterruptedFlight()
+    {
+        QFETCH(double, time_s);
+        const Mission whole = interruptedFlight(90);
+        const Mission part = interruptedFlight(time_s);
+        QCOMPARE(part.simulation().time_s(), time_s);
+        QVERIFY(instantAt(whole, time_s).simulation.state() == part.simulation().state());
+    }
+
     void runFileRepeatsTheFlight()
     {
         Mission mission = liveFlight();
@@ -99,6 +168,9 @@ private slots:
         QCOMPARE(run.fixes.size(), std::size_t{359});
         const RunFile read = runFromJson(textOf(run), "text");
         QVERIFY(read == run);
+        RunFile shorter = run;
+        shorter.fixes.pop_back();
+        QVERIFY(!(shorter == run));
         QCOMPARE(textOf(read), textOf(run));
         const Mission again = replay(read);
         QVERIFY(again.simulation().state() == mission.simulation().state());
@@ -123,6 +195,9 @@ private slots:
         QCOMPARE(faultOf(R"("time_s": 0.5, "position)", R"("time_s": 0.5, "uav": 1, "position)"),
                  std::string("fixes[1].uav"));
         QCOMPARE(faultOf(R"(, "first": true)", ""), std::string("fixes[0].first"));
+        QCOMPARE(
+            faultOf(R"("time_s": 0.5, "position_m": [)", R"("time_s": 0.5, "position_m": [100000)"),
+            std::string("fixes[1].position_m[0]"));
     }
 };
 
