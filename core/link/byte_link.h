@@ -18,6 +18,9 @@ struct LinkTime
 /** Largest number of packets processed at once, so that a flood leaves time for other work. */
 inline constexpr int kPacketsAtOnce = 1000;
 
+/** A link may give the number of a peer that has been silent for longer to another one. */
+inline constexpr double kPeerKept_s = 10;
+
 /** Bytes received over a link. */
 struct LinkPacket
 {

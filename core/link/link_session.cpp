@@ -228,13 +228,17 @@ void LinkSession::sendDue(Partner& partner, LinkTime now, LinkUpdate& update)
     LinkVehicle& vehicle = partner.vehicle;
     if (!partner.isTelemetryRequested && !vehicle.isLost)
         requestTelemetry(partner);
+    // Behind the number of a silent peer there may be another one.
+    const bool isReached = now.monotonic_s - vehicle.lastHeard_s < kPeerKept_s;
     for (const LinkMessage& message : partner.commands.advance(now.monotonic_s))
-        m_exchange.send(vehicle.peer, message, now);
+        if (isReached)
+            m_exchange.send(vehicle.peer, message, now);
     reportCommands(partner, now, update);
     if (!partner.sync)
         return;
     for (const LinkMessage& message : partner.sync->advance(now.monotonic_s))
-        m_exchange.send(vehicle.peer, message, now);
+        if (isReached)
+            m_exchange.send(vehicle.peer, message, now);
     vehicle.sync = partner.sync->status();
     if (!partner.sync->isRunning() && !partner.isSyncReported) {
         partner.isSyncReported = true;

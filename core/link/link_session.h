@@ -83,9 +83,10 @@ struct LinkUpdate
 /**
  * The ground station's end of a link. It discovers vehicles and follows their state. Only while
  * sending is switched on, it sends heartbeats, requests telemetry, sends commands and transfers
- * missions; otherwise not a byte is sent. The numbers of vehicles, senders and texts are bounded.
- * Single-threaded. The caller supplies the times. It must stop calling `advance` when planner or
- * window hang, so that they look dead to the vehicles.
+ * missions; otherwise not a byte is sent. Commands and transfers are not sent to a vehicle that has
+ * been silent for `kPeerKept_s`, so they fail in time. The numbers of vehicles, senders and texts
+ * are bounded. Single-threaded. The caller supplies the times. It must stop calling `advance` when
+ * planner or window hang, so that they look dead to the vehicles.
  */
 class LinkSession
 {

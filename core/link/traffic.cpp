@@ -2,13 +2,14 @@
 
 #include "core/base/angles.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace berg {
 
 namespace {
 
-constexpr std::size_t kMostTargets = 500;
+constexpr std::ptrdiff_t kMostOfKind = 250;
 constexpr double kAircraftKept_s = 60;
 constexpr double kShipKept_s = 600;
 // Flags of valid fields.
@@ -69,7 +70,10 @@ void TrafficList::receive(const LinkMessage& message, double now_s)
     if (std::abs(target.place.latitude_deg) > 90 || std::abs(target.place.longitude_deg) > 180)
         return;
     const std::pair key(target.kind, target.id);
-    if (m_targets.size() < kMostTargets || m_targets.contains(key))
+    const std::ptrdiff_t known =
+        std::count_if(m_targets.begin(), m_targets.end(),
+                      [&](const auto& entry) { return entry.first.first == target.kind; });
+    if (known < kMostOfKind || m_targets.contains(key))
         m_targets[key] = std::move(target);
 }
 

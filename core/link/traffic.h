@@ -32,7 +32,7 @@ struct TrafficTarget
 
 /**
  * Traffic heard over a link. A target disappears when it has been silent for a minute, a ship after
- * ten. At most 500 targets are kept; further ones are ignored.
+ * ten. At most 250 aircraft and 250 ships are kept; further ones are ignored.
  */
 class TrafficList
 {

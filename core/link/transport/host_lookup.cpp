@@ -9,8 +9,6 @@
 
 namespace berg {
 
-namespace {
-
 std::optional<sockaddr_in> numericAddress(const std::string& host, in_port_t port)
 {
     sockaddr_in address{};
@@ -19,8 +17,6 @@ std::optional<sockaddr_in> numericAddress(const std::string& host, in_port_t por
     const char* const text = host == "localhost" ? "127.0.0.1" : host.c_str();
     return inet_pton(AF_INET, text, &address.sin_addr) == 1 ? std::optional(address) : std::nullopt;
 }
-
-} // namespace
 
 HostLookup::HostLookup(const LinkEndpoint& endpoint) : m_result(std::make_shared<Result>())
 {

@@ -38,6 +38,12 @@ private:
     std::shared_ptr<Result> m_result; ///< Shared with the thread, which may live longer.
 };
 
+/**
+ * Returns the IPv4 address that the text is, with "localhost" as 127.0.0.1, or nullopt for a name;
+ * `port` is in network order.
+ */
+[[nodiscard]] std::optional<sockaddr_in> numericAddress(const std::string& host, in_port_t port);
+
 /** Returns an address as "127.0.0.1:14550". */
 [[nodiscard]] std::string addressText(const sockaddr_in& address);
 

@@ -1,6 +1,7 @@
 #include "core/link/transport/link_endpoint.h"
 
 #include "core/base/translate_noop.h"
+#include "core/link/transport/host_lookup.h"
 
 #include <algorithm>
 #include <array>
@@ -36,7 +37,7 @@ constexpr std::array<KindRow, 5> kKindRows{{
     {"serial", LinkEndpoint::Kind::Serial},
 }};
 
-constexpr std::array kBaudRates{9600,   19200,  38400,  57600,  115200,
+constexpr std::array kBaudRates{4800,   9600,   19200,  38400,  57600,  115200,
                                 230400, 460800, 500000, 921600, 1000000};
 constexpr int kTcpPort = 5760;
 constexpr std::size_t kLongestHost = 253; ///< This is the limit of DNS.
@@ -129,8 +130,10 @@ std::string endpointText(const LinkEndpoint& endpoint)
 
 bool isLocal(const LinkEndpoint& endpoint)
 {
-    return endpoint.kind == LinkEndpoint::Kind::Serial || endpoint.host == "localhost" ||
-           endpoint.host.starts_with("127.");
+    constexpr unsigned kLoopback = 127; // first number of the addresses of this computer
+    const std::optional<sockaddr_in> address = numericAddress(endpoint.host, 0);
+    return endpoint.kind == LinkEndpoint::Kind::Serial ||
+           (address && ntohl(address->sin_addr.s_addr) >> 24U == kLoopback);
 }
 
 } // namespace berg

@@ -24,7 +24,8 @@ constexpr double kConnect_s = 10;
 /** Returns the constant of termios for a baud rate that `readEndpoint` accepts. */
 speed_t speedOf(int baud)
 {
-    constexpr std::array<std::pair<int, speed_t>, 10> kSpeeds{{{9600, B9600},
+    constexpr std::array<std::pair<int, speed_t>, 11> kSpeeds{{{4800, B4800},
+                                                               {9600, B9600},
                                                                {19200, B19200},
                                                                {38400, B38400},
                                                                {57600, B57600},
@@ -73,6 +74,8 @@ void StreamLink::breakDown(const std::string& fault)
     m_unsent.clear();
     m_condition = {.state = LinkCondition::State::Broken, .fault = fault};
     m_retry_s = monotonicNow_s() + kReopen_s;
+    if (m_lookup) // the server may have moved to another address
+        m_lookup.emplace(m_endpoint);
 }
 
 void StreamLink::open()
@@ -107,7 +110,6 @@ void StreamLink::connectToServer()
     const std::optional<sockaddr_in> address = m_lookup->address();
     if (!address) {
         breakDown(m_lookup->fault());
-        m_lookup.emplace(m_endpoint);
         return;
     }
     m_file.emplace(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
@@ -187,6 +189,8 @@ void StreamLink::flush()
                 breakDown(systemWords(errno));
             return;
         }
+        if (written == 0)
+            return; // some serial drivers report a full buffer in this way
         m_unsent.erase(m_unsent.begin(), m_unsent.begin() + written);
     }
 }

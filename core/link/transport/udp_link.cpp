@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t kLongestDatagram = 2048;
 constexpr std::size_t kMostPeers = 32;
-constexpr double kPeerKept_s = 10;
 constexpr double kPeerReached_s = 60;
 
 bool isSame(const sockaddr_in& a, const sockaddr_in& b)
@@ -36,6 +35,7 @@ void UdpLink::breakDown(const std::string& fault)
     m_socket.reset();
     m_condition = {.state = LinkCondition::State::Broken, .fault = fault};
     m_retry_s = monotonicNow_s() + kReopen_s;
+    m_lookup = HostLookup(m_endpoint);
 }
 
 void UdpLink::open()
@@ -49,7 +49,6 @@ void UdpLink::open()
     const std::optional<sockaddr_in> address = m_lookup.address();
     if (!address) {
         breakDown(m_lookup.fault());
-        m_lookup = HostLookup(m_endpoint);
         return;
     }
     m_socket.emplace(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
@@ -90,7 +89,7 @@ std::optional<int> UdpLink::numberOf(const sockaddr_in& sender)
 std::optional<LinkPacket> UdpLink::receive()
 {
     open();
-    while (m_socket) {
+    for (int i = 0; m_socket && i < kPacketsAtOnce; ++i) { // a flood must not keep the caller here
         std::array<std::uint8_t, kLongestDatagram> buffer{};
         sockaddr_in sender{};
         socklen_t size = sizeof sender;
@@ -104,27 +103,27 @@ std::optional<LinkPacket> UdpLink::receive()
                 breakDown(std::generic_category().message(errno));
             return std::nullopt;
         }
-        const std::optional<int> peer = numberOf(sender);
-        const auto bytes = static_cast<std::size_t>(length);
-        if (peer && bytes <= buffer.size())
-            return LinkPacket{
-                .peer = *peer,
-                .bytes = {buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(bytes)}};
+        if (static_cast<std::size_t>(length) > buffer.size())
+            continue;
+        if (const std::optional<int> peer = numberOf(sender))
+            return LinkPacket{.peer = *peer, .bytes = {buffer.begin(), buffer.begin() + length}};
         ++m_ignored;
         m_lastIgnored = addressText(sender);
-        if (m_ignored % kPacketsAtOnce == 0) // a flood must not keep the caller here
-            return std::nullopt;
     }
     return std::nullopt;
 }
 
+bool UdpLink::isReached(const Peer& peer) const
+{
+    return m_endpoint.kind != LinkEndpoint::Kind::UdpListen ||
+           peer.heard_s >= monotonicNow_s() - kPeerReached_s;
+}
+
 std::vector<int> UdpLink::peers() const
 {
-    const bool isListening = m_endpoint.kind == LinkEndpoint::Kind::UdpListen;
-    const double oldest_s = monotonicNow_s() - kPeerReached_s;
     std::vector<int> reached;
     for (std::size_t i = 0; i < m_peers.size(); ++i)
-        if (!isListening || m_peers[i].heard_s >= oldest_s)
+        if (isReached(m_peers[i]))
             reached.push_back(static_cast<int>(i));
     return reached;
 }
@@ -133,7 +132,10 @@ void UdpLink::send(int peer, std::span<const std::uint8_t> bytes)
 {
     if (!m_socket || peer < 0 || static_cast<std::size_t>(peer) >= m_peers.size())
         return;
-    const sockaddr_in& address = m_peers[static_cast<std::size_t>(peer)].address;
+    const Peer& to = m_peers[static_cast<std::size_t>(peer)];
+    if (!isReached(to))
+        return;
+    const sockaddr_in& address = to.address;
     // A datagram that cannot be sent is lost, as any other may be.
     (void)::sendto(m_socket->get(), bytes.data(), bytes.size(), MSG_NOSIGNAL, generic(address),
                    sizeof address);

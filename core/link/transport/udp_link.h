@@ -35,6 +35,8 @@ private:
         double heard_s = 0;
     };
 
+    /** Returns true if datagrams may go to the peer. */
+    [[nodiscard]] bool isReached(const Peer& peer) const;
     void open();
     void breakDown(const std::string& fault);
     /** Returns the number of the sender, or nullopt if it is not accepted. */

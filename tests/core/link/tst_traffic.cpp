@@ -85,9 +85,11 @@ private slots:
         TrafficList list;
         for (int id = 0; id < 2000; ++id)
             list.receive(aircraft(id), 0);
-        QCOMPARE(list.targets().size(), std::size_t{500});
+        QCOMPARE(list.targets().size(), std::size_t{250});
         list.receive(aircraft(3).withText("callsign", "NEW"), 1);
         QCOMPARE(list.targets()[3].name, std::string("NEW"));
+        list.receive(ship(), 1); // many aircraft do not hide it
+        QCOMPARE(list.targets().size(), std::size_t{251});
     }
 };
 

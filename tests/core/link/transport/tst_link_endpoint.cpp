@@ -32,6 +32,9 @@ private slots:
             "tcp:ground-1.example:5763");
         row("serial:/dev/ttyUSB0", {.kind = Kind::Serial, .device = "/dev/ttyUSB0"},
             "serial:/dev/ttyUSB0:57600");
+        row("serial:/dev/ttyUSB0:4800",
+            {.kind = Kind::Serial, .device = "/dev/ttyUSB0", .baud = 4800},
+            "serial:/dev/ttyUSB0:4800");
         row("serial:/dev/serial/by-path/pci-0:1.0:115200",
             {.kind = Kind::Serial, .device = "/dev/serial/by-path/pci-0:1.0", .baud = 115200},
             "serial:/dev/serial/by-path/pci-0:1.0:115200");
@@ -83,6 +86,9 @@ private slots:
     {
         QVERIFY(isLocal(LinkEndpoint{}));
         QVERIFY(isLocal({.host = "localhost"}));
+        QVERIFY(isLocal({.host = "127.0.0.2"}));
+        QVERIFY(!isLocal({.host = "127.example.com"}));
+        QVERIFY(!isLocal({.host = "127.0.0.1.example.com"}));
         QVERIFY(isLocal({.kind = Kind::Serial, .host = "", .device = "/dev/ttyUSB0"}));
         QVERIFY(!isLocal({.host = "0.0.0.0"}));
         QVERIFY(!isLocal({.kind = Kind::Tcp, .host = "10.0.0.7"}));

@@ -64,6 +64,26 @@ struct Server
     }
 };
 
+/** Reads what the link still sends, until nothing more comes. */
+std::size_t arriving_bytes(TransportLink& link, int client)
+{
+    std::vector<char> piece(std::size_t{1} << 20U);
+    std::size_t sum_bytes = 0;
+    while (true) {
+        ssize_t got = 0;
+        const bool isMore = QTest::qWaitFor(
+            [&] {
+                (void)link.receive(); // sends what is waiting
+                got = ::recv(client, piece.data(), piece.size(), MSG_DONTWAIT);
+                return got > 0;
+            },
+            500);
+        if (!isMore)
+            return sum_bytes;
+        sum_bytes += static_cast<std::size_t>(got);
+    }
+}
+
 } // namespace
 
 class TestTransportLink : public QObject
@@ -127,11 +147,29 @@ private slots:
         }
         QVERIFY(QTest::qWaitFor(
             [&, &link = station] { return !link->receive() && link->ignored() == 1; }));
+        const std::string stranger = station->lastIgnored();
         vehicles.front()->send(0, std::vector<std::uint8_t>(2049));
         vehicles.front()->send(0, std::vector<std::uint8_t>(2048));
         const std::optional<LinkPacket> packet = awaited(*station);
         QVERIFY(packet && packet->bytes.size() == 2048);
-        QCOMPARE(station->ignored(), std::uint64_t{2});
+        QCOMPARE(station->ignored(), std::uint64_t{1}); // the other one is no stranger
+        QCOMPARE(station->lastIgnored(), stranger);
+    }
+
+    /** A datagram that is dropped for its length does not make its sender a peer. */
+    void longDatagramsMakeNoPeer()
+    {
+        const auto [station, port] = listeningLink();
+        const std::unique_ptr<TransportLink> sender =
+            openLink({.kind = Kind::UdpSend, .port = port});
+        const std::unique_ptr<TransportLink> vehicle =
+            openLink({.kind = Kind::UdpSend, .port = port});
+        QVERIFY(isOpened(*sender) && isOpened(*vehicle));
+        sender->send(0, std::vector<std::uint8_t>(2049));
+        vehicle->send(0, kPing);
+        const std::optional<LinkPacket> packet = awaited(*station);
+        QVERIFY(packet && packet->peer == 0);
+        QVERIFY(station->peers() == std::vector<int>{0});
     }
 
     void usedPortIsAFaultUntilItIsFree()
@@ -164,9 +202,11 @@ private slots:
             QCOMPARE(::send(client.get(), kPong.data(), kPong.size(), 0), 2);
             const std::optional<LinkPacket> packet = awaited(*link);
             QVERIFY(packet && packet->bytes == kPong);
-            // A server that does not read blocks nothing, and costs bounded memory.
+            // A server that does not read blocks nothing. Of 60 MB only what fits into the buffers
+            // of the system (at most 10 MB by default) and of the link arrives.
             for (int i = 0; i < 1000; ++i)
                 link->send(0, std::vector<std::uint8_t>(60'000));
+            QVERIFY(arriving_bytes(*link, client.get()) < 20'000'000);
         }
         QVERIFY(QTest::qWaitFor([&, &each = link] {
             (void)each->receive();
