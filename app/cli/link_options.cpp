@@ -16,7 +16,6 @@ namespace berg::cli {
 namespace {
 
 constexpr double kStep_s = 0.05;
-constexpr std::uint64_t kLargestLog = std::uint64_t{1} << 30U;
 
 } // namespace
 
@@ -60,15 +59,18 @@ TelemetryFile::TelemetryFile(const std::string& path) : m_path(path)
 
 void TelemetryFile::add(LinkTime now, std::span<const std::uint8_t> frame)
 {
-    if (!m_file.is_open() || m_bytes > kLargestLog)
+    if (!m_file.is_open() || m_isFull)
         return;
     const std::vector<std::uint8_t> record = logRecord(now.unix_us, frame);
+    m_isFull = m_bytes + record.size() > kLargestLog;
+    if (m_isFull) {
+        printMessage(
+            said(QT_TRANSLATE_NOOP("CommandLine", "%1 ends here: it has 1 GiB"), {word(m_path)}));
+        return;
+    }
     m_file.write(reinterpret_cast<const char*>(record.data()),
                  static_cast<std::streamsize>(record.size()));
     m_bytes += record.size();
-    if (m_bytes > kLargestLog)
-        printMessage(
-            said(QT_TRANSLATE_NOOP("CommandLine", "%1 ends here: it has 1 GiB"), {word(m_path)}));
 }
 
 void TelemetryFile::flush()

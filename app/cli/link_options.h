@@ -12,6 +12,9 @@
 
 namespace berg::cli {
 
+/** Largest telemetry log that is written or read, bytes. */
+inline constexpr std::size_t kLargestLog = std::size_t{1} << 30U;
+
 /** Options of commands that use a live link. */
 struct LinkArguments
 {
@@ -44,7 +47,8 @@ public:
 private:
     std::string m_path;
     std::ofstream m_file;
-    std::uint64_t m_bytes = 0;
+    std::size_t m_bytes = 0;
+    bool m_isFull = false;
 };
 
 /** Reports changes of a link's condition and the first stranger that it ignores. */

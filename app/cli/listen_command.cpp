@@ -4,6 +4,7 @@
 #include "app/cli/output_gate.h"
 #include "core/base/number_text.h"
 #include "core/io/text/atomic_file.h"
+#include "core/io/text/read_budget.h"
 #include "core/io/text/utc_time.h"
 #include "core/link/link_session.h"
 #include "core/link/nmea_reader.h"
@@ -125,27 +126,31 @@ std::string flightsCsv(const FlightRecorder& recorder)
 }
 
 /** Reads a telemetry log and prints what it holds of each vehicle. */
-int replayLog(const ListenArguments& arguments)
+int replayLog(const ListenArguments& arguments, const std::stop_token& stop)
 {
+    constexpr std::size_t kMostPositions = 10'000'000; // a month at 4 Hz
     checkFiles({.inputs = {arguments.replay},
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.link.force});
-    const std::string bytes = reading([&] { return readFile(arguments.replay); });
     TelemetryLogReader reader;
     FlightRecorder recorder;
     std::uint64_t frames = 0;
+    std::size_t positions = 0;
     const auto addAll = [&](const std::vector<LoggedFrame>& found) {
         frames += found.size();
         for (const LoggedFrame& each : found)
-            recorder.add(each);
+            if (recorder.add(each))
+                ++positions;
+        if (positions > readLimit(kMostPositions))
+            failTooLarge(arguments.replay, IssueId::TooManyRows, readLimit(kMostPositions));
     };
-    constexpr std::size_t kPiece = 65536;
-    const std::span<const std::uint8_t> all(reinterpret_cast<const std::uint8_t*>(bytes.data()),
-                                            bytes.size());
-    for (std::size_t at = 0; at < all.size(); at += kPiece)
-        addAll(reader.feed(all.subspan(at, std::min(kPiece, all.size() - at))));
+    const auto addPiece = [&](std::string_view piece) {
+        addAll(reader.feed({reinterpret_cast<const std::uint8_t*>(piece.data()), piece.size()}));
+    };
+    const std::size_t size =
+        reading([&] { return readPieces(arguments.replay, kLargestLog, addPiece, stop); });
     addAll(reader.finish());
-    if (frames == 0 && !bytes.empty()) {
+    if (frames == 0 && size > 0) {
         printMessage(said(QT_TRANSLATE_NOOP("CommandLine", "%1 is no telemetry log"),
                           {word(arguments.replay)}));
         return kBadInput;
@@ -168,15 +173,10 @@ int replayLog(const ListenArguments& arguments)
 int runListen(const ListenArguments& given, const std::stop_token& stop)
 {
     const LinkArguments& arguments = given.link;
-    if (arguments.link.empty() == given.replay.empty()) {
-        if (given.replay.empty())
-            throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 is required"),
-                             {"--link, --replay"});
-        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"),
-                         {"--link", "--replay"});
-    }
     if (!given.replay.empty())
-        return replayLog(given);
+        return replayLog(given, stop);
+    if (arguments.link.empty())
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 is required"), {"--link, --replay"});
     checkFiles(
         {.outputs = {{.option = "--tlog", .path = arguments.tlog}}, .force = arguments.force});
     const std::unique_ptr<TransportLink> transport = linkOf(arguments);
@@ -210,6 +210,8 @@ void addListenCommand(CLI::App& app, Action& action)
     addLinkOptions(*command, a.link);
     CLI::Option* const replay =
         command->add_option("--replay", a.replay, "Telemetry log to read in place of a link");
+    for (const char* const ofLink : {"--link", "--tlog", "--duration"})
+        replay->excludes(command->get_option(ofLink));
     addOutputFile(*command, "-o,--output", a.outputFile, "CSV file for the positions of the log")
         ->needs(replay);
 }

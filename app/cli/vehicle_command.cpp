@@ -46,22 +46,20 @@ struct FlyingVehicle
 std::vector<std::pair<std::string, double>> parametersOf(const Uav& uav, AutopilotKind kind,
                                                          std::size_t system)
 {
-    const double radius_m = uav.aircraft.loiterRadius_m.value_or(1.2 * turnRadius_m(uav.spec));
+    const double radius_m =
+        std::max(uav.aircraft.loiterRadius_m.value_or(0), smallestCircle_m(uav.spec));
     const auto id = static_cast<double>(system);
     if (kind == AutopilotKind::Px4)
-        return {{"FW_AIRSPD_TRIM", uav.spec.airspeed_mps},
-                {"MAV_SYS_ID", id},
-                {"NAV_ACC_RAD", 50},
-                {"NAV_LOITER_RAD", radius_m},
-                {"RTL_RETURN_ALT", uav.spec.altitude_m},
-                {"SYS_AUTOSTART", 2100}};
+        return {{"FW_AIRSPD_TRIM", uav.spec.airspeed_mps}, {"MAV_SYS_ID", id},
+                {"NAV_ACC_RAD", kRehearsalReach_m},        {"NAV_LOITER_RAD", radius_m},
+                {"RTL_RETURN_ALT", uav.spec.altitude_m},   {"SYS_AUTOSTART", 2100}};
     return {{"AIRSPEED_CRUISE", uav.spec.airspeed_mps},
             {"FENCE_ENABLE", 0},
             {"RTL_ALTITUDE", uav.spec.altitude_m},
             {"SYSID_MYGCS", 255},
             {"SYSID_THISMAV", id},
             {"WP_LOITER_RAD", radius_m},
-            {"WP_RADIUS", 50}};
+            {"WP_RADIUS", kRehearsalReach_m}};
 }
 
 AutopilotKind kindOf(const Uav& uav, const VehicleArguments& arguments)
@@ -111,7 +109,8 @@ RehearsalOptions optionsOf(const Scenario& scenario, std::size_t row,
             .wind_mps = scenario.wind_mps,
             .start = frame.toGeographic(uav.position_m),
             .heading_deg = uav.heading_deg,
-            .speed = arguments.speed};
+            .speed = arguments.speed,
+            .loiterRadius_m = uav.aircraft.loiterRadius_m.value_or(0)};
 }
 
 /** Prints what ground stations have changed: modes and missions. */
@@ -154,12 +153,11 @@ int runVehicle(const VehicleArguments& arguments, const std::stop_token& stop)
     for (std::size_t i = 0; i < rows.size(); ++i) {
         RehearsalOptions options = optionsOf(scenario, rows[i], arguments);
         const std::uint8_t system = options.side.self.system;
-        // Each vehicle receives all frames, so only the first logs those of others.
-        options.side.log = [&log, i, system](LinkTime now, std::span<const std::uint8_t> frame) {
-            constexpr std::size_t kSystemAt = 5; // in a frame of MAVLink 2
-            if (i == 0 || (frame.size() > kSystemAt && frame[kSystemAt] == system))
+        if (!arguments.link.tlog.empty())
+            options.side.log = [&log](LinkTime now, std::span<const std::uint8_t> frame) {
                 log.add(now, frame);
-        };
+            };
+        options.side.logsReceived = i == 0; // each vehicle receives all frames
         FlyingVehicle flying{
             .id = scenario.uavs[rows[i]].id,
             .vehicle = std::make_unique<RehearsalVehicle>(links.user(i), std::move(options))};

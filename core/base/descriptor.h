@@ -11,6 +11,7 @@ class Descriptor
 public:
     explicit Descriptor(int fd) : m_fd(fd) {}
     Descriptor(const Descriptor&) = delete;
+    Descriptor(Descriptor&& other) noexcept : m_fd(std::exchange(other.m_fd, -1)) {}
     Descriptor& operator=(const Descriptor&) = delete;
     ~Descriptor()
     {

@@ -47,7 +47,7 @@ std::vector<ReceivedFrame> FrameExchange::receive(LinkTime now)
         FrameParser& parser = m_peers[packet->peer].parser;
         for (LinkFrame& frame : m_link.isDatagram() ? parser.feedDatagram(packet->bytes)
                                                     : parser.feed(packet->bytes)) {
-            if (m_options.log)
+            if (m_options.log && m_options.logsReceived)
                 m_options.log(now, frame.bytes);
             const SignatureVerdict verdict = m_checker.check(frame);
             // The local radio modem cannot sign its status.

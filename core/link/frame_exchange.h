@@ -38,7 +38,8 @@ struct FrameExchangeOptions
     /** With a key, frames without a valid signature are dropped, except RADIO_STATUS. */
     std::optional<SigningKey> key;
     ReceiveLimits limits;
-    FrameLog log; ///< May be empty.
+    FrameLog log;             ///< May be empty.
+    bool logsReceived = true; ///< False if another exchange on the same link logs these frames.
 };
 
 /**
@@ -62,6 +63,8 @@ public:
     /** Sends a message to every peer that can be reached. */
     void broadcast(const LinkMessage& message, LinkTime now);
 
+    /** Returns true if a peer can be reached. */
+    [[nodiscard]] bool hasPeers() const { return !m_link.peers().empty(); }
     [[nodiscard]] LinkAddress self() const { return m_options.self; }
     /** Returns the number of bytes dropped because a peer sent too much or was one too many. */
     [[nodiscard]] std::uint64_t dropped_bytes() const { return m_dropped_bytes; }

@@ -4,21 +4,21 @@
 
 namespace berg {
 
-void FlightRecorder::add(const LoggedFrame& logged)
+bool FlightRecorder::add(const LoggedFrame& logged)
 {
     constexpr std::size_t kMostFlights = 32;
     const std::optional<LinkMessage>& message = logged.frame.message;
     if (!message || message->id() != MessageId::GlobalPositionInt)
-        return;
+        return false;
     AircraftState state;
     updateState(state, *message, 0);
     const LinkAddress sender = logged.frame.sender;
     if (!state.position || (!m_flights.contains(sender) && m_flights.size() >= kMostFlights))
-        return;
+        return false;
     m_flights[sender].push_back({.unix_us = logged.unix_us,
                                  .place = state.position->place,
-                                 .altitude_m = state.position->altitude_m,
-                                 .aboveHome_m = state.position->aboveHome_m});
+                                 .altitude_m = state.position->altitude_m});
+    return true;
 }
 
 } // namespace berg

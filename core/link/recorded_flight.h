@@ -13,8 +13,7 @@ struct RecordedPosition
 {
     std::int64_t unix_us = 0;
     LatLon place;
-    double altitude_m = 0;  ///< Above mean sea level.
-    double aboveHome_m = 0; ///< Above the place of take-off.
+    double altitude_m = 0; ///< Above mean sea level.
 };
 
 /**
@@ -24,8 +23,8 @@ struct RecordedPosition
 class FlightRecorder
 {
 public:
-    /** Adds a frame; frames without a position are ignored. */
-    void add(const LoggedFrame& logged);
+    /** Adds a frame; returns false for frames without a position, which are ignored. */
+    bool add(const LoggedFrame& logged);
 
     /** Returns the positions of each vehicle in the order of the log. */
     [[nodiscard]] const std::map<LinkAddress, std::vector<RecordedPosition>>& flights() const

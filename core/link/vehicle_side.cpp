@@ -81,7 +81,10 @@ long wholeNumber(double value)
 } // namespace
 
 VehicleSide::VehicleSide(ByteLink& link, VehicleSideOptions options)
-    : m_exchange(link, {.self = options.self, .key = options.key, .log = options.log})
+    : m_exchange(link, {.self = options.self,
+                        .key = options.key,
+                        .log = options.log,
+                        .logsReceived = options.logsReceived})
     , m_options(std::move(options))
     , m_missions(m_options.autopilot)
 {
@@ -137,6 +140,8 @@ std::vector<VehicleOrder> VehicleSide::advance(LinkTime now, const VehicleReadin
     if (m_missions.revision(MissionType::Mission) != revision)
         orders.push_back({.kind = VehicleOrder::Kind::MissionChanged});
 
+    if (!m_exchange.hasPeers() && !m_options.log)
+        return orders; // nobody would receive the telemetry, as of a predicted flight
     if (now.monotonic_s >= m_nextHeartbeat_s) {
         m_nextHeartbeat_s = now.monotonic_s + kHeartbeat_s;
         m_exchange.broadcast(heartbeatOf(readings, m_options), now);

@@ -69,7 +69,8 @@ struct VehicleSideOptions
     std::optional<SigningKey> key;
     /** Reported on request; never changed. */
     std::vector<std::pair<std::string, double>> parameters;
-    FrameLog log; ///< May be empty.
+    FrameLog log;             ///< May be empty.
+    bool logsReceived = true; ///< False if another vehicle on the same link logs these frames.
 };
 
 /**

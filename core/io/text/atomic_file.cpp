@@ -167,13 +167,12 @@ struct Destination
     std::filesystem::path target; ///< at the end of all links
 };
 
-} // namespace
-
-std::string readFile(const std::string& path, const std::stop_token& stop)
+/** Opens a file as `readFile` does, with its errors. */
+Descriptor openForReading(const std::string& path)
 {
     // An open descriptor (/dev/stdin) may be a pipe; opening any other pipe could block for ever.
     const bool isGiven = isOpenDescriptor(path);
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (isGiven ? 0 : O_NONBLOCK)));
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (isGiven ? 0 : O_NONBLOCK)));
     if (!file.isOpen()) {
         const bool missing = errno == ENOENT || errno == ENOTDIR;
         throw Error(missing ? ErrorCode::FileNotFound : ErrorCode::FileUnreadable, path,
@@ -186,7 +185,26 @@ std::string readFile(const std::string& path, const std::stop_token& stop)
         throw Error(ErrorCode::FileUnreadable, path, {IssueId::CannotRead, {reason(errno)}});
     if (!S_ISREG(status.st_mode) && (!isGiven || S_ISDIR(status.st_mode)))
         throw Error(ErrorCode::FileUnreadable, path, {IssueId::NotRegular});
+    return file;
+}
 
+/** Reads up to `room` bytes; returns 0 at the end. */
+std::size_t readSome(const Descriptor& file, char* bytes, std::size_t room, const std::string& path)
+{
+    while (true) {
+        const ssize_t got = ::read(file.get(), bytes, room);
+        if (got >= 0)
+            return static_cast<std::size_t>(got);
+        if (errno != EINTR)
+            throw Error(ErrorCode::FileUnreadable, path, {IssueId::CannotRead, {reason(errno)}});
+    }
+}
+
+} // namespace
+
+std::string readFile(const std::string& path, const std::stop_token& stop)
+{
+    const Descriptor file = openForReading(path);
     // The size is counted and not taken from the status, because a file may grow while it is read.
     constexpr std::size_t kChunk = std::size_t{1} << 20U;
     std::string content;
@@ -195,18 +213,31 @@ std::string readFile(const std::string& path, const std::stop_token& stop)
     while (size <= most) {
         throwIfStopped(stop);
         content.resize(size + kChunk);
-        const ssize_t got = ::read(file.get(), content.data() + size, kChunk);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            throw Error(ErrorCode::FileUnreadable, path, {IssueId::CannotRead, {reason(errno)}});
-        size += static_cast<std::size_t>(got);
+        const std::size_t got = readSome(file, content.data() + size, kChunk, path);
+        size += got;
         if (got == 0) {
             content.resize(size);
             return content;
         }
     }
     failTooLarge(path, IssueId::FileTooLarge, most >> 20U);
+}
+
+std::size_t readPieces(const std::string& path, std::size_t most,
+                       const std::function<void(std::string_view)>& use,
+                       const std::stop_token& stop)
+{
+    const Descriptor file = openForReading(path);
+    std::string piece(std::size_t{1} << 16U, '\0');
+    std::size_t size = 0;
+    while (const std::size_t got = readSome(file, piece.data(), piece.size(), path)) {
+        throwIfStopped(stop);
+        size += got;
+        if (size > readLimit(most))
+            failTooLarge(path, IssueId::FileTooLarge, readLimit(most) >> 20U);
+        use(std::string_view(piece).substr(0, got));
+    }
+    return size;
 }
 
 struct StagedFile::State

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <stop_token>
@@ -17,6 +18,13 @@ inline constexpr std::size_t kLargestFile = 64U << 20U;
  * `readLimit(kLargestFile)`) with the path as subject, and `Stopped` if `stop` is requested.
  */
 [[nodiscard]] std::string readFile(const std::string& path, const std::stop_token& stop = {});
+/**
+ * Passes the content of a file to `use` in pieces of at most 64 KiB and returns its size. Throws as
+ * `readFile`, but FileTooLarge over `readLimit(most)` bytes, and what `use` throws.
+ */
+std::size_t readPieces(const std::string& path, std::size_t most,
+                       const std::function<void(std::string_view)>& use,
+                       const std::stop_token& stop = {});
 
 /**
  * Writes the file so that a reader sees either the old or the new content, never a part. The

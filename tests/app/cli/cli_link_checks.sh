@@ -52,6 +52,10 @@ sys.exit(not (len(rows) > 10 and len(places) > 10 and all(r["system"] == "1" for
 P
 : >empty.tlog
 check "replay of an empty log" exits 0 "$cli" listen --replay empty.tlog
+{ cat heard.tlog && head -c 70000000 /dev/zero; } >large.tlog
+check "replay of a log above 64 MiB" exits 0 "$cli" listen --replay large.tlog
+check "replay of a log above 64 MiB: its positions" grep -Eq '^1/1 +[0-9]+ positions' stdout.txt
+rm large.tlog
 check "replay of another file" exits 3 "$cli" listen --replay "$scenario"
 check "replay of another file: says why" says "is no telemetry log"
 
@@ -65,6 +69,8 @@ refused() { # words, then the command
 refused "--link is required" vehicle "$scenario"
 refused "--link, --replay is required" listen
 refused "--link excludes --replay" listen --link udp --replay heard.tlog
+refused "--tlog excludes --replay" listen --replay heard.tlog --tlog never.tlog
+refused "--duration excludes --replay" listen --replay heard.tlog --duration 5
 refused "--link: 14550 is no link: write udp:HOST:PORT" listen --link 14550
 refused "--link: udp:127.0.0.1:70000 has no port from 1 to 65535" listen --link udp:127.0.0.1:70000
 refused "--link: serial:/dev/ttyUSB0:1 has no baud rate" listen --link serial:/dev/ttyUSB0:1

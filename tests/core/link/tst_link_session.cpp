@@ -418,6 +418,35 @@ private slots:
         QCOMPARE(sent, 0);
     }
 
+    /** Telemetry for hours of a predicted flight would take seconds of work. */
+    void noTelemetryIsMadeForNobody()
+    {
+        HubLink hub;
+        VehicleSide vehicle(hub, {.autopilot = AutopilotKind::Px4});
+        for (int second = 1; second < 100; ++second)
+            (void)vehicle.advance(linkTime(second), flyingReadings());
+        const std::unique_ptr<MemoryLink> station = hub.addPeer();
+        (void)vehicle.advance(linkTime(100), flyingReadings());
+        const std::optional<LinkPacket> packet = station->receive();
+        QVERIFY(packet.has_value());
+        FrameParser parser;
+        QCOMPARE(static_cast<int>(parser.feedDatagram(packet->bytes).at(0).sequence), 0);
+    }
+
+    /** Vehicles on one link receive the same frames, so one of them logs these. */
+    void receivedFramesAreLoggedOnce()
+    {
+        HubLink hub;
+        const std::unique_ptr<MemoryLink> station = hub.addPeer();
+        int logged = 0;
+        VehicleSide vehicle(hub, {.log = [&](LinkTime, std::span<const std::uint8_t>) { ++logged; },
+                                  .logsReceived = false});
+        FrameWriter writer({.system = 255, .component = 190});
+        station->send(0, writer.write(heartbeat(6, 8), 1));
+        (void)vehicle.advance(linkTime(1), flyingReadings());
+        QCOMPARE(logged, 1); // its own heartbeat
+    }
+
     /** ArduPilot reports where the wind comes from; the scatter is that of the values. */
     void windAndItsScatter()
     {

@@ -155,7 +155,23 @@ private slots:
         const std::string file = path("file");
         writeFileAtomically(file, {content.data(), static_cast<std::size_t>(content.size())});
         QVERIFY(QByteArray::fromStdString(readFile(file)) == content);
+        std::string pieces;
+        const std::size_t size =
+            readPieces(file, 5'000'000, [&](std::string_view piece) { pieces += piece; });
+        QCOMPARE(size, static_cast<std::size_t>(content.size()));
+        QVERIFY(QByteArray::fromStdString(pieces) == content);
         QCOMPARE(namesIn(*m_dir), QStringList{"file"});
+    }
+
+    void piecesAreLimited()
+    {
+        writeFileAtomically(path("file"), std::string(70'000, 'a'));
+        const auto read = [&](const std::string& name, std::size_t most) {
+            return codeOf([&] { (void)readPieces(path(name.c_str()), most, [](auto) {}); });
+        };
+        QCOMPARE(read("file", 69'999), std::string("FileTooLarge"));
+        QCOMPARE(read("file", 70'000), std::string("nothing"));
+        QCOMPARE(read("missing", 1), std::string("FileNotFound"));
     }
 
     void existingContentIsReplaced()
