@@ -5,6 +5,7 @@
 #include "core/plan/proof/multiplier_ascent.h"
 #include "core/plan/proof/proof_step.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -15,7 +16,7 @@ namespace berg {
 /** A plan from another search, and the work spent on it. */
 struct Suggestion
 {
-    FleetPlan plan;
+    FleetPlan plan; ///< an order for each UAV; with one UAV there must be its order
     std::int64_t work = 0;
 };
 
