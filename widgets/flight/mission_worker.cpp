@@ -49,6 +49,19 @@ void amend(MissionSnapshot& waiting, MissionSnapshot next)
     waiting = std::move(next);
 }
 
+/**
+ * Returns the scope of an upload: paths if plans have aimed legs, because straight legs over the
+ * icebergs are not what such a plan means. Interim plans have no legs, so the policy counts, too.
+ */
+ExportScope uploadScope(const Mission& mission)
+{
+    bool isAimed = traitsOf(mission.plannerSettings().policy).method == PolicyMethod::PredictedZeta;
+    for (int uav = 0; uav < mission.simulation().uavCount(); ++uav)
+        if (const PlanPointer last = lastPlanOf(mission.plans(), uav))
+            isAimed = isAimed || !last->of(uav)->legs.empty();
+    return isAimed ? ExportScope::Path : ExportScope::Order;
+}
+
 } // namespace
 
 MissionWorker::MissionWorker(MissionChannels& mail)
@@ -197,11 +210,8 @@ void MissionWorker::sendMissions()
                                   .plan = *m_mission->plans().front(),
                                   .mission =
                                       m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
-        // Straight legs over the icebergs are not what a plan of aimed legs means.
-        const bool isAimed = std::ranges::any_of(
-            m_mission->plans().back()->uavs, [](const UavPlan& own) { return !own.legs.empty(); });
-        const ExportContent content = exportContent(
-            source, {.what = isAimed ? ExportScope::Path : ExportScope::Order, .returnHome = true});
+        const ExportContent content =
+            exportContent(source, {.what = uploadScope(*m_mission), .returnHome = true});
         auto missions = std::make_shared<std::vector<UavMission>>();
         for (const ExportUav& uav : content.uavs) {
             UavMission& mission = missions->emplace_back(
