@@ -141,6 +141,11 @@ void Mission::intervene(Intervention intervention)
     after.asset = intervention.asset ? intervention.asset : m_simulation.world().asset();
     if (intervention.appears)
         after.icebergs.push_back(*intervention.appears);
+    if (intervention.home) {
+        requireUav(intervention.home->uav, "home.uav");
+        after.uavs[toIndex(*indexOfId(after.uavs, intervention.home->uav))].home_m =
+            intervention.home->place_m;
+    }
     checked(after);
     if (intervention.seen)
         requireAppeared(*intervention.seen, "seen");

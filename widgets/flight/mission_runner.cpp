@@ -15,7 +15,8 @@ namespace {
  */
 bool isOfOne(const Intervention& change)
 {
-    return change.appears || change.seen || change.removed || change.assigned || change.commanded;
+    return change.appears || change.seen || change.removed || change.assigned || change.commanded ||
+           change.home;
 }
 
 /** Joins waiting interventions: during a drag only the newest value is flown. */

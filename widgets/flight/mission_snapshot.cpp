@@ -36,6 +36,7 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
     for (int uav = 0; uav < simulation.uavCount(); ++uav) {
         snapshot.motions.push_back(simulation.motion(uav));
         const Autopilot& autopilot = simulation.fleet().autopilot(uav);
+        snapshot.homes_m.push_back(autopilot.home_m());
         snapshot.fences.push_back(autopilot.guard().uav().fence);
         snapshot.homeMargins_s.push_back(autopilot.homeMargin_s(simulation.observer()));
     }
@@ -65,12 +66,13 @@ std::vector<Intervention> worldChangesOf(const Mission& mission)
 {
     std::vector<Intervention> changes;
     for (const Intervention& change : mission.interventions())
-        if (change.wind_mps || change.asset || change.appears || change.removed)
+        if (change.wind_mps || change.asset || change.appears || change.removed || change.home)
             changes.push_back({.time_s = change.time_s,
                                .wind_mps = change.wind_mps,
                                .asset = change.asset,
                                .appears = change.appears,
-                               .removed = change.removed});
+                               .removed = change.removed,
+                               .home = change.home});
     return changes;
 }
 

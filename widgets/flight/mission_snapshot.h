@@ -58,6 +58,7 @@ struct MissionSnapshot
     std::optional<Asset> asset;  ///< present asset; its position is that at time 0
     /** Geofence of each UAV; null if it is not limited. */
     std::vector<std::shared_ptr<const Geofence>> fences;
+    std::vector<Point> homes_m; ///< landing place of each UAV
     /** By UAV, `Autopilot::homeMargin_s`. */
     std::vector<std::optional<double>> homeMargins_s;
     /**
@@ -66,7 +67,8 @@ struct MissionSnapshot
      */
     std::vector<std::optional<int>> assigned;
     /**
-     * Changes of the world so far: wind, asset and icebergs, without other changes made with them.
+     * Changes of the world so far: wind, asset, homes and icebergs, without other changes made with
+     * them.
      */
     std::vector<Intervention> worldChanges;
     /** The change that Undo reverts; nullopt in snapshots of an earlier instant. */

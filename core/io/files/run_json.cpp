@@ -54,6 +54,10 @@ void interventionMembers(Io io, I& change)
         members("uav", commanded.uav, {.isNeeded = true});
         members("order", commanded.order);
     });
+    io.part("home", change.home, [](auto members, auto& home) {
+        members("uav", home.uav, {.isNeeded = true});
+        members("place_m", home.place_m, {.isNeeded = true});
+    });
 }
 
 /** Names the members of the metrics. */
@@ -155,6 +159,8 @@ void checkReferences(const RunFile& file, Faults& faults)
         if (change.commanded && !isUav(change.commanded->uav))
             faults.add(path + ".commanded.uav",
                        {IssueId::UnknownUav, {printable(change.commanded->uav)}});
+        if (change.home && !isUav(change.home->uav))
+            faults.add(path + ".home.uav", {IssueId::UnknownUav, {printable(change.home->uav)}});
         if (!change.assigned)
             continue;
         if (!isThere(change.assigned->iceberg) || removed.contains(change.assigned->iceberg))
