@@ -32,13 +32,14 @@ struct SyncStatus
     MissionType type = MissionType::Mission;
     TransferStatus transfer;                 ///< Status of that list.
     std::vector<ItemDifference> differences; ///< Empty unless the phase is Different.
+    bool isRecheck = false;                  ///< The task is a recheck.
 };
 
 /**
  * Uploads lists to a vehicle, reads each back and compares it. Only the items on board count, not
  * the vehicle's "accepted". Fence and rally points go before the mission, whatever the order of
- * `parts`; the first list that fails or differs ends the task. Task Compare only reads and
- * compares. The constructor throws `std::logic_error` without parts.
+ * `parts`; the first list that fails or differs ends the task. The tasks Compare and Recheck only
+ * read and compare. The constructor throws `std::logic_error` without parts.
  */
 class MissionSync
 {
@@ -46,7 +47,8 @@ public:
     enum class Task
     {
         UploadAndCompare,
-        Compare
+        Compare,
+        Recheck ///< A comparison in the background, to notice changes by others.
     };
 
     MissionSync(std::vector<MissionPart> parts, Task task, LinkAddress vehicle, AutopilotKind kind);
