@@ -58,6 +58,7 @@ AircraftController::AircraftController(WindowContext& context, FlightView& fligh
     panels().aircraft->setAddress(
         settings().value(kAddressKey, QLatin1String(kListenHere)).toString());
     connectPanel();
+    connectShipsAndLogs();
     connect(&workspace().link(), &LinkMonitor::updated, this, &AircraftController::showStatus);
     connect(&workspace().runner(), &MissionRunner::missionsReady, this,
             [this](const std::shared_ptr<const std::vector<UavMission>>& missions) {
@@ -73,6 +74,8 @@ void AircraftController::takeOver(AircraftController& other)
 {
     m_aircraft = std::move(other.m_aircraft);
     m_rehearsal = std::move(other.m_rehearsal);
+    m_assetShip = other.m_assetShip;
+    m_homeShip = other.m_homeShip;
     showStatus();
 }
 
@@ -88,11 +91,6 @@ void AircraftController::connectPanel()
     connect(panel, &AircraftPanel::compareRequested, this,
             [this] { requestMission(Purpose::Compare); });
     connect(panel, &AircraftPanel::steeringEdited, this, &AircraftController::setSteering);
-    connect(panel, &AircraftPanel::assetShipEdited, this, [this](quint32 mmsi) {
-        m_assetShip = mmsi;
-        m_assetMoved_s = 0;
-        followShip();
-    });
     connect(panel, &AircraftPanel::windRequested, this, &AircraftController::useWind);
     connect(panel, &AircraftPanel::uavEdited, this, [this](const std::string& id) {
         const std::optional<LinkAddress> chosen = panels().aircraft->chosen();
@@ -224,15 +222,18 @@ void AircraftController::showStatus()
             if (const LinkVehicle* vehicle = vehicleOf(address)) {
                 aircraft.steering.setMode(vehicle->mode);
                 watchMission(*vehicle, aircraft);
+                recheckMission(*vehicle, aircraft);
+                watchBattery(*vehicle, aircraft);
                 guide(*vehicle, aircraft);
             }
     }
-    followShip();
+    followAssetShip();
+    followHomeShip();
     showOnMap();
     showPanel();
 }
 
-/** A new aircraft flies as the first UAV that is still free. */
+/** A new aircraft flies as the first UAV that is still free; a tracker may be on a ship. */
 void AircraftController::matchAircraft()
 {
     const std::vector<Uav>& uavs = workspace().document().scenario().uavs;
@@ -241,6 +242,10 @@ void AircraftController::matchAircraft()
         if (m_aircraft.contains(vehicle.address))
             continue;
         isNew = true;
+        if (isTracker(vehicle.address)) {
+            m_aircraft[vehicle.address].uav.clear();
+            continue;
+        }
         const auto free = std::ranges::find_if(uavs, [this](const Uav& uav) {
             return std::ranges::none_of(
                 m_aircraft, [&](const auto& entry) { return entry.second.uav == uav.id; });
@@ -275,6 +280,11 @@ void AircraftController::endSync(LinkAddress address)
     if (vehicle == nullptr || found == m_aircraft.end() || !vehicle->sync || !found->second.upload)
         return;
     Aircraft& aircraft = found->second;
+    if (vehicle->sync->isRecheck) {
+        aircraft.upload->isChangedOnBoard =
+            aircraft.upload->isChangedOnBoard || vehicle->sync->phase == SyncPhase::Different;
+        return;
+    }
     if (vehicle->sync->phase != SyncPhase::Equal) {
         aircraft.upload.reset(); // what is on board is not a plan of ours
         return;
@@ -329,6 +339,8 @@ void AircraftController::showOnMap()
             continue;
         const std::optional<int> uav = uavIndex(found->second);
         const double age_s = status.now_s - vehicle.state.position->received_s;
+        if (isTracker(vehicle.address) && !uav)
+            continue; // shown as a ship below
         MapAircraft& shown = live.aircraft.emplace_back(
             MapAircraft{.position_m = pose->position_m,
                         .psi_rad = pose->psi_rad,
@@ -361,6 +373,19 @@ void AircraftController::showOnMap()
                             : std::nullopt,
              .label = trafficName(target),
              .isShip = target.kind == TrafficTarget::Kind::Ship});
+    for (const auto& [address, aircraft] : m_aircraft) {
+        const std::optional<LinkShip> ship = shipOf(status, shipKey(address));
+        if (!ship || uavIndex(aircraft))
+            continue;
+        live.traffic.push_back(
+            {.position_m = frame.toPlane(ship->place),
+             .psi_rad = ship->course_rad
+                            ? std::optional(poseAt(ship->place, *ship->course_rad).psi_rad)
+                            : std::nullopt,
+             .label = u"%1, %2"_s.arg(ship->name,
+                                      positionAgeText(status.now_s - ship->received_s, locale())),
+             .isShip = true});
+    }
     panels().map->setLive(std::move(live));
 }
 
@@ -372,14 +397,20 @@ void AircraftController::showPanel()
             const std::optional<Upload>& upload = aircraft.upload;
             notes[address] = {.uav = aircraft.uav,
                               .onBoard = onBoardText(aircraft, *vehicle),
-                              .isSame =
-                                  upload && !upload->isChangedOnBoard && !upload->isPlanChanged,
+                              .isSame = upload && !upload->isChangedOnBoard &&
+                                        !upload->isPlanChanged && !upload->isHomeMoved,
                               .steering = aircraft.steering};
+            if (const std::optional<BatteryReadout>& readout = aircraft.readout) {
+                notes[address].battery = tr("Battery: %1").arg(batteryText(*readout, locale()));
+                notes[address].isBatteryShort = isBatteryShort(*readout);
+            }
         }
     panels().aircraft->showStatus(workspace().link().status(), notes);
     panels().aircraft->showFlight(workspace().record().now.isLive, m_rehearsal != nullptr);
     const LinkStatus& status = workspace().link().status();
-    m_mark->setText(status.isSending ? tr("Link: sending") : tr("Link: listening"));
+    m_mark->setText(status.replay      ? tr("Link: replay")
+                    : status.isSending ? tr("Link: sending")
+                                       : tr("Link: listening"));
     m_mark->setVisible(status.isListening);
     showNotices();
 }
@@ -402,9 +433,11 @@ void AircraftController::showNotices()
                 linkEventText({.kind = LinkEvent::Kind::VehicleLost, .vehicle = address}, vehicle));
         if (aircraft.steering.state() == SteeringState::PilotTookOver)
             add(NoticeKind::Aircraft, named(steeringText(aircraft.steering)));
-        if (aircraft.upload &&
-            (aircraft.upload->isPlanChanged || aircraft.upload->isChangedOnBoard))
+        if (aircraft.upload && (aircraft.upload->isPlanChanged ||
+                                aircraft.upload->isChangedOnBoard || aircraft.upload->isHomeMoved))
             add(NoticeKind::Aircraft, named(onBoardText(aircraft, *vehicle)));
+        if (aircraft.readout && isBatteryShort(*aircraft.readout))
+            add(NoticeKind::Battery, named(batteryWarning(*aircraft.readout)));
     }
     m_flightView.setAircraftNotices(notices);
 }

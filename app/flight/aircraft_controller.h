@@ -1,7 +1,10 @@
 #pragma once
 
 #include "app/layout/window_part.h"
+#include "core/link/battery_trend.h"
 #include "core/sim/steering.h"
+#include "widgets/aircraft/battery_text.h"
+#include "widgets/aircraft/link_ships.h"
 #include "widgets/aircraft/link_status.h"
 #include "widgets/aircraft/rehearsal_fleet.h"
 #include "widgets/flight/mission_runner.h"
@@ -36,6 +39,9 @@ public:
     /** Takes over what another window of the same workspace has begun. */
     void takeOver(AircraftController& other);
 
+    /** Plays a telemetry log in place of the link; shows why if it is none. */
+    void replay(const QString& path);
+
 private:
     /** A plan that was uploaded to an aircraft, and found there. */
     struct Upload
@@ -48,6 +54,8 @@ private:
         std::optional<std::uint32_t> missionId;
         bool isChangedOnBoard = false; ///< the aircraft reports another mission since
         bool isPlanChanged = false;
+        Point home_m = Point::Zero(); ///< where it returns to
+        bool isHomeMoved = false;     ///< home has left that place since
     };
     /** Reason for which the plans were requested as uploads. */
     enum class Purpose
@@ -67,9 +75,20 @@ private:
         Point guidedTo_m = Point::Zero();
         double lastPose_s = 0; ///< of the last pose passed on
         Purpose purpose = Purpose::None;
+        double nextRecheck_s = 0; ///< clock of the link
+        int rechecks = 0;
+        BatteryTrend battery;
+        std::optional<BatteryReadout> readout;
+    };
+    /** A ship that something in the scenario follows. */
+    struct Followed
+    {
+        quint64 ship = 0;   ///< key; 0 for none
+        double moved_s = 0; ///< clock of the link at its last move
     };
 
     void connectPanel();
+    void connectShipsAndLogs();
     void listen(bool isOn);
     void rehearse(bool isOn);
     void flyLive();
@@ -90,7 +109,16 @@ private:
     void acceptMissions(const std::vector<UavMission>& missions);
     void setSteering(SteeringKind kind);
     void useWind();
-    void followShip();
+    void recheckMission(const LinkVehicle& vehicle, Aircraft& aircraft);
+    void followAssetShip();
+    void followHomeShip();
+    [[nodiscard]] std::vector<Point> homes_m() const;
+    void watchBattery(const LinkVehicle& vehicle, Aircraft& aircraft);
+    [[nodiscard]] std::optional<double> wayHome_s(const LinkVehicle& vehicle,
+                                                  const Aircraft& aircraft) const;
+    void setLog(bool isOn);
+    [[nodiscard]] QString logFolder() const;
+    void chooseLog();
     [[nodiscard]] const LinkVehicle* vehicleOf(LinkAddress address) const;
     [[nodiscard]] std::optional<int> uavIndex(const Aircraft& aircraft) const;
     [[nodiscard]] std::vector<std::string> orderInForce(int uav) const;
@@ -102,8 +130,8 @@ private:
     QLabel* m_mark; ///< in the status bar, as long as the link is on
     std::map<LinkAddress, Aircraft> m_aircraft;
     std::unique_ptr<RehearsalFleet> m_rehearsal;
-    std::uint32_t m_assetShip = 0;     ///< MMSI of the ship that the asset follows; 0 for none
-    double m_assetMoved_s = 0;         ///< clock of the link at its last move
+    Followed m_assetShip;
+    Followed m_homeShip;
     std::vector<std::string> m_uavIds; ///< as the panel offers them
 };
 

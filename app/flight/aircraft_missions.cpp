@@ -16,13 +16,19 @@ namespace berg {
 namespace {
 
 constexpr double kLinkDelay_s = 2;
+constexpr double kRecheck_s = 30; ///< 40 items in this time are 1 % of a slow radio
+constexpr int kWholeRecheck = 4;  ///< one of this many rechecks reads fence and rally points, too
+constexpr double kQuiet_s = 3;    ///< the upload of another ground station has ended
 constexpr double kLoiterRadius_m = 150; ///< asked for; autopilots fly a larger one if they must
+constexpr double kHomeMoved_m = 300;    ///< a minute of a ship at 10 knots
 constexpr double kMoved_m = 100;        ///< the iceberg has moved: the point is sent again
 
+/** Rechecks run in the background and give way. */
 bool isRunning(const LinkVehicle& vehicle)
 {
-    return vehicle.sync && (vehicle.sync->phase == SyncPhase::Uploading ||
-                            vehicle.sync->phase == SyncPhase::ReadingBack);
+    return vehicle.sync && !vehicle.sync->isRecheck &&
+           (vehicle.sync->phase == SyncPhase::Uploading ||
+            vehicle.sync->phase == SyncPhase::ReadingBack);
 }
 
 bool isEqual(const std::vector<MissionPart>& a, const std::vector<MissionPart>& b)
@@ -66,6 +72,8 @@ void AircraftController::acceptMissions(const std::vector<UavMission>& missions)
             continue;
         }
         aircraft.upload = Upload{.parts = mission->parts, .order = mission->order};
+        if (const std::optional<int> uav = uavIndex(aircraft))
+            aircraft.upload->home_m = homes_m()[static_cast<std::size_t>(*uav)];
         workspace().link().startSync(address, mission->parts,
                                      purpose == Purpose::Upload
                                          ? MissionSync::Task::UploadAndCompare
@@ -79,13 +87,16 @@ QString AircraftController::onBoardText(const Aircraft& aircraft, const LinkVehi
     if (isRunning(vehicle))
         return syncText(*vehicle.sync);
     if (!aircraft.upload || aircraft.upload->time.isEmpty())
-        return vehicle.sync && vehicle.sync->phase != SyncPhase::Equal ? syncText(*vehicle.sync)
-                                                                       : QString();
+        return vehicle.sync && !vehicle.sync->isRecheck && vehicle.sync->phase != SyncPhase::Equal
+                   ? syncText(*vehicle.sync)
+                   : QString();
     const Upload& upload = *aircraft.upload;
     if (upload.isChangedOnBoard)
         return tr("Differs: the mission on board has changed since %1").arg(upload.time);
     if (upload.isPlanChanged)
         return tr("Differs: the plan has changed since %1").arg(upload.time);
+    if (upload.isHomeMoved)
+        return tr("Differs: home has moved since %1").arg(upload.time);
     return tr("On board: same as the plan of %1").arg(upload.time);
 }
 
@@ -106,6 +117,35 @@ void AircraftController::watchMission(const LinkVehicle& vehicle, Aircraft& airc
                               upload.missionId != mission.missionId;
 }
 
+/**
+ * Reads the mission back now and then, because few autopilots say that it was changed: ArduPilot
+ * reports its number of items only, PX4 a number that changes with the mission, and neither the
+ * fence. Contact that returns and an upload of another ground station are reasons to look at once.
+ */
+void AircraftController::recheckMission(const LinkVehicle& vehicle, Aircraft& aircraft)
+{
+    const LinkStatus& status = workspace().link().status();
+    if (vehicle.isLost)
+        aircraft.nextRecheck_s = status.now_s + kLinkDelay_s;
+    if (!status.isSending || !aircraft.upload || aircraft.upload->time.isEmpty() ||
+        vehicle.isLost || isRunning(vehicle) || aircraft.purpose != Purpose::None ||
+        aircraft.upload->isChangedOnBoard)
+        return;
+    const Upload& upload = *aircraft.upload;
+    const double from_s = std::max(upload.found_s, aircraft.nextRecheck_s - kRecheck_s);
+    const std::optional<double>& others_s = vehicle.othersUpload_s;
+    const bool isOthers = others_s && *others_s > from_s && status.now_s > *others_s + kQuiet_s;
+    if (!isOthers && status.now_s < std::max(aircraft.nextRecheck_s, upload.found_s + kRecheck_s))
+        return;
+    aircraft.nextRecheck_s = status.now_s + kRecheck_s;
+    std::vector<MissionPart> parts = upload.parts;
+    const bool isWhole = isOthers || ++aircraft.rechecks % kWholeRecheck == 0;
+    if (!isWhole) // the mission alone is most likely to change
+        std::erase_if(parts,
+                      [](const MissionPart& part) { return part.type != MissionType::Mission; });
+    workspace().link().startSync(vehicle.address, parts, MissionSync::Task::Recheck);
+}
+
 /** In flight the order ahead counts, because places of waypoints follow the estimates. */
 void AircraftController::flightChanged()
 {
@@ -124,6 +164,9 @@ void AircraftController::flightChanged()
         } else if (uav) {
             aircraft.upload->isPlanChanged =
                 !agreesAhead(aircraft.upload->order, orderInForce(*uav));
+            aircraft.upload->isHomeMoved =
+                (homes_m()[static_cast<std::size_t>(*uav)] - aircraft.upload->home_m).norm() >
+                kHomeMoved_m;
             replaceMission(address, aircraft);
         }
     }
@@ -136,9 +179,9 @@ void AircraftController::flightChanged()
 void AircraftController::replaceMission(LinkAddress address, Aircraft& aircraft)
 {
     const LinkVehicle* vehicle = vehicleOf(address);
-    if (!aircraft.upload->isPlanChanged || vehicle == nullptr || vehicle->isLost ||
-        isRunning(*vehicle) || aircraft.purpose != Purpose::None ||
-        aircraft.steering.kind() != SteeringKind::Mission ||
+    const bool hasChanged = aircraft.upload->isPlanChanged || aircraft.upload->isHomeMoved;
+    if (!hasChanged || vehicle == nullptr || vehicle->isLost || isRunning(*vehicle) ||
+        aircraft.purpose != Purpose::None || aircraft.steering.kind() != SteeringKind::Mission ||
         aircraft.steering.state() != SteeringState::Active)
         return;
     aircraft.purpose = Purpose::Upload;
@@ -206,34 +249,6 @@ void AircraftController::useWind()
         northAngle_rad(LocalFrame(workspace().document().scenario().origin), Point::Zero());
     const Point mean_mps(wind.meanEast_mps, wind.meanNorth_mps);
     workspace().setWind(Eigen::Rotation2D<double>(-north_rad) * mean_mps);
-}
-
-/** Each move costs a plan, so that small deviations wait. */
-void AircraftController::followShip()
-{
-    constexpr double kDeviation_m = 50;
-    constexpr double kDeviation_mps = 0.5;
-    constexpr double kPause_s = 10;
-    const LinkStatus& status = workspace().link().status();
-    const auto ship = std::ranges::find_if(status.traffic, [this](const TrafficTarget& target) {
-        return target.kind == TrafficTarget::Kind::Ship && target.id == m_assetShip;
-    });
-    const bool inFlight = workspace().inFlight();
-    const std::optional<Asset>& asset =
-        inFlight ? workspace().record().now.asset : workspace().document().scenario().asset;
-    if (m_assetShip == 0 || ship == status.traffic.end() || !asset ||
-        status.now_s - m_assetMoved_s < kPause_s)
-        return;
-    const DubinsState pose = poseAt(ship->place, ship->course_rad.value_or(0));
-    const Point velocity_mps =
-        ship->speed_mps * Point(std::cos(pose.psi_rad), std::sin(pose.psi_rad));
-    const Point place_m = pose.position_m + velocity_mps * (status.now_s - ship->received_s);
-    const double now_s = inFlight ? workspace().record().now.time_s : 0;
-    if ((asset->position_m + now_s * asset->velocity_mps - place_m).norm() < kDeviation_m &&
-        (asset->velocity_mps - velocity_mps).norm() < kDeviation_mps)
-        return;
-    m_assetMoved_s = status.now_s;
-    workspace().setAssetMotion(place_m, velocity_mps);
 }
 
 } // namespace berg

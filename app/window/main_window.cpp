@@ -143,6 +143,10 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     setCentralWidget(m_panels.makeCentre());
     m_panels.map->setFocus(); // else the window gives it to an alarm, which takes the space key
     m_parts = std::make_unique<WindowParts>(m_context);
+    connect(&m_parts->files, &ScenarioFiles::telemetryLogChosen, this, [this](const QString& path) {
+        m_parts->docks.raise(Dock::Aircraft);
+        m_parts->aircraft.replay(path);
+    });
     connect(&m_parts->appearance, &AppearanceChoice::themeChanged, this, &MainWindow::showTheme);
     connect(&m_parts->preferences, &PreferenceMenus::languageChosen, this,
             &MainWindow::languageChosen);

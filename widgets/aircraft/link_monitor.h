@@ -26,7 +26,13 @@ public:
 
     /** Listens on the link that `opener` makes on the link thread, in place of another. */
     void listen(const LinkOpener& opener);
+    /** Plays a telemetry log in place of a link, as if its aircraft were heard now. */
+    void replay(const ReplayOrder& order);
+    /** Sets the speed of the replay, in seconds of the log in each second. */
+    void setReplaySpeed(double speed);
     void stop();
+    /** Sets the folder in which telemetry logs are written; empty for none, as at first. */
+    void setLogFolder(const QString& folder);
     void setSending(bool isOn);
     /** Starts an upload or comparison, if sending is on and none is running for this vehicle. */
     void startSync(LinkAddress vehicle, const std::vector<MissionPart>& parts,
@@ -49,6 +55,7 @@ signals:
 private:
     template <class Command>
     void post(Command command);
+    void begin();
     void accept();
     void extendTracks();
 

@@ -1,5 +1,6 @@
 #include "widgets/aircraft/link_text.h"
 
+#include "core/link/tracker_list.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
@@ -70,13 +71,18 @@ QString differenceText(const ItemDifference& difference)
 
 QString aircraftName(LinkAddress address)
 {
-    return LinkText::tr("Aircraft %1").arg(address.system);
+    return isTracker(address) ? LinkText::tr("Tracker %1").arg(address.component)
+                              : LinkText::tr("Aircraft %1").arg(address.system);
 }
 
 QString trafficName(const TrafficTarget& target)
 {
     const QString name = plainText(target.name);
-    return name.isEmpty() ? QString::number(target.id) : name;
+    if (!name.isEmpty())
+        return name;
+    return target.kind == TrafficTarget::Kind::Ship // MMSI, or ICAO address
+               ? QString::number(target.id)
+               : QString::number(target.id, 16).toUpper().rightJustified(6, u'0');
 }
 
 QString linkConditionText(const LinkCondition& condition)
@@ -149,7 +155,9 @@ QString linkEventText(const LinkEvent& event, const LinkVehicle* vehicle)
                          ? LinkText::tr("command accepted")
                          : LinkText::tr("command refused (result %1)").arg(*event.command->result));
     case LinkEvent::Kind::SyncEnded:
-        return vehicle != nullptr && vehicle->sync ? named(syncText(*vehicle->sync)) : QString();
+        return vehicle != nullptr && vehicle->sync && !vehicle->sync->isRecheck
+                   ? named(syncText(*vehicle->sync))
+                   : QString();
     case LinkEvent::Kind::SameIdHeard:
         return LinkText::tr("Another ground station uses the same id: sending is off");
     }

@@ -49,7 +49,7 @@ struct MissionRequest
 struct LivePose
 {
     int uav = 0;        ///< index in the scenario
-    double clock_s = 0; ///< `monotonicNow_s` when it was valid
+    double clock_s = 0; ///< clock of the link when it was valid
     DubinsState pose;
     bool isMeasured = true; ///< as in `PoseFix`
 };
@@ -105,8 +105,9 @@ public:
     void fly(FlightRate rate);
     /**
      * Flies with real aircraft from now on, at their pace: as far as the poses of `addPoses` reach.
+     * `clock_s` is the present time of their clock (`LivePose::clock_s`).
      */
-    void flyLive();
+    void flyLive(double clock_s);
     /** Adds poses of real aircraft. They have no effect outside a live flight. */
     void addPoses(const std::vector<LivePose>& poses);
     /**

@@ -2,7 +2,6 @@
 
 #include "core/io/export/content/export_flight.h"
 #include "core/io/export/missions/mission_upload.h"
-#include "core/link/transport/link_clock.h"
 #include "widgets/words/error_text.h"
 #include "widgets/words/issue_text.h"
 #include "widgets/words/report_language.h"
@@ -161,11 +160,11 @@ void MissionWorker::fly(FlightRate rate)
     publish();
 }
 
-void MissionWorker::flyLive()
+void MissionWorker::flyLive(double clock_s)
 {
     if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
         return;
-    m_liveZero_s = monotonicNow_s() - m_mission->simulation().time_s();
+    m_liveZero_s = clock_s - m_mission->simulation().time_s();
     fly(1);
 }
 

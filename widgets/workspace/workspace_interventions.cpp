@@ -135,6 +135,27 @@ void Workspace::setAssetMotion(const Point& position_m, const Point& velocity_mp
     m_runner.intervene({.asset = asset});
 }
 
+void Workspace::setHomes(const std::vector<Point>& homes_m)
+{
+    if (!inFlight()) {
+        m_document.edit(
+            tr("Move launch and home"),
+            [&](Scenario& scenario) {
+                for (std::size_t i = 0; i < std::min(homes_m.size(), scenario.uavs.size()); ++i) {
+                    scenario.uavs[i].position_m = homes_m[i];
+                    scenario.uavs[i].home_m.reset(); // it is the start
+                }
+            },
+            u"home motion"_s);
+        return;
+    }
+    if (!mayIntervene())
+        return; // it comes again
+    const std::vector<Uav>& uavs = m_record.scenario.uavs;
+    for (std::size_t i = 0; i < std::min(homes_m.size(), uavs.size()); ++i)
+        m_runner.intervene({.home = HomeMove{.uav = uavs[i].id, .place_m = homes_m[i]}});
+}
+
 void Workspace::addIceberg(Iceberg iceberg)
 {
     if (!inFlight() || refuseIntervention())

@@ -21,12 +21,17 @@ class QVBoxLayout;
 
 namespace berg {
 
+class LogRows;
+class ShipRows;
+
 /** State of one aircraft besides its telemetry. */
 struct AircraftNotes
 {
     std::string uav;     ///< id of the UAV that it flies as; empty for none
     QString onBoard;     ///< whether the mission on board is the plan
     bool isSame = false; ///< it is
+    QString battery;     ///< battery, way home and endurance
+    bool isBatteryShort = false;
     Steering steering;
 };
 
@@ -51,6 +56,10 @@ public:
     void showFlight(bool isLive, bool isRehearsing);
     /** Appends a line to the events. */
     void addEvent(const QString& time, const QString& text, bool isAlarm);
+    /** Shows whether a telemetry log is to be written, and in which folder. */
+    void setLogChoice(bool isOn, const QString& folder);
+    /** Returns the speed chosen for replays, in seconds of the log in each second. */
+    [[nodiscard]] double replaySpeed() const;
     /** Shows a problem with the address; empty for none. */
     void showFault(const QString& fault);
 
@@ -68,14 +77,20 @@ signals:
     void windRequested();
     void uavEdited(const std::string& id);
     void steeringEdited(berg::SteeringKind kind);
-    /** Emitted with the MMSI of the ship that the asset follows; 0 for none. */
-    void assetShipEdited(quint32 mmsi);
+    /** Emitted with the key of the ship (`LinkShip`) that the asset follows; 0 for none. */
+    void assetShipEdited(quint64 key);
+    /** Emitted with the key of the ship that launch and home are on; 0 for none. */
+    void homeShipEdited(quint64 key);
+    void logEdited(bool isOn);
+    void openLogRequested();
+    void replaySpeedEdited(double speed);
 
 private:
     void addConnection(QVBoxLayout& column);
     void addDetails(QVBoxLayout& column);
+    void showList();
     void showDetails();
-    void showShips();
+    [[nodiscard]] QString stateText() const;
 
     QLineEdit* m_address;
     QPushButton* m_listen;
@@ -93,7 +108,9 @@ private:
     QPushButton* m_flyMission;
     QPushButton* m_wind;
     QPushButton* m_flyLive;
-    QComboBox* m_assetShip;
+    LogRows* m_log;
+    QLabel* m_battery;
+    ShipRows* m_ships;
     QPlainTextEdit* m_events;
     LinkStatus m_status;
     std::map<LinkAddress, AircraftNotes> m_notes;

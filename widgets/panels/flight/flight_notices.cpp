@@ -261,6 +261,7 @@ NoticeRank rankOf(NoticeKind kind)
     case NoticeKind::LateHome:
     case NoticeKind::RingEntry:
     case NoticeKind::ContactLost:
+    case NoticeKind::Battery:
         return NoticeRank::Alarm;
     case NoticeKind::PlannerFailed:
     case NoticeKind::WindLimit:

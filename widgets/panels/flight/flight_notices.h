@@ -27,6 +27,7 @@ enum class NoticeKind
     LostIceberg,
     Mode,
     ContactLost, ///< with a real aircraft
+    Battery,     ///< of a real aircraft: it ends before the way home does
     Aircraft     ///< the pilot has taken over, or the mission on board is not the plan
 };
 
