@@ -52,6 +52,29 @@
     </message>
 </context>
 <context>
+    <name>BatteryText</name>
+    <message>
+        <source>about %1 left</source>
+        <translation>encore %1 environ</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>encore %1</translation>
+    </message>
+    <message>
+        <source>way home %1</source>
+        <translation>retour %1</translation>
+    </message>
+    <message>
+        <source>planned endurance left %1</source>
+        <translation>autonomie prévue restante %1</translation>
+    </message>
+    <message>
+        <source>Battery for %1, way home %2</source>
+        <translation>Batterie pour %1, retour %2</translation>
+    </message>
+</context>
+<context>
     <name>ChartPageText</name>
     <message>
         <source>Flown until %1</source>
@@ -3031,6 +3054,10 @@ Zone adjacente %4</translation>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Le scénario est verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
     </message>
+    <message>
+        <source>Move home</source>
+        <translation>Déplacer la base</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4647,6 +4674,10 @@ Zone adjacente %4</translation>
         <source>The pilot has taken over: nothing is sent</source>
         <translation>Le pilote a repris la main : rien n&apos;est envoyé</translation>
     </message>
+    <message>
+        <source>Tracker %1</source>
+        <translation>Balise %1</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -4748,10 +4779,6 @@ Zone adjacente %4</translation>
         <translation>La commande « export » écrit les plans et les vols sous forme de fichiers, cartes, graphiques et fiches : voir « bergwatch export --help ».</translation>
     </message>
     <message>
-        <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
-        <translation>Un scénario (.berg), un vol (.bergrun) ou une étude (.bergstudy).</translation>
-    </message>
-    <message>
         <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
         <translation>Écrire le manuel en pages web et en PDF dans &lt;dossier&gt;, où se trouvent les images.</translation>
     </message>
@@ -4766,6 +4793,10 @@ Zone adjacente %4</translation>
     <message>
         <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
         <translation>--wait : « %1 » n&apos;est pas un nombre de secondes jusqu&apos;à %2.</translation>
+    </message>
+    <message>
+        <source>A scenario (.berg), run (.bergrun), study (.bergstudy) or telemetry log (.tlog).</source>
+        <translation>Un scénario (.berg), un vol (.bergrun), une étude (.bergstudy) ou un journal de télémétrie (.tlog).</translation>
     </message>
 </context>
 <context>
@@ -7393,16 +7424,40 @@ vers le %2</translation>
         <source>On board: same as the plan of %1</source>
         <translation>À bord : identique au plan de %1</translation>
     </message>
+    <message>
+        <source>Battery: %1</source>
+        <translation>Batterie : %1</translation>
+    </message>
+    <message>
+        <source>Link: replay</source>
+        <translation>Liaison : lecture</translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog);;All files (*)</source>
+        <translation>Journaux de télémétrie (*.tlog);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Stop listening before you play a log.</source>
+        <translation>Arrêtez l&apos;écoute avant de lire un journal.</translation>
+    </message>
+    <message>
+        <source>%1 is not a telemetry log, or its beginning is damaged.</source>
+        <translation>%1 n&apos;est pas un journal de télémétrie, ou son début est endommagé.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 ne peut pas être lu : %2</translation>
+    </message>
+    <message>
+        <source>Differs: home has moved since %1</source>
+        <translation>Diffère : la base s&apos;est déplacée depuis %1</translation>
+    </message>
 </context>
 <context>
     <name>berg::AircraftPanel</name>
     <message>
         <source>from %1, %2 ± %3</source>
         <translation>du %1, %2 ± %3</translation>
-    </message>
-    <message>
-        <source>Battery: %1</source>
-        <translation>Batterie : %1</translation>
     </message>
     <message>
         <source>Wind: %1</source>
@@ -7533,14 +7588,6 @@ vers le %2</translation>
         <translation>Guider d&apos;iceberg en iceberg</translation>
     </message>
     <message>
-        <source>Ship that the asset follows</source>
-        <translation>Navire que suit le bien protégé</translation>
-    </message>
-    <message>
-        <source>The asset follows no ship</source>
-        <translation>Le bien protégé ne suit aucun navire</translation>
-    </message>
-    <message>
         <source>No UAV</source>
         <translation>Aucun UAV</translation>
     </message>
@@ -7565,16 +7612,16 @@ vers le %2</translation>
         <translation>aucune encore</translation>
     </message>
     <message>
-        <source>The asset follows %1</source>
-        <translation>Le bien protégé suit %1</translation>
-    </message>
-    <message>
         <source>The flight follows the aircraft</source>
         <translation>Le vol suit l&apos;aéronef</translation>
     </message>
     <message>
         <source>%1  Attention: %2</source>
         <translation>%1  Attention : %2</translation>
+    </message>
+    <message>
+        <source>No aircraft in the log so far.</source>
+        <translation>Aucun aéronef dans le journal jusqu&apos;ici.</translation>
     </message>
 </context>
 <context>
@@ -10289,6 +10336,61 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
 </context>
 <context>
+    <name>berg::LogRows</name>
+    <message>
+        <source>Write a log</source>
+        <translation>Écrire un journal</translation>
+    </message>
+    <message>
+        <source>Open a log…</source>
+        <translation>Ouvrir un journal…</translation>
+    </message>
+    <message>
+        <source>Plays a recorded flight (.tlog) in place of a link.</source>
+        <translation>Lit un vol enregistré (.tlog) à la place d&apos;une liaison.</translation>
+    </message>
+    <message>
+        <source>Part of the log that has been played</source>
+        <translation>Partie du journal qui a été lue</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
+        <source>Seconds of the log that are played in each second</source>
+        <translation>Secondes du journal lues en une seconde</translation>
+    </message>
+    <message>
+        <source>Writes every frame sent and received to a new file (.tlog) in the folder %1.</source>
+        <translation>Écrit chaque trame envoyée et reçue dans un nouveau fichier (.tlog) du dossier %1.</translation>
+    </message>
+    <message>
+        <source>Log %1 has been played: %2</source>
+        <translation>Le journal %1 a été lu : %2</translation>
+    </message>
+    <message>
+        <source>Playing log %1: %2</source>
+        <translation>Lecture du journal %1 : %2</translation>
+    </message>
+    <message>
+        <source>Damaged parts were skipped (%1).</source>
+        <translation>Des parties endommagées ont été sautées (%1).</translation>
+    </message>
+    <message>
+        <source>The log cannot be written: %1 (%2)</source>
+        <translation>Le journal ne peut pas être écrit : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>The log has reached its largest size and has ended: %1</source>
+        <translation>Le journal a atteint sa taille maximale et s&apos;est terminé : %1</translation>
+    </message>
+    <message>
+        <source>Log: %1 (%2)</source>
+        <translation>Journal : %1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>berg::MainWindow</name>
     <message>
         <source>Untitled</source>
@@ -11888,10 +11990,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Nouveau scénario</translation>
     </message>
     <message>
-        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
-        <translation>Scénarios, vols et études (*.berg *.bergrun *.bergstudy);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Opened a copy of %1</source>
         <translation>Copie de %1 ouverte</translation>
     </message>
@@ -11918,6 +12016,41 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Reading %1</source>
         <translation>Lecture de %1</translation>
+    </message>
+    <message>
+        <source>Scenarios, runs, studies and telemetry logs (*.berg *.bergrun *.bergstudy *.tlog);;All files (*)</source>
+        <translation>Scénarios, vols, études et journaux de télémétrie (*.berg *.bergrun *.bergstudy *.tlog);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ShipRows</name>
+    <message>
+        <source>Ship that the asset follows</source>
+        <translation>Navire que suit le bien protégé</translation>
+    </message>
+    <message>
+        <source>The asset follows no ship</source>
+        <translation>Le bien protégé ne suit aucun navire</translation>
+    </message>
+    <message>
+        <source>Ship with launch and home</source>
+        <translation>Navire portant le départ et la base</translation>
+    </message>
+    <message>
+        <source>Launch and home of the UAVs move with the ship, in the simulation and in uploads. The autopilot&apos;s own home stays where it took off.</source>
+        <translation>Le départ et la base des drones se déplacent avec le navire, dans la simulation et dans les envois. La base propre à l&apos;autopilote reste au lieu de son décollage.</translation>
+    </message>
+    <message>
+        <source>Launch and home are not on a ship</source>
+        <translation>Le départ et la base ne sont pas sur un navire</translation>
+    </message>
+    <message>
+        <source>The asset follows %1</source>
+        <translation>Le bien protégé suit %1</translation>
+    </message>
+    <message>
+        <source>Launch and home are on %1</source>
+        <translation>Le départ et la base sont sur %1</translation>
     </message>
 </context>
 <context>
@@ -12948,6 +13081,10 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Le scénario est verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
+    </message>
+    <message>
+        <source>Move launch and home</source>
+        <translation>Déplacer le départ et la base</translation>
     </message>
 </context>
 </TS>

@@ -52,6 +52,29 @@
     </message>
 </context>
 <context>
+    <name>BatteryText</name>
+    <message>
+        <source>about %1 left</source>
+        <translation>omtrent %1 igjen</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 igjen</translation>
+    </message>
+    <message>
+        <source>way home %1</source>
+        <translation>veien hjem %1</translation>
+    </message>
+    <message>
+        <source>planned endurance left %1</source>
+        <translation>planlagt utholdenhet igjen %1</translation>
+    </message>
+    <message>
+        <source>Battery for %1, way home %2</source>
+        <translation>Batteri til %1, veien hjem %2</translation>
+    </message>
+</context>
+<context>
     <name>ChartPageText</name>
     <message>
         <source>Flown until %1</source>
@@ -3031,6 +3054,10 @@ Tilstøtende område %4</translation>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Scenarioet er låst under flyging. Stopp flygingen for å endre det.</translation>
     </message>
+    <message>
+        <source>Move home</source>
+        <translation>Flytt hjem</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4647,6 +4674,10 @@ Tilstøtende område %4</translation>
         <source>The pilot has taken over: nothing is sent</source>
         <translation>Piloten har overtatt: ingenting sendes</translation>
     </message>
+    <message>
+        <source>Tracker %1</source>
+        <translation>Sporer %1</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -4748,10 +4779,6 @@ Tilstøtende område %4</translation>
         <translation>Kommandoen «export» skriver planer og flyginger som filer, kart, diagrammer og flygeark: se «bergwatch export --help».</translation>
     </message>
     <message>
-        <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
-        <translation>Et scenario (.berg), en flyging (.bergrun) eller en studie (.bergstudy).</translation>
-    </message>
-    <message>
         <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
         <translation>Skriv håndboken som nettsider og som PDF i &lt;mappe&gt;, der bildene ligger.</translation>
     </message>
@@ -4766,6 +4793,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
         <translation>--wait: «%1» er ikke et antall sekunder opp til %2.</translation>
+    </message>
+    <message>
+        <source>A scenario (.berg), run (.bergrun), study (.bergstudy) or telemetry log (.tlog).</source>
+        <translation>Et scenario (.berg), en flyging (.bergrun), en studie (.bergstudy) eller en telemetrilogg (.tlog).</translation>
     </message>
 </context>
 <context>
@@ -7393,16 +7424,40 @@ mot %2</translation>
         <source>On board: same as the plan of %1</source>
         <translation>Om bord: samme som planen fra %1</translation>
     </message>
+    <message>
+        <source>Battery: %1</source>
+        <translation>Batteri: %1</translation>
+    </message>
+    <message>
+        <source>Link: replay</source>
+        <translation>Forbindelse: avspilling</translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog);;All files (*)</source>
+        <translation>Telemetrilogger (*.tlog);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Stop listening before you play a log.</source>
+        <translation>Slutt å lytte før du spiller av en logg.</translation>
+    </message>
+    <message>
+        <source>%1 is not a telemetry log, or its beginning is damaged.</source>
+        <translation>%1 er ingen telemetrilogg, eller begynnelsen er skadd.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 kan ikke leses: %2</translation>
+    </message>
+    <message>
+        <source>Differs: home has moved since %1</source>
+        <translation>Avviker: hjem har flyttet seg siden %1</translation>
+    </message>
 </context>
 <context>
     <name>berg::AircraftPanel</name>
     <message>
         <source>from %1, %2 ± %3</source>
         <translation>fra %1, %2 ± %3</translation>
-    </message>
-    <message>
-        <source>Battery: %1</source>
-        <translation>Batteri: %1</translation>
     </message>
     <message>
         <source>Wind: %1</source>
@@ -7533,14 +7588,6 @@ mot %2</translation>
         <translation>Led fra isfjell til isfjell</translation>
     </message>
     <message>
-        <source>Ship that the asset follows</source>
-        <translation>Skip som objektet følger</translation>
-    </message>
-    <message>
-        <source>The asset follows no ship</source>
-        <translation>Objektet følger ikke noe skip</translation>
-    </message>
-    <message>
         <source>No UAV</source>
         <translation>Ingen UAV</translation>
     </message>
@@ -7565,16 +7612,16 @@ mot %2</translation>
         <translation>ingen ennå</translation>
     </message>
     <message>
-        <source>The asset follows %1</source>
-        <translation>Objektet følger %1</translation>
-    </message>
-    <message>
         <source>The flight follows the aircraft</source>
         <translation>Flygingen følger luftfartøyet</translation>
     </message>
     <message>
         <source>%1  Attention: %2</source>
         <translation>%1  Obs: %2</translation>
+    </message>
+    <message>
+        <source>No aircraft in the log so far.</source>
+        <translation>Ingen luftfartøyer i loggen så langt.</translation>
     </message>
 </context>
 <context>
@@ -10289,6 +10336,61 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::LogRows</name>
+    <message>
+        <source>Write a log</source>
+        <translation>Skriv en logg</translation>
+    </message>
+    <message>
+        <source>Open a log…</source>
+        <translation>Åpne en logg…</translation>
+    </message>
+    <message>
+        <source>Plays a recorded flight (.tlog) in place of a link.</source>
+        <translation>Spiller av en innspilt flyging (.tlog) i stedet for en forbindelse.</translation>
+    </message>
+    <message>
+        <source>Part of the log that has been played</source>
+        <translation>Del av loggen som er spilt av</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Avspillingens hastighet</translation>
+    </message>
+    <message>
+        <source>Seconds of the log that are played in each second</source>
+        <translation>Sekunder av loggen som spilles av i hvert sekund</translation>
+    </message>
+    <message>
+        <source>Writes every frame sent and received to a new file (.tlog) in the folder %1.</source>
+        <translation>Skriver hver ramme som sendes og mottas, til en ny fil (.tlog) i mappen %1.</translation>
+    </message>
+    <message>
+        <source>Log %1 has been played: %2</source>
+        <translation>Loggen %1 er spilt av: %2</translation>
+    </message>
+    <message>
+        <source>Playing log %1: %2</source>
+        <translation>Spiller av loggen %1: %2</translation>
+    </message>
+    <message>
+        <source>Damaged parts were skipped (%1).</source>
+        <translation>Skadde deler ble hoppet over (%1).</translation>
+    </message>
+    <message>
+        <source>The log cannot be written: %1 (%2)</source>
+        <translation>Loggen kan ikke skrives: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>The log has reached its largest size and has ended: %1</source>
+        <translation>Loggen har nådd sin største størrelse og er avsluttet: %1</translation>
+    </message>
+    <message>
+        <source>Log: %1 (%2)</source>
+        <translation>Logg: %1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>berg::MainWindow</name>
     <message>
         <source>Untitled</source>
@@ -11888,10 +11990,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Nytt scenario</translation>
     </message>
     <message>
-        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
-        <translation>Scenarioer, flyginger og studier (*.berg *.bergrun *.bergstudy);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>Opened a copy of %1</source>
         <translation>Åpnet en kopi av %1</translation>
     </message>
@@ -11918,6 +12016,41 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Reading %1</source>
         <translation>Leser %1</translation>
+    </message>
+    <message>
+        <source>Scenarios, runs, studies and telemetry logs (*.berg *.bergrun *.bergstudy *.tlog);;All files (*)</source>
+        <translation>Scenarioer, flyginger, studier og telemetrilogger (*.berg *.bergrun *.bergstudy *.tlog);;Alle filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ShipRows</name>
+    <message>
+        <source>Ship that the asset follows</source>
+        <translation>Skip som objektet følger</translation>
+    </message>
+    <message>
+        <source>The asset follows no ship</source>
+        <translation>Objektet følger ikke noe skip</translation>
+    </message>
+    <message>
+        <source>Ship with launch and home</source>
+        <translation>Skip med start og hjem</translation>
+    </message>
+    <message>
+        <source>Launch and home of the UAVs move with the ship, in the simulation and in uploads. The autopilot&apos;s own home stays where it took off.</source>
+        <translation>Start og hjem for UAV-ene flytter seg med skipet, i simuleringen og i opplastinger. Autopilotens eget hjem blir der den tok av.</translation>
+    </message>
+    <message>
+        <source>Launch and home are not on a ship</source>
+        <translation>Start og hjem er ikke på et skip</translation>
+    </message>
+    <message>
+        <source>The asset follows %1</source>
+        <translation>Objektet følger %1</translation>
+    </message>
+    <message>
+        <source>Launch and home are on %1</source>
+        <translation>Start og hjem er på %1</translation>
     </message>
 </context>
 <context>
@@ -12948,6 +13081,10 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Scenarioet er låst under flyging. Stopp flygingen for å endre det.</translation>
+    </message>
+    <message>
+        <source>Move launch and home</source>
+        <translation>Flytt start og hjem</translation>
     </message>
 </context>
 </TS>
