@@ -18,6 +18,12 @@ constexpr int kPiecesAtOnce = 16; ///< A mebibyte.
 constexpr std::int64_t kOutOfOrder_us = 1'000'000;
 constexpr std::int64_t kLongestPause_us = 600'000'000;
 
+/** Returns the size of the record of a frame, whose time takes 8 bytes. */
+std::uint64_t recordSize(std::span<const std::uint8_t> frame)
+{
+    return 8 + frame.size();
+}
+
 } // namespace
 
 std::variant<std::unique_ptr<LogReplay>, LogFault> LogReplay::open(const std::string& path)
@@ -58,6 +64,7 @@ void LogReplay::add(std::vector<LoggedFrame> frames)
             at_us = m_last_us;
         }
         m_last_us = at_us;
+        m_waiting_bytes += recordSize(logged.frame.bytes);
         m_frames.push_back(
             {.at_us = at_us, .unix_us = logged.unix_us, .bytes = std::move(logged.frame.bytes)});
     }
@@ -83,6 +90,7 @@ std::optional<LinkPacket> LogReplay::receive()
     if (m_frames.empty() || m_frames.front().at_us > m_clock_us)
         return std::nullopt;
     LinkPacket packet{.bytes = std::move(m_frames.front().bytes)};
+    m_waiting_bytes -= recordSize(packet.bytes);
     m_frames.pop_front();
     if (m_frames.empty())
         read();
@@ -107,7 +115,8 @@ double LogReplay::part() const
 {
     return isAtEnd() || m_size == 0
                ? 1
-               : std::min(1.0, static_cast<double>(m_read_bytes) / static_cast<double>(m_size));
+               : std::min(1.0, static_cast<double>(m_read_bytes - m_waiting_bytes) /
+                                   static_cast<double>(m_size));
 }
 
 } // namespace berg

@@ -75,6 +75,7 @@ private:
     std::ifstream m_file;
     std::uint64_t m_size;
     std::uint64_t m_read_bytes = 0;
+    std::uint64_t m_waiting_bytes = 0; ///< of `m_frames` in the file
     bool m_isRead = false;
     TelemetryLogReader m_reader;
     std::deque<Waiting> m_frames;

@@ -96,6 +96,7 @@ private slots:
         QCOMPARE(received(*replay), 0);
         replay->advance(0.7);
         QCOMPARE(received(*replay), 2);
+        QVERIFY(std::abs(replay->part() - 0.3) < 0.01); // 3 of 10 frames
         QCOMPARE(replay->time().unix_us, kStart_us + 1'100'000);
         QVERIFY(!replay->isAtEnd());
         replay->advance(100);
