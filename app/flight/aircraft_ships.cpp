@@ -60,7 +60,7 @@ std::vector<Point> AircraftController::homes_m() const
 
 /**
  * Moves home in steps. Between them, and for plans, it stands still: the endurance must cover the
- * way that the ship goes meanwhile.
+ * distance that the ship sails meanwhile.
  */
 void AircraftController::followHomeShip()
 {

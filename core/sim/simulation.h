@@ -86,7 +86,7 @@ public:
     void setAsset(const Asset& asset);
     /**
      * Moves the home of the UAV. The present plan stays in force: the next one counts with the new
-     * home, and the UAV turns home as soon as the way there needs it. Throws `std::logic_error` if
+     * home, and the UAV turns home as soon as the return needs it. Throws `std::logic_error` if
      * there is no such UAV.
      */
     void setHome(int uav, const Point& home_m);
