@@ -3,6 +3,7 @@
 #include "core/io/files/run_json.h"
 #include "core/mission/mission_instant.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/files/file_texts.h"
 #include "tests/support/flight/scenario_builder.h"
 
 #include <QTest>
