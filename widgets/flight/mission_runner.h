@@ -59,7 +59,7 @@ struct UavMission
 {
     std::string uav; ///< id
     std::vector<MissionPart> parts;
-    std::vector<std::string> order; ///< ids of the icebergs in visiting order
+    std::vector<std::string> order; ///< `sortieIcebergs` its plan
 };
 
 /** Mailboxes between the GUI thread and the mission thread. */
@@ -111,8 +111,8 @@ public:
     /** Adds poses of real aircraft. They have no effect outside a live flight. */
     void addPoses(const std::vector<LivePose>& poses);
     /**
-     * Requests the present plans as uploads; `missionsReady` follows, or `commandRefused`. Solves
-     * nothing.
+     * Requests the present plans as uploads; `missionsReady` follows unless `begun` comes first. It
+     * is empty after `commandRefused`. Solves nothing.
      */
     void requestMissions();
     void pause();

@@ -103,6 +103,19 @@ const UavPlan* planOf(const MissionSnapshot& snapshot, int uav)
     return k < snapshot.plans.size() && snapshot.plans[k] ? snapshot.plans[k]->of(uav) : nullptr;
 }
 
+std::vector<std::string> sortieIcebergs(const MissionSnapshot& snapshot, int uav)
+{
+    std::vector<std::string> ids;
+    const UavPlan* plan = planOf(snapshot, uav);
+    if (plan == nullptr)
+        return ids;
+    const int all = static_cast<int>(plan->order.size());
+    const int visits = std::clamp(plan->thisSortie.value_or(all), 0, all);
+    for (int i = 0; i < visits; ++i)
+        ids.push_back(snapshot.icebergs[toIndex(plan->order[toIndex(i)])].id);
+    return ids;
+}
+
 OrdersByUav ordersOf(const MissionSnapshot& snapshot)
 {
     OrdersByUav orders(snapshot.world.uavs.size());

@@ -93,6 +93,12 @@ struct MissionSnapshot
 /** Returns the UAV's part of its plan in force, or null if there is none. */
 [[nodiscard]] const UavPlan* planOf(const MissionSnapshot& snapshot, int uav);
 
+/**
+ * Returns the ids of the icebergs that the UAV visits before it turns home, in the order of its
+ * plan in force; none without a plan.
+ */
+[[nodiscard]] std::vector<std::string> sortieIcebergs(const MissionSnapshot& snapshot, int uav);
+
 /** Returns the orders of the plans in force, by UAV. */
 [[nodiscard]] OrdersByUav ordersOf(const MissionSnapshot& snapshot);
 

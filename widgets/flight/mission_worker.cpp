@@ -156,14 +156,18 @@ void MissionWorker::fly(FlightRate rate)
     m_phase = RunPhase::Flying;
     m_target_s = m_mission->simulation().time_s();
     m_clock.start();
-    m_timer.start(rate ? kSlice_ms : 0);
+    m_timer.start(rate || m_liveZero_s ? kSlice_ms : 0); // aircraft set the pace of a live flight
     publish();
 }
 
 void MissionWorker::flyLive(double clock_s)
 {
-    if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
+    if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed) {
+        emit refused(m_phase == RunPhase::Finished
+                         ? runEndedText()
+                         : tr("This scenario cannot be flown. Fix the reported errors first."));
         return;
+    }
     m_liveZero_s = clock_s - m_mission->simulation().time_s();
     fly(1);
 }
@@ -200,10 +204,12 @@ void MissionWorker::sliceLive()
 
 void MissionWorker::sendMissions()
 {
-    if (!m_mission || m_mission->plans().empty()) {
-        emit refused(tr("There is no plan to upload."));
-        return;
-    }
+    const auto refuse = [this](const QString& message) {
+        emit refused(message);
+        emit missionsReady(std::make_shared<const std::vector<UavMission>>(), m_request.generation);
+    };
+    if (!m_mission || m_mission->plans().empty())
+        return refuse(tr("There is no plan to upload."));
     const auto failure = failureOf([&] {
         const ExportSource source{.scenario = m_mission->scenario(),
                                   .plan = *m_mission->plans().front(),
@@ -211,19 +217,18 @@ void MissionWorker::sendMissions()
                                       m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
         const ExportContent content =
             exportContent(source, {.what = uploadScope(*m_mission), .returnHome = true});
+        const MissionSnapshot now = snapshotOf(*m_mission);
         auto missions = std::make_shared<std::vector<UavMission>>();
-        for (const ExportUav& uav : content.uavs) {
-            UavMission& mission = missions->emplace_back(
-                UavMission{.uav = uav.uav.id, .parts = missionParts(content, uav)});
-            for (const Visit& visit : uav.visits)
-                if (visit.iceberg)
-                    for (std::string& id : idsOf(content, visit))
-                        mission.order.push_back(std::move(id));
-        }
+        for (const ExportUav& uav : content.uavs)
+            missions->push_back(
+                {.uav = uav.uav.id,
+                 .parts = missionParts(content, uav),
+                 .order =
+                     sortieIcebergs(now, indexOfId(source.scenario.uavs, uav.uav.id).value_or(0))});
         emit missionsReady(missions, m_request.generation);
     });
     if (failure)
-        emit refused(failure->report);
+        refuse(failure->report);
 }
 
 void MissionWorker::pause()
@@ -237,8 +242,11 @@ void MissionWorker::pause()
 
 void MissionWorker::stepBy(double seconds)
 {
+    if (m_liveZero_s && (m_phase == RunPhase::Flying || m_phase == RunPhase::Paused)) {
+        emit refused(tr("The flight follows real aircraft at their pace: it cannot be stepped."));
+        return;
+    }
     m_timer.stop();
-    m_liveZero_s.reset();
     if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
         return;
     m_phase = RunPhase::Paused;

@@ -89,6 +89,73 @@ private slots:
                 QVERIFY(missionDifferences(expected[part].items, sent[part].items).empty());
         }
     }
+
+    /** Comparisons count the icebergs of this sortie, not of later ones. */
+    void ordersEndWithTheSortie()
+    {
+        Scenario scenario = test::emptySea(3000);
+        scenario.uavs.front().spec.endurance_s = 300;
+        for (const auto& [east_m, north_m] :
+             {std::pair(1000, 300), {-900, 1200}, {1800, -1500}, {-1800, -1200}})
+            test::addIceberg(scenario, east_m, north_m);
+        MissionRunner runner;
+        FlightRecord record;
+        runner.setScenario(scenario);
+        QVERIFY(followUntil(runner, record,
+                            [](const FlightRecord& r) { return r.now.phase == RunPhase::Ready; }));
+        const UavPlan& plan = *planOf(record.now, 0);
+        QVERIFY(plan.thisSortie && *plan.thisSortie > 0);
+        QVERIFY(*plan.thisSortie < static_cast<int>(plan.order.size()));
+        const std::vector<std::string> sortie = sortieIcebergs(record.now, 0);
+        QCOMPARE(sortie.size(), static_cast<std::size_t>(*plan.thisSortie));
+        std::shared_ptr<const std::vector<UavMission>> missions;
+        connect(&runner, &MissionRunner::missionsReady, this,
+                [&](const auto& sent) { missions = sent; });
+        runner.requestMissions();
+        QTRY_VERIFY_WITH_TIMEOUT(missions != nullptr, kPatience_ms);
+        QVERIFY(missions->front().order == sortie);
+    }
+
+    /** Who asks must hear that there is nothing to wait for. */
+    void refusedMissionsAreAnswered()
+    {
+        MissionRunner runner;
+        QSignalSpy refused(&runner, &MissionRunner::commandRefused);
+        std::shared_ptr<const std::vector<UavMission>> missions;
+        connect(&runner, &MissionRunner::missionsReady, this,
+                [&](const auto& sent) { missions = sent; });
+        runner.requestMissions(); // there is no scenario
+        QTRY_VERIFY_WITH_TIMEOUT(missions != nullptr, kPatience_ms);
+        QVERIFY(missions->empty());
+        QCOMPARE(refused.count(), 1);
+    }
+
+    /** A flight at the pace of aircraft is neither stepped nor begun after the end. */
+    void liveFlightsSayWhatTheyRefuse()
+    {
+        Scenario scenario = test::emptySea(2);
+        test::addIceberg(scenario, 1000, 0);
+        MissionRunner runner;
+        FlightRecord record;
+        QSignalSpy refused(&runner, &MissionRunner::commandRefused);
+        runner.setScenario(scenario);
+        runner.flyLive(100);
+        QVERIFY(followUntil(runner, record, [](const FlightRecord& r) { return r.now.isLive; }));
+        runner.stepBy(1);
+        QTRY_COMPARE_WITH_TIMEOUT(refused.count(), 1, kPatience_ms);
+        runner.pause();
+        QVERIFY(followUntil(runner, record,
+                            [](const FlightRecord& r) { return r.now.phase == RunPhase::Paused; }));
+        QVERIFY(record.now.isLive);
+        QCOMPARE(record.now.time_s, 0.0);
+        runner.restart();
+        runner.stepBy(5);
+        QVERIFY(followUntil(runner, record, [](const FlightRecord& r) {
+            return r.now.phase == RunPhase::Finished;
+        }));
+        runner.flyLive(100);
+        QTRY_COMPARE_WITH_TIMEOUT(refused.count(), 2, kPatience_ms);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestMissionUploadScope)
