@@ -111,10 +111,11 @@ void LinkMonitor::setData(const std::map<LinkAddress, AircraftData>& data)
     post([data](LinkWorker& worker) { worker.setData(data); });
 }
 
-std::vector<LatLon> LinkMonitor::trackOf(LinkAddress vehicle) const
+const std::vector<LatLon>& LinkMonitor::trackOf(LinkAddress vehicle) const
 {
+    static const std::vector<LatLon> kNone;
     const auto track = m_tracks.find(vehicle);
-    return track == m_tracks.end() ? std::vector<LatLon>{} : track->second;
+    return track == m_tracks.end() ? kNone : track->second;
 }
 
 void LinkMonitor::accept()
@@ -124,6 +125,10 @@ void LinkMonitor::accept()
         return; // it was sent before the link was closed
     m_status = std::move(*status);
     m_isListening = m_status.isListening; // false after an internal failure
+    if (!m_isListening) {
+        m_pulse.stop();
+        m_tracks.clear();
+    }
     extendTracks();
     emit updated();
 }

@@ -21,7 +21,7 @@ class LinkMonitor : public QObject
 
 public:
     explicit LinkMonitor(QObject* parent = nullptr);
-    /** Closes the link and waits for the thread, well under a second. */
+    /** Closes the link and waits for the thread, under a second. */
     ~LinkMonitor() override;
 
     /** Listens on the link that `opener` makes on the link thread, in place of another. */
@@ -46,7 +46,7 @@ public:
     /** Returns the newest state, with the events since the one before. */
     [[nodiscard]] const LinkStatus& status() const { return m_status; }
     /** Returns the positions of a vehicle since listening began, thinned to 5,000. */
-    [[nodiscard]] std::vector<LatLon> trackOf(LinkAddress vehicle) const;
+    [[nodiscard]] const std::vector<LatLon>& trackOf(LinkAddress vehicle) const;
 
 signals:
     /** Emitted when `status` has changed. */

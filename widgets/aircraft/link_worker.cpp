@@ -241,12 +241,24 @@ void LinkWorker::updateGhosts(double now_s)
                         .emplace(vehicle.address, Ghost{.flight = GhostAircraft(last),
                                                         .lastPosition_s = position->received_s})
                         .first;
-            if (data->second.station)
-                ghost->second.expected = ghost->second.flight.expectedContact(
-                    *data->second.station, data->second.range_m, kHorizon_s);
         }
         if (ghost != m_ghosts.end())
             ghost->second.flight.advance(now_s);
+    }
+    predictContact();
+}
+
+/** Predicts one aircraft at a time, because hours of flight are simulated for it. */
+void LinkWorker::predictContact()
+{
+    for (auto& [address, ghost] : m_ghosts) {
+        const auto data = m_data.find(address);
+        if (ghost.isPredicted || data == m_data.end() || !data->second.station)
+            continue;
+        ghost.isPredicted = true;
+        ghost.expected =
+            ghost.flight.expectedContact(*data->second.station, data->second.range_m, kHorizon_s);
+        return;
     }
 }
 

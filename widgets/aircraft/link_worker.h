@@ -69,6 +69,7 @@ private:
     }
     [[nodiscard]] std::vector<LinkVehicle> vehicles() const;
     void updateGhosts(double now_s);
+    void predictContact();
     [[nodiscard]] LinkStatus status() const;
 
     Mailbox<LinkStatus>& m_statuses;
@@ -85,6 +86,7 @@ private:
     {
         GhostAircraft flight;
         double lastPosition_s = 0; ///< of the position from which it was predicted
+        bool isPredicted = false;  ///< `expected` was looked for
         std::optional<ExpectedContact> expected;
     };
     std::map<LinkAddress, Ghost> m_ghosts;
