@@ -1,4 +1,6 @@
 #include "app/flight/aircraft_controller.h"
+
+#include "app/dialogs/interaction.h"
 #include "app/flight/flight_view.h"
 #include "app/layout/panels.h"
 #include "core/link/log_replay.h"
@@ -33,10 +35,12 @@ void AircraftController::connectShipsAndLogs()
     const AircraftPanel* panel = panels().aircraft;
     connect(panel, &AircraftPanel::assetShipEdited, this, [this](quint64 key) {
         m_assetShip = {.ship = key};
+        workspace().stopAssetMotion();
         followAssetShip();
     });
     connect(panel, &AircraftPanel::homeShipEdited, this, [this](quint64 key) {
         m_homeShip = {.ship = key};
+        workspace().stopHomeMotion();
         followHomeShip();
     });
     connect(panel, &AircraftPanel::logEdited, this, &AircraftController::setLog);
@@ -111,7 +115,7 @@ std::optional<double> AircraftController::wayHome_s(const LinkVehicle& vehicle,
             : state.airspeed_mps.value_or(0);
     Point wind_mps = workspace().wind_mps();
     if (const std::optional<AircraftWind>& wind = state.wind) {
-        const Eigen::Rotation2D<double> toPlane(-northAngle_rad(frame, Point::Zero()));
+        const Eigen::Rotation2D<double> toPlane(-northAngle_rad(frame, place_m));
         wind_mps = toPlane * Point(wind->meanEast_mps, wind->meanNorth_mps);
     }
     if (const std::optional<LinkShip> ship = shipOf(workspace().link().status(), m_homeShip.ship);

@@ -23,31 +23,13 @@ constexpr double kLoiterRadius_m = 150; ///< asked for; autopilots fly a larger 
 constexpr double kHomeMoved_m = 300;    ///< a minute of a ship at 10 knots
 constexpr double kMoved_m = 100;        ///< the iceberg has moved: the point is sent again
 
-/** Rechecks run in the background and give way. */
-bool isRunning(const LinkVehicle& vehicle)
-{
-    return vehicle.sync && !vehicle.sync->isRecheck &&
-           (vehicle.sync->phase == SyncPhase::Uploading ||
-            vehicle.sync->phase == SyncPhase::ReadingBack);
-}
+} // namespace
 
-bool isEqual(const std::vector<MissionPart>& a, const std::vector<MissionPart>& b)
+bool isSameMission(const std::vector<MissionPart>& a, const std::vector<MissionPart>& b)
 {
     return std::ranges::equal(a, b, [](const MissionPart& x, const MissionPart& y) {
         return x.type == y.type && missionDifferences(x.items, y.items).empty();
     });
-}
-
-} // namespace
-
-std::vector<std::string> AircraftController::orderInForce(int uav) const
-{
-    const MissionSnapshot& now = workspace().record().now;
-    std::vector<std::string> ids;
-    if (const UavPlan* plan = planOf(now, uav))
-        for (const int iceberg : plan->order)
-            ids.push_back(now.icebergs[static_cast<std::size_t>(iceberg)].id);
-    return ids;
 }
 
 void AircraftController::requestMission(Purpose purpose)
@@ -55,8 +37,40 @@ void AircraftController::requestMission(Purpose purpose)
     const std::optional<LinkAddress> chosen = panels().aircraft->chosen();
     if (!chosen)
         return;
-    m_aircraft[*chosen].purpose = purpose;
+    Aircraft& aircraft = m_aircraft[*chosen];
+    if (purpose == Purpose::Compare && aircraft.upload && workspace().record().now.isLive) {
+        // The present plan starts where the aircraft is now; the mission on board does not.
+        Transfer transfer{.upload = *aircraft.upload};
+        transfer.upload.isChangedOnBoard = false;
+        transfer.upload.total.reset();
+        transfer.upload.missionId.reset();
+        startTransfer(*chosen, aircraft, transfer);
+        return;
+    }
+    aircraft.purpose = purpose;
     workspace().runner().requestMissions();
+}
+
+void AircraftController::startTransfer(LinkAddress address, Aircraft& aircraft,
+                                       const Transfer& transfer)
+{
+    if (aircraft.transfer)
+        return; // that one is not over yet
+    aircraft.transfer = transfer;
+    aircraft.transfer->since_s = workspace().link().status().now_s;
+    workspace().link().startSync(address, transfer.upload.parts,
+                                 transfer.isUpload ? MissionSync::Task::UploadAndCompare
+                                                   : MissionSync::Task::Compare);
+}
+
+/** Requests for the former scenario are not answered. */
+void AircraftController::endRequests()
+{
+    for (auto& [address, aircraft] : m_aircraft) {
+        const Purpose purpose = std::exchange(aircraft.purpose, Purpose::None);
+        if (purpose == Purpose::Upload || purpose == Purpose::Compare)
+            report(address, tr("the plan has changed meanwhile. Nothing was sent"));
+    }
 }
 
 void AircraftController::acceptMissions(const std::vector<UavMission>& missions)
@@ -64,31 +78,37 @@ void AircraftController::acceptMissions(const std::vector<UavMission>& missions)
     for (auto& [address, aircraft] : m_aircraft) {
         const Purpose purpose = std::exchange(aircraft.purpose, Purpose::None);
         const auto mission = std::ranges::find(missions, aircraft.uav, &UavMission::uav);
-        if (purpose == Purpose::None || mission == missions.end())
+        if (purpose == Purpose::None)
             continue;
-        if (purpose == Purpose::Check) {
-            if (aircraft.upload)
-                aircraft.upload->isPlanChanged = !isEqual(aircraft.upload->parts, mission->parts);
+        if (mission == missions.end()) {
+            if (purpose == Purpose::Upload || purpose == Purpose::Compare)
+                report(address, tr("its UAV has no plan. Nothing was sent"));
             continue;
         }
-        aircraft.upload = Upload{.parts = mission->parts, .order = mission->order};
+        if (purpose == Purpose::Check) {
+            if (aircraft.upload)
+                aircraft.upload->isPlanChanged =
+                    !isSameMission(aircraft.upload->parts, mission->parts);
+            continue;
+        }
+        if (purpose == Purpose::Replace && aircraft.steering.state() != SteeringState::Active)
+            continue; // the pilot has taken over meanwhile
+        Transfer transfer{.upload = {.parts = mission->parts, .order = mission->order},
+                          .isUpload = purpose != Purpose::Compare};
         if (const std::optional<int> uav = uavIndex(aircraft))
-            aircraft.upload->home_m = homes_m()[static_cast<std::size_t>(*uav)];
-        workspace().link().startSync(address, mission->parts,
-                                     purpose == Purpose::Upload
-                                         ? MissionSync::Task::UploadAndCompare
-                                         : MissionSync::Task::Compare);
+            transfer.upload.home_m = homes_m()[static_cast<std::size_t>(*uav)];
+        startTransfer(address, aircraft, transfer);
     }
     showPanel();
 }
 
 QString AircraftController::onBoardText(const Aircraft& aircraft, const LinkVehicle& vehicle) const
 {
-    if (isRunning(vehicle))
-        return syncText(*vehicle.sync);
-    if (!aircraft.upload || aircraft.upload->time.isEmpty())
+    if (isSyncRunning(vehicle))
+        return syncText(*vehicle.sync, vehicle.autopilot);
+    if (!aircraft.upload)
         return vehicle.sync && !vehicle.sync->isRecheck && vehicle.sync->phase != SyncPhase::Equal
-                   ? syncText(*vehicle.sync)
+                   ? syncText(*vehicle.sync, vehicle.autopilot)
                    : QString();
     const Upload& upload = *aircraft.upload;
     if (upload.isChangedOnBoard)
@@ -97,13 +117,16 @@ QString AircraftController::onBoardText(const Aircraft& aircraft, const LinkVehi
         return tr("Differs: the plan has changed since %1").arg(upload.time);
     if (upload.isHomeMoved)
         return tr("Differs: home has moved since %1").arg(upload.time);
-    return tr("On board: same as the plan of %1").arg(upload.time);
+    const QString same = tr("On board: same as the plan of %1").arg(upload.time);
+    const bool hasFence = std::ranges::any_of(
+        upload.parts, [](const MissionPart& part) { return part.type == MissionType::Fence; });
+    return hasFence ? same : tr("%1. The aircraft keeps its own fence").arg(same);
 }
 
 /** Notes whether plan or mission on board have changed since they were equal. */
 void AircraftController::watchMission(const LinkVehicle& vehicle, Aircraft& aircraft)
 {
-    if (!aircraft.upload || aircraft.upload->time.isEmpty() || !vehicle.state.mission)
+    if (!aircraft.upload || aircraft.transfer || !vehicle.state.mission)
         return;
     Upload& upload = *aircraft.upload;
     const AircraftMission& mission = *vehicle.state.mission;
@@ -127,8 +150,8 @@ void AircraftController::recheckMission(const LinkVehicle& vehicle, Aircraft& ai
     const LinkStatus& status = workspace().link().status();
     if (vehicle.isLost)
         aircraft.nextRecheck_s = status.now_s + kLinkDelay_s;
-    if (!status.isSending || !aircraft.upload || aircraft.upload->time.isEmpty() ||
-        vehicle.isLost || isRunning(vehicle) || aircraft.purpose != Purpose::None ||
+    if (!status.isSending || !aircraft.upload || aircraft.transfer || vehicle.isLost ||
+        isSyncRunning(vehicle) || aircraft.purpose != Purpose::None ||
         aircraft.upload->isChangedOnBoard)
         return;
     const Upload& upload = *aircraft.upload;
@@ -146,28 +169,37 @@ void AircraftController::recheckMission(const LinkVehicle& vehicle, Aircraft& ai
     workspace().link().startSync(vehicle.address, parts, MissionSync::Task::Recheck);
 }
 
-/** In flight the order ahead counts, because places of waypoints follow the estimates. */
+/**
+ * In flight the order ahead counts, because places of waypoints follow the estimates. A simulated
+ * flight says nothing about the aircraft.
+ */
 void AircraftController::flightChanged()
 {
+    const MissionSnapshot& now = workspace().record().now;
+    if (windInForce_mps() != m_dataWind_mps)
+        showUavs();
     bool mustCheck = false;
     for (auto& [address, aircraft] : m_aircraft) {
-        if (!aircraft.upload || aircraft.upload->time.isEmpty())
+        if (!aircraft.upload)
             continue;
         const std::optional<int> uav = uavIndex(aircraft);
         if (!workspace().inFlight()) {
-            if (workspace().record().now.phase != RunPhase::Ready)
+            if (now.phase != RunPhase::Ready)
                 continue;
             if (aircraft.purpose != Purpose::None)
                 continue; // it will compare, too
             aircraft.purpose = Purpose::Check;
             mustCheck = true;
-        } else if (uav) {
-            aircraft.upload->isPlanChanged =
-                !agreesAhead(aircraft.upload->order, orderInForce(*uav));
+        } else if (uav && now.isLive) {
+            // Without a plan the UAV holds or flies home, and the mission ends at home, too.
+            if (now.world.uavs[toIndex(*uav)].isPlanned())
+                aircraft.upload->isPlanChanged =
+                    !agreesAhead(aircraft.upload->order, sortieIcebergs(now, *uav));
             aircraft.upload->isHomeMoved =
                 (homes_m()[static_cast<std::size_t>(*uav)] - aircraft.upload->home_m).norm() >
                 kHomeMoved_m;
-            replaceMission(address, aircraft);
+            if (now.world.uavs[toIndex(*uav)].isPlanned() || aircraft.upload->isHomeMoved)
+                replaceMission(address, aircraft);
         }
     }
     if (mustCheck)
@@ -180,11 +212,12 @@ void AircraftController::replaceMission(LinkAddress address, Aircraft& aircraft)
 {
     const LinkVehicle* vehicle = vehicleOf(address);
     const bool hasChanged = aircraft.upload->isPlanChanged || aircraft.upload->isHomeMoved;
-    if (!hasChanged || vehicle == nullptr || vehicle->isLost || isRunning(*vehicle) ||
-        aircraft.purpose != Purpose::None || aircraft.steering.kind() != SteeringKind::Mission ||
+    if (!hasChanged || vehicle == nullptr || vehicle->isLost || aircraft.transfer ||
+        isSyncRunning(*vehicle) || aircraft.purpose != Purpose::None ||
+        aircraft.steering.kind() != SteeringKind::Mission ||
         aircraft.steering.state() != SteeringState::Active)
         return;
-    aircraft.purpose = Purpose::Upload;
+    aircraft.purpose = Purpose::Replace;
     workspace().runner().requestMissions();
 }
 
@@ -209,7 +242,9 @@ void AircraftController::guide(const LinkVehicle& vehicle, Aircraft& aircraft)
     const MissionSnapshot& now = workspace().record().now;
     const std::optional<int> uav = uavIndex(aircraft);
     const SteeringState state = aircraft.steering.state();
+    const LinkStatus& status = workspace().link().status();
     if (aircraft.steering.kind() != SteeringKind::Guided || !uav || vehicle.isLost || !now.isLive ||
+        !status.isSending || status.now_s < aircraft.guideFrom_s ||
         (state != SteeringState::Waiting && state != SteeringState::Active))
         return;
     const UavState& flown = now.world.uavs[static_cast<std::size_t>(*uav)];
@@ -235,6 +270,7 @@ void AircraftController::guide(const LinkVehicle& vehicle, Aircraft& aircraft)
         return; // the altitude of its home is not known yet
     aircraft.guidedTo = flown.target;
     aircraft.guidedTo_m = iceberg_m;
+    aircraft.steering.setTargetSent(true);
     workspace().link().sendCommand(vehicle.address, *command);
 }
 
@@ -245,8 +281,9 @@ void AircraftController::useWind()
     if (vehicle == nullptr || !vehicle->state.wind)
         return;
     const AircraftWind& wind = *vehicle->state.wind;
-    const double north_rad =
-        northAngle_rad(LocalFrame(workspace().document().scenario().origin), Point::Zero());
+    const LocalFrame frame(workspace().document().scenario().origin);
+    const std::optional<AircraftPosition>& position = vehicle->state.position;
+    const double north_rad = position ? northAngle_rad(frame, frame.toPlane(position->place)) : 0.0;
     const Point mean_mps(wind.meanEast_mps, wind.meanNorth_mps);
     workspace().setWind(Eigen::Rotation2D<double>(-north_rad) * mean_mps);
 }

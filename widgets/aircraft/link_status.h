@@ -60,6 +60,14 @@ struct LinkStatus
     std::optional<ReplayReport> replay; ///< nullopt on a live link
 };
 
+/** Returns true while an upload or comparison runs; rechecks run in the background and give way. */
+[[nodiscard]] inline bool isSyncRunning(const LinkVehicle& vehicle)
+{
+    return vehicle.sync && !vehicle.sync->isRecheck &&
+           (vehicle.sync->phase == SyncPhase::Uploading ||
+            vehicle.sync->phase == SyncPhase::ReadingBack);
+}
+
 /** Data besides telemetry that predict the flight of an aircraft without contact. */
 struct AircraftData
 {

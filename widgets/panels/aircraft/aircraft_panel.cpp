@@ -5,6 +5,7 @@
 #include "widgets/aircraft/link_text.h"
 #include "widgets/panels/aircraft/log_rows.h"
 #include "widgets/panels/aircraft/ship_rows.h"
+#include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCheckBox>
@@ -97,9 +98,11 @@ QString detailsOf(const LinkVehicle& vehicle, const QLocale& locale)
         lines << AircraftPanel::tr("Wind: %1").arg(windText(*state.wind, locale));
     if (state.mission)
         lines << (state.mission->total ? AircraftPanel::tr("Item %1 of %2")
-                                             .arg(QString::number(state.mission->item),
+                                             .arg(QString::number(itemNumber(state.mission->item,
+                                                                             vehicle.autopilot)),
                                                   QString::number(*state.mission->total))
-                                       : AircraftPanel::tr("Item %1").arg(state.mission->item));
+                                       : AircraftPanel::tr("Item %1").arg(
+                                             itemNumber(state.mission->item, vehicle.autopilot)));
     if (vehicle.loss.lost > 0)
         lines << AircraftPanel::tr("Frames lost: %1 of %2")
                      .arg(QString::number(vehicle.loss.lost),
@@ -117,7 +120,8 @@ AircraftPanel::AircraftPanel(QWidget* parent)
     , m_send(new QCheckBox(tr("Send")))
     , m_rehearse(button("rehearseButton", tr("Rehearse"),
                         tr("Simulated aircraft fly from the UAVs of the scenario and send their "
-                           "telemetry over the network of this computer.")))
+                           "telemetry over the network of this computer. Not while another link "
+                           "is open.")))
     , m_state(wrapped("linkState"))
     , m_list(new QTreeWidget)
     , m_details(wrapped("aircraftDetails"))
@@ -126,8 +130,8 @@ AircraftPanel::AircraftPanel(QWidget* parent)
     , m_steeringState(wrapped("steeringState"))
     , m_steering(new QComboBox)
     , m_upload(button("uploadButton", tr("Upload"),
-                      tr("Uploads the plan with fence and rally point, reads it back and compares "
-                         "it.")))
+                      tr("Uploads the plan with its fence and rally point, reads it back and "
+                         "compares it. If the plan has no fence, the aircraft keeps its own.")))
     , m_compare(button("compareButton", tr("Compare"),
                        tr("Reads the mission on board and compares it with the plan.")))
     , m_flyMission(button("flyMissionButton", tr("Fly the mission"),
@@ -207,6 +211,7 @@ void AircraftPanel::addDetails(QVBoxLayout& column)
     auto* uavName = new QLabel(tr("Flies as"));
     uavName->setBuddy(m_uav);
     m_uav->setObjectName(u"aircraftUav"_s);
+    guardWheel(*m_uav);
     uavRow->addWidget(uavName);
     uavRow->addWidget(m_uav, 1);
     uavRow->addWidget(m_wind);
@@ -225,6 +230,7 @@ void AircraftPanel::addDetails(QVBoxLayout& column)
     m_steering->addItem(tr("Guide from iceberg to iceberg"),
                         static_cast<int>(SteeringKind::Guided));
     m_steering->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    guardWheel(*m_steering);
     column.addWidget(m_steering);
     column.addWidget(m_steeringState);
     column.addWidget(m_ships);
@@ -306,7 +312,7 @@ void AircraftPanel::showStatus(const LinkStatus& status,
     m_listen->setChecked(status.isListening);
     m_send->setChecked(status.isSending);
     m_send->setEnabled(status.isListening && !status.replay);
-    m_rehearse->setEnabled(!status.replay);
+    m_rehearse->setEnabled(!status.replay && m_flight.mayRehearse);
     m_address->setEnabled(!status.isListening);
     m_state->setText(stateText());
     m_state->setVisible(!m_state->text().isEmpty());
@@ -382,11 +388,9 @@ void AircraftPanel::showDetails()
     m_onBoard->setPalette(colours);
     m_steering->setCurrentIndex(
         std::max(0, m_steering->findData(static_cast<int>(notes.steering.kind()))));
-    m_steeringState->setText(steeringText(notes.steering));
+    m_steeringState->setText(steeringText(notes.steering, m_flight.isLive));
     m_steeringState->setVisible(!m_steeringState->text().isEmpty());
-    const bool isBusy = isThere && vehicle->sync && !vehicle->sync->isRecheck &&
-                        (vehicle->sync->phase == SyncPhase::Uploading ||
-                         vehicle->sync->phase == SyncPhase::ReadingBack);
+    const bool isBusy = isThere && isSyncRunning(*vehicle);
     const bool maySend =
         isThere && m_status.isSending && !vehicle->isLost && !isTracker(vehicle->address);
     m_uav->setEnabled(isThere);
@@ -395,18 +399,35 @@ void AircraftPanel::showDetails()
     m_compare->setEnabled(maySend && !isBusy && !notes.uav.empty());
     m_flyMission->setEnabled(maySend && vehicle->state.isFlying.value_or(true));
     m_steering->setEnabled(maySend && !notes.uav.empty());
-    m_flyLive->setEnabled(!m_isLive && std::ranges::any_of(m_notes, [](const auto& entry) {
+    m_flyLive->setEnabled(!m_flight.isLive && std::ranges::any_of(m_notes, [](const auto& entry) {
         return !entry.second.uav.empty();
     }));
 }
 
-void AircraftPanel::showFlight(bool isLive, bool isRehearsing)
+void AircraftPanel::showFlight(const LiveFlightState& state)
 {
-    m_isLive = isLive;
-    m_rehearse->setChecked(isRehearsing);
-    m_flyLive->setText(isLive ? tr("The flight follows the aircraft")
-                              : tr("Fly with the aircraft"));
+    m_flight = state;
+    m_rehearse->setChecked(state.isRehearsing);
+    m_rehearse->setEnabled(!m_status.replay && state.mayRehearse);
+    m_flyLive->setText(state.isLive ? tr("The flight follows the aircraft")
+                                    : tr("Fly with the aircraft"));
     showDetails();
+}
+
+void AircraftPanel::chooseNoShip()
+{
+    m_ships->chooseNone();
+}
+
+void AircraftPanel::takeOver(const AircraftPanel& other)
+{
+    m_events->setPlainText(other.m_events->toPlainText());
+    m_events->moveCursor(QTextCursor::End);
+    m_ships->takeOver(*other.m_ships);
+    const std::optional<LinkAddress> address = other.chosen();
+    for (int row = 0; address && row < m_list->topLevelItemCount(); ++row)
+        if (m_list->topLevelItem(row)->data(Name, Qt::UserRole) == keyOf(*address))
+            m_list->setCurrentItem(m_list->topLevelItem(row));
 }
 
 void AircraftPanel::addEvent(const QString& time, const QString& text, bool isAlarm)
@@ -417,8 +438,8 @@ void AircraftPanel::addEvent(const QString& time, const QString& text, bool isAl
 
 void AircraftPanel::showFault(const QString& fault)
 {
-    if (!fault.isEmpty())
-        m_state->setText(fault);
+    m_state->setText(fault);
+    m_state->setVisible(!fault.isEmpty());
 }
 
 } // namespace berg

@@ -29,10 +29,18 @@ struct AircraftNotes
 {
     std::string uav;     ///< id of the UAV that it flies as; empty for none
     QString onBoard;     ///< whether the mission on board is the plan
-    bool isSame = false; ///< it is
+    bool isSame = false; ///< the mission found there last is the plan, also during an upload
     QString battery;     ///< battery, way home and endurance
     bool isBatteryShort = false;
     Steering steering;
+};
+
+/** State of the flight in the window as far as the aircraft are concerned. */
+struct LiveFlightState
+{
+    bool isLive = false;       ///< it follows the aircraft
+    bool isRehearsing = false; ///< simulated aircraft fly
+    bool mayRehearse = true;   ///< they may start: no other link is open
 };
 
 /**
@@ -52,16 +60,20 @@ public:
     /** Sets the UAVs of the scenario that an aircraft may fly as. */
     void setUavs(const std::vector<std::string>& ids);
     void showStatus(const LinkStatus& status, const std::map<LinkAddress, AircraftNotes>& notes);
-    /** Shows whether the flight in the window follows the aircraft, and whether it can. */
-    void showFlight(bool isLive, bool isRehearsing);
+    void showFlight(const LiveFlightState& state);
     /** Appends a line to the events. */
     void addEvent(const QString& time, const QString& text, bool isAlarm);
     /** Shows whether a telemetry log is to be written, and in which folder. */
     void setLogChoice(bool isOn, const QString& folder);
     /** Returns the speed chosen for replays, in seconds of the log in each second. */
     [[nodiscard]] double replaySpeed() const;
-    /** Shows a problem with the address; empty for none. */
+    /** Shows a problem with the address, until the next status. */
     void showFault(const QString& fault);
+
+    /** Shows that neither asset nor home follows a ship. */
+    void chooseNoShip();
+    /** Copies choices and events from another panel, after the same status was shown. */
+    void takeOver(const AircraftPanel& other);
 
     /** Returns the aircraft that is chosen in the list; nullopt if there is none. */
     [[nodiscard]] std::optional<LinkAddress> chosen() const;
@@ -115,7 +127,7 @@ private:
     LinkStatus m_status;
     std::map<LinkAddress, AircraftNotes> m_notes;
     Theme m_theme;
-    bool m_isLive = false;
+    LiveFlightState m_flight;
 };
 
 } // namespace berg

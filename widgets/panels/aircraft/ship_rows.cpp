@@ -1,9 +1,12 @@
 #include "widgets/panels/aircraft/ship_rows.h"
 
 #include "widgets/aircraft/link_ships.h"
+#include "widgets/panels/fields/wheel_guard.h"
 
 #include <QComboBox>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -23,6 +26,7 @@ ShipRows::ShipRows(QWidget* parent) : QWidget(parent), m_asset(new QComboBox), m
            "uploads. The autopilot's own home stays where it took off."));
     m_home->addItem(tr("Launch and home are not on a ship"), quint64{0});
     for (QComboBox* box : {m_asset, m_home}) {
+        guardWheel(*box);
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         column->addWidget(box);
     }
@@ -35,12 +39,40 @@ ShipRows::ShipRows(QWidget* parent) : QWidget(parent), m_asset(new QComboBox), m
 
 void ShipRows::showShips(const LinkStatus& status)
 {
-    for (const LinkShip& ship : shipsOf(status)) {
-        if (m_asset->findData(ship.key) < 0)
-            m_asset->addItem(tr("The asset follows %1").arg(ship.name), ship.key);
-        if (m_home->findData(ship.key) < 0)
-            m_home->addItem(tr("Launch and home are on %1").arg(ship.name), ship.key);
-    }
+    for (const LinkShip& ship : shipsOf(status))
+        showShip(ship.key, ship.name);
+    setVisible(m_asset->count() > 1);
+}
+
+/** The name of a ship may follow its first position. */
+void ShipRows::showShip(quint64 key, const QString& name)
+{
+    QString& known = m_names[key];
+    if (known == name)
+        return;
+    known = name;
+    const auto showIn = [key](QComboBox& box, const QString& text) {
+        if (const int row = box.findData(key); row >= 0)
+            box.setItemText(row, text);
+        else
+            box.addItem(text, key);
+    };
+    showIn(*m_asset, tr("The asset follows %1").arg(name));
+    showIn(*m_home, tr("Launch and home are on %1").arg(name));
+}
+
+void ShipRows::chooseNone()
+{
+    m_asset->setCurrentIndex(0);
+    m_home->setCurrentIndex(0);
+}
+
+void ShipRows::takeOver(const ShipRows& other)
+{
+    for (const auto& [key, name] : other.m_names)
+        showShip(key, name);
+    m_asset->setCurrentIndex(std::max(0, m_asset->findData(other.m_asset->currentData())));
+    m_home->setCurrentIndex(std::max(0, m_home->findData(other.m_home->currentData())));
     setVisible(m_asset->count() > 1);
 }
 

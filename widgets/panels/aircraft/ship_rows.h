@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <map>
+
 class QComboBox;
 
 namespace berg {
@@ -18,6 +20,9 @@ public:
 
     /** Offers every ship heard; a ship that has become silent stays in the lists. */
     void showShips(const LinkStatus& status);
+    void chooseNone();
+    /** Copies ships and choices from other rows. */
+    void takeOver(const ShipRows& other);
 
 signals:
     /** Emitted with the key of the ship (`LinkShip`) that the asset follows; 0 for none. */
@@ -26,6 +31,9 @@ signals:
     void homeShipEdited(quint64 key);
 
 private:
+    void showShip(quint64 key, const QString& name);
+
+    std::map<quint64, QString> m_names; ///< by key
     QComboBox* m_asset;
     QComboBox* m_home;
 };

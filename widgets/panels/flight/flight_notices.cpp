@@ -266,7 +266,8 @@ NoticeRank rankOf(NoticeKind kind)
     case NoticeKind::PlannerFailed:
     case NoticeKind::WindLimit:
     case NoticeKind::LostIceberg:
-    case NoticeKind::Aircraft:
+    case NoticeKind::PilotTookOver:
+    case NoticeKind::OnBoard:
         return NoticeRank::Warning;
     case NoticeKind::Mode:
         return NoticeRank::Note;
