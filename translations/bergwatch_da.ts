@@ -4678,6 +4678,38 @@ Tilstødende område %4</translation>
         <source>Tracker %1</source>
         <translation>Sporer %1</translation>
     </message>
+    <message>
+        <source>command</source>
+        <translation>kommando</translation>
+    </message>
+    <message>
+        <source>altitude reference</source>
+        <translation>højdereference</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>breddegrad</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>længdegrad</translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation>højde</translation>
+    </message>
+    <message>
+        <source>parameter %1</source>
+        <translation>parameter %1</translation>
+    </message>
+    <message>
+        <source>Guiding begins when the flight in this window follows the aircraft</source>
+        <translation>Styringen begynder, når flyvningen i dette vindue følger luftfartøjet</translation>
+    </message>
+    <message>
+        <source>Replacing the mission begins when the flight in this window follows the aircraft</source>
+        <translation>Missionen erstattes først, når flyvningen i dette vindue følger luftfartøjet</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -6073,6 +6105,10 @@ Tilstødende område %4</translation>
         <comment>source and its error</comment>
         <translation>Set med %1.</translation>
     </message>
+    <message>
+        <source>The scenario has %1 icebergs, the most that are possible.</source>
+        <translation>Scenariet har %1 isbjerge, flere er der ikke plads til.</translation>
+    </message>
 </context>
 <context>
     <name>PlanText</name>
@@ -7452,6 +7488,30 @@ mod %2</translation>
         <source>Differs: home has moved since %1</source>
         <translation>Afviger: hjem har flyttet sig siden %1</translation>
     </message>
+    <message>
+        <source>%1 can be reached from the network, and MAVLink does not check who sends.</source>
+        <translation>%1 kan nås fra netværket, og MAVLink kontrollerer ikke, hvem der sender.</translation>
+    </message>
+    <message>
+        <source>the mission was not replaced. Steering is off</source>
+        <translation>missionen blev ikke erstattet. Styringen er slået fra</translation>
+    </message>
+    <message>
+        <source>steering is off, because sending is</source>
+        <translation>styringen er slået fra, fordi der ikke sendes</translation>
+    </message>
+    <message>
+        <source>the plan has changed meanwhile. Nothing was sent</source>
+        <translation>planen er ændret imens. Intet blev sendt</translation>
+    </message>
+    <message>
+        <source>its UAV has no plan. Nothing was sent</source>
+        <translation>dens drone har ingen plan. Intet blev sendt</translation>
+    </message>
+    <message>
+        <source>%1. The aircraft keeps its own fence</source>
+        <translation>%1. Luftfartøjet beholder sit eget hegn</translation>
+    </message>
 </context>
 <context>
     <name>berg::AircraftPanel</name>
@@ -7492,16 +7552,8 @@ mod %2</translation>
         <translation>Øv</translation>
     </message>
     <message>
-        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer.</source>
-        <translation>Simulerede luftfartøjer flyver fra scenariets UAV&apos;er og sender deres telemetri over netværket på denne computer.</translation>
-    </message>
-    <message>
         <source>Upload</source>
         <translation>Send op</translation>
-    </message>
-    <message>
-        <source>Uploads the plan with fence and rally point, reads it back and compares it.</source>
-        <translation>Sender planen med hegn og samlingspunkt, læser den tilbage og sammenligner.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -7589,7 +7641,7 @@ mod %2</translation>
     </message>
     <message>
         <source>No UAV</source>
-        <translation>Ingen UAV</translation>
+        <translation>Ingen drone</translation>
     </message>
     <message>
         <source>The link is off.</source>
@@ -7622,6 +7674,14 @@ mod %2</translation>
     <message>
         <source>No aircraft in the log so far.</source>
         <translation>Intet luftfartøj i loggen indtil nu.</translation>
+    </message>
+    <message>
+        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer. Not while another link is open.</source>
+        <translation>Simulerede luftfartøjer flyver fra scenariets droner og sender deres telemetri over netværket på denne computer. Ikke mens en anden forbindelse er åben.</translation>
+    </message>
+    <message>
+        <source>Uploads the plan with its fence and rally point, reads it back and compares it. If the plan has no fence, the aircraft keeps its own.</source>
+        <translation>Sender planen med dens hegn og samlingspunkt, læser den tilbage og sammenligner. Har planen intet hegn, beholder luftfartøjet sit eget.</translation>
     </message>
 </context>
 <context>
@@ -10984,6 +11044,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>There is no plan to upload.</source>
         <translation>Der er ingen plan at sende op.</translation>
     </message>
+    <message>
+        <source>This scenario cannot be flown. Fix the reported errors first.</source>
+        <translation>Dette scenarie kan ikke flyves. Ret de meldte fejl først.</translation>
+    </message>
+    <message>
+        <source>The flight follows real aircraft at their pace: it cannot be stepped.</source>
+        <translation>Flyvningen følger virkelige luftfartøjer i deres tempo: den kan ikke køres trinvist.</translation>
+    </message>
 </context>
 <context>
     <name>berg::NumberField</name>
@@ -13072,19 +13140,11 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Move UAVs to their aircraft</source>
-        <translation>Flyt UAV&apos;erne til deres luftfartøjer</translation>
-    </message>
-    <message>
-        <source>Move asset</source>
-        <translation>Flyt objekt</translation>
+        <translation>Flyt dronerne til deres luftfartøjer</translation>
     </message>
     <message>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Scenariet er låst under flyvning. Stop flyvningen for at ændre det.</translation>
-    </message>
-    <message>
-        <source>Move launch and home</source>
-        <translation>Flyt start og hjem</translation>
     </message>
 </context>
 </TS>

@@ -4678,6 +4678,38 @@ Zone adjacente %4</translation>
         <source>Tracker %1</source>
         <translation>Balise %1</translation>
     </message>
+    <message>
+        <source>command</source>
+        <translation>commande</translation>
+    </message>
+    <message>
+        <source>altitude reference</source>
+        <translation>référence d&apos;altitude</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>latitude</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>longitude</translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation>altitude</translation>
+    </message>
+    <message>
+        <source>parameter %1</source>
+        <translation>paramètre %1</translation>
+    </message>
+    <message>
+        <source>Guiding begins when the flight in this window follows the aircraft</source>
+        <translation>Le guidage commence quand le vol de cette fenêtre suit l&apos;aéronef</translation>
+    </message>
+    <message>
+        <source>Replacing the mission begins when the flight in this window follows the aircraft</source>
+        <translation>La mission est remplacée dès que le vol de cette fenêtre suit l&apos;aéronef</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -6073,6 +6105,10 @@ Zone adjacente %4</translation>
         <comment>source and its error</comment>
         <translation>Observé par : %1.</translation>
     </message>
+    <message>
+        <source>The scenario has %1 icebergs, the most that are possible.</source>
+        <translation>Le scénario compte %1 icebergs, le maximum possible.</translation>
+    </message>
 </context>
 <context>
     <name>PlanText</name>
@@ -7452,6 +7488,30 @@ vers le %2</translation>
         <source>Differs: home has moved since %1</source>
         <translation>Diffère : la base s&apos;est déplacée depuis %1</translation>
     </message>
+    <message>
+        <source>%1 can be reached from the network, and MAVLink does not check who sends.</source>
+        <translation>%1 est accessible depuis le réseau, et MAVLink ne vérifie pas qui envoie.</translation>
+    </message>
+    <message>
+        <source>the mission was not replaced. Steering is off</source>
+        <translation>la mission n&apos;a pas été remplacée. Le pilotage est désactivé</translation>
+    </message>
+    <message>
+        <source>steering is off, because sending is</source>
+        <translation>le pilotage est désactivé, comme l&apos;envoi</translation>
+    </message>
+    <message>
+        <source>the plan has changed meanwhile. Nothing was sent</source>
+        <translation>le plan a changé entre-temps. Rien n&apos;a été envoyé</translation>
+    </message>
+    <message>
+        <source>its UAV has no plan. Nothing was sent</source>
+        <translation>son drone n&apos;a pas de plan. Rien n&apos;a été envoyé</translation>
+    </message>
+    <message>
+        <source>%1. The aircraft keeps its own fence</source>
+        <translation>%1. L&apos;aéronef garde sa propre clôture</translation>
+    </message>
 </context>
 <context>
     <name>berg::AircraftPanel</name>
@@ -7492,16 +7552,8 @@ vers le %2</translation>
         <translation>Répéter</translation>
     </message>
     <message>
-        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer.</source>
-        <translation>Des aéronefs simulés partent des UAV du scénario et envoient leur télémétrie par le réseau de cet ordinateur.</translation>
-    </message>
-    <message>
         <source>Upload</source>
         <translation>Envoyer</translation>
-    </message>
-    <message>
-        <source>Uploads the plan with fence and rally point, reads it back and compares it.</source>
-        <translation>Envoie le plan avec clôture et point de ralliement, le relit et le compare.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -7589,7 +7641,7 @@ vers le %2</translation>
     </message>
     <message>
         <source>No UAV</source>
-        <translation>Aucun UAV</translation>
+        <translation>Aucun drone</translation>
     </message>
     <message>
         <source>The link is off.</source>
@@ -7622,6 +7674,14 @@ vers le %2</translation>
     <message>
         <source>No aircraft in the log so far.</source>
         <translation>Aucun aéronef dans le journal jusqu&apos;ici.</translation>
+    </message>
+    <message>
+        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer. Not while another link is open.</source>
+        <translation>Des aéronefs simulés partent des drones du scénario et envoient leur télémétrie par le réseau de cet ordinateur. Pas tant qu&apos;une autre liaison est ouverte.</translation>
+    </message>
+    <message>
+        <source>Uploads the plan with its fence and rally point, reads it back and compares it. If the plan has no fence, the aircraft keeps its own.</source>
+        <translation>Envoie le plan avec sa clôture et son point de ralliement, le relit et le compare. Si le plan n&apos;a pas de clôture, l&apos;aéronef garde la sienne.</translation>
     </message>
 </context>
 <context>
@@ -10984,6 +11044,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>There is no plan to upload.</source>
         <translation>Il n&apos;y a aucun plan à envoyer.</translation>
     </message>
+    <message>
+        <source>This scenario cannot be flown. Fix the reported errors first.</source>
+        <translation>Ce scénario ne peut pas être exécuté. Corrigez d&apos;abord les erreurs signalées.</translation>
+    </message>
+    <message>
+        <source>The flight follows real aircraft at their pace: it cannot be stepped.</source>
+        <translation>Le vol suit des aéronefs réels à leur rythme : il ne peut pas avancer pas à pas.</translation>
+    </message>
 </context>
 <context>
     <name>berg::NumberField</name>
@@ -13072,19 +13140,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Move UAVs to their aircraft</source>
-        <translation>Déplacer les UAV vers leurs aéronefs</translation>
-    </message>
-    <message>
-        <source>Move asset</source>
-        <translation>Déplacer le bien protégé</translation>
+        <translation>Déplacer les drones vers leurs aéronefs</translation>
     </message>
     <message>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Le scénario est verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
-    </message>
-    <message>
-        <source>Move launch and home</source>
-        <translation>Déplacer le départ et la base</translation>
     </message>
 </context>
 </TS>

@@ -4678,6 +4678,38 @@ Tilstøtende område %4</translation>
         <source>Tracker %1</source>
         <translation>Sporer %1</translation>
     </message>
+    <message>
+        <source>command</source>
+        <translation>kommando</translation>
+    </message>
+    <message>
+        <source>altitude reference</source>
+        <translation>høydereferanse</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>breddegrad</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>lengdegrad</translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation>høyde</translation>
+    </message>
+    <message>
+        <source>parameter %1</source>
+        <translation>parameter %1</translation>
+    </message>
+    <message>
+        <source>Guiding begins when the flight in this window follows the aircraft</source>
+        <translation>Ledingen begynner når flygingen i dette vinduet følger luftfartøyet</translation>
+    </message>
+    <message>
+        <source>Replacing the mission begins when the flight in this window follows the aircraft</source>
+        <translation>Oppdraget erstattes først når flygingen i dette vinduet følger luftfartøyet</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -6073,6 +6105,10 @@ Tilstøtende område %4</translation>
         <comment>source and its error</comment>
         <translation>Sett med %1.</translation>
     </message>
+    <message>
+        <source>The scenario has %1 icebergs, the most that are possible.</source>
+        <translation>Scenarioet har %1 isfjell, flere er det ikke plass til.</translation>
+    </message>
 </context>
 <context>
     <name>PlanText</name>
@@ -7452,6 +7488,30 @@ mot %2</translation>
         <source>Differs: home has moved since %1</source>
         <translation>Avviker: hjem har flyttet seg siden %1</translation>
     </message>
+    <message>
+        <source>%1 can be reached from the network, and MAVLink does not check who sends.</source>
+        <translation>%1 kan nås fra nettverket, og MAVLink kontrollerer ikke hvem som sender.</translation>
+    </message>
+    <message>
+        <source>the mission was not replaced. Steering is off</source>
+        <translation>oppdraget ble ikke erstattet. Styringen er av</translation>
+    </message>
+    <message>
+        <source>steering is off, because sending is</source>
+        <translation>styringen er av fordi det ikke sendes</translation>
+    </message>
+    <message>
+        <source>the plan has changed meanwhile. Nothing was sent</source>
+        <translation>planen er endret imens. Ingenting ble sendt</translation>
+    </message>
+    <message>
+        <source>its UAV has no plan. Nothing was sent</source>
+        <translation>UAV-en har ingen plan. Ingenting ble sendt</translation>
+    </message>
+    <message>
+        <source>%1. The aircraft keeps its own fence</source>
+        <translation>%1. Luftfartøyet beholder sitt eget gjerde</translation>
+    </message>
 </context>
 <context>
     <name>berg::AircraftPanel</name>
@@ -7492,16 +7552,8 @@ mot %2</translation>
         <translation>Øv</translation>
     </message>
     <message>
-        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer.</source>
-        <translation>Simulerte luftfartøyer flyr fra UAV-ene i scenarioet og sender telemetrien sin over nettverket på denne datamaskinen.</translation>
-    </message>
-    <message>
         <source>Upload</source>
         <translation>Last opp</translation>
-    </message>
-    <message>
-        <source>Uploads the plan with fence and rally point, reads it back and compares it.</source>
-        <translation>Laster opp planen med gjerde og samlingspunkt, leser den tilbake og sammenligner.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -7622,6 +7674,14 @@ mot %2</translation>
     <message>
         <source>No aircraft in the log so far.</source>
         <translation>Ingen luftfartøyer i loggen så langt.</translation>
+    </message>
+    <message>
+        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer. Not while another link is open.</source>
+        <translation>Simulerte luftfartøyer flyr fra UAV-ene i scenarioet og sender telemetrien sin over nettverket på denne datamaskinen. Ikke mens en annen forbindelse er åpen.</translation>
+    </message>
+    <message>
+        <source>Uploads the plan with its fence and rally point, reads it back and compares it. If the plan has no fence, the aircraft keeps its own.</source>
+        <translation>Laster opp planen med gjerdet og samlingspunktet, leser den tilbake og sammenligner. Har planen ikke noe gjerde, beholder luftfartøyet sitt eget.</translation>
     </message>
 </context>
 <context>
@@ -10984,6 +11044,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>There is no plan to upload.</source>
         <translation>Det er ingen plan å laste opp.</translation>
     </message>
+    <message>
+        <source>This scenario cannot be flown. Fix the reported errors first.</source>
+        <translation>Dette scenarioet kan ikke flys. Rett de meldte feilene først.</translation>
+    </message>
+    <message>
+        <source>The flight follows real aircraft at their pace: it cannot be stepped.</source>
+        <translation>Flygingen følger virkelige luftfartøyer i deres tempo: den kan ikke kjøres trinnvis.</translation>
+    </message>
 </context>
 <context>
     <name>berg::NumberField</name>
@@ -13075,16 +13143,8 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Flytt UAV-ene til luftfartøyene</translation>
     </message>
     <message>
-        <source>Move asset</source>
-        <translation>Flytt objektet</translation>
-    </message>
-    <message>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Scenarioet er låst under flyging. Stopp flygingen for å endre det.</translation>
-    </message>
-    <message>
-        <source>Move launch and home</source>
-        <translation>Flytt start og hjem</translation>
     </message>
 </context>
 </TS>
