@@ -139,7 +139,7 @@ private slots:
         QVERIFY(agreesAhead({}, {}));
     }
 
-    /** What is simulated must not reach a real aircraft. */
+    /** A simulation must not reach a real aircraft. */
     void simulationUploadsNothing()
     {
         Linked w;

@@ -116,7 +116,7 @@ private slots:
         QVERIFY(missions->front().order == sortie);
     }
 
-    /** Who asks must hear that there is nothing to wait for. */
+    /** A request that is refused is answered, too. */
     void refusedMissionsAreAnswered()
     {
         MissionRunner runner;

@@ -36,7 +36,7 @@ class TestAircraftPanel : public QObject
 private slots:
     void init() { test::failOnWarnings(); }
 
-    /** Who scrolls the panel must not begin to steer. */
+    /** Scrolling over the panel must not begin to steer. */
     void wheelChangesNoChoice_data()
     {
         QTest::addColumn<QString>("name");
