@@ -298,7 +298,9 @@ int main(int argc, char* argv[])
                        options.screenshot, options.at, options.wait, options.manual,
                        options.config});
     parser.addPositionalArgument(
-        Main::tr("file"), Main::tr("A scenario (.berg), run (.bergrun) or study (.bergstudy)."));
+        Main::tr("file"),
+        Main::tr("A scenario (.berg), run (.bergrun), study (.bergstudy) or telemetry log "
+                 "(.tlog)."));
     if (!parser.parse(QApplication::arguments())) {
         print(stderr, parser.errorText());
         return kWrongUsage;

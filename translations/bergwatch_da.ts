@@ -52,6 +52,29 @@
     </message>
 </context>
 <context>
+    <name>BatteryText</name>
+    <message>
+        <source>about %1 left</source>
+        <translation>omkring %1 tilbage</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 tilbage</translation>
+    </message>
+    <message>
+        <source>way home %1</source>
+        <translation>vejen hjem %1</translation>
+    </message>
+    <message>
+        <source>planned endurance left %1</source>
+        <translation>planlagt udholdenhed tilbage %1</translation>
+    </message>
+    <message>
+        <source>Battery for %1, way home %2</source>
+        <translation>Batteri til %1, vejen hjem %2</translation>
+    </message>
+</context>
+<context>
     <name>ChartPageText</name>
     <message>
         <source>Flown until %1</source>
@@ -3071,6 +3094,10 @@ Tilstødende område %4</translation>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Scenariet er låst under flyvning. Stop flyvningen for at ændre det.</translation>
     </message>
+    <message>
+        <source>Move home</source>
+        <translation>Flyt hjem</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4691,6 +4718,42 @@ Tilstødende område %4</translation>
         <source>The pilot has taken over: nothing is sent</source>
         <translation>Piloten har overtaget: intet sendes</translation>
     </message>
+    <message>
+        <source>Tracker %1</source>
+        <translation>Sporer %1</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>kommando</translation>
+    </message>
+    <message>
+        <source>altitude reference</source>
+        <translation>højdereference</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>breddegrad</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>længdegrad</translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation>højde</translation>
+    </message>
+    <message>
+        <source>parameter %1</source>
+        <translation>parameter %1</translation>
+    </message>
+    <message>
+        <source>Guiding begins when the flight in this window follows the aircraft</source>
+        <translation>Styringen begynder, når flyvningen i dette vindue følger luftfartøjet</translation>
+    </message>
+    <message>
+        <source>Replacing the mission begins when the flight in this window follows the aircraft</source>
+        <translation>Missionen erstattes først, når flyvningen i dette vindue følger luftfartøjet</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -4792,10 +4855,6 @@ Tilstødende område %4</translation>
         <translation>Kommandoen »export« skriver planer og flyvninger som filer, kort, diagrammer og flyvebriefinger: se »bergwatch export --help«.</translation>
     </message>
     <message>
-        <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
-        <translation>Et scenarie (.berg), en flyvning (.bergrun) eller et studie (.bergstudy).</translation>
-    </message>
-    <message>
         <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
         <translation>Skriv håndbogen som websider og som PDF i &lt;mappe&gt;, hvor billederne ligger.</translation>
     </message>
@@ -4810,6 +4869,10 @@ Tilstødende område %4</translation>
     <message>
         <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
         <translation>--wait: »%1« er ikke et antal sekunder op til %2.</translation>
+    </message>
+    <message>
+        <source>A scenario (.berg), run (.bergrun), study (.bergstudy) or telemetry log (.tlog).</source>
+        <translation>Et scenarie (.berg), en flyvning (.bergrun), et studie (.bergstudy) eller en telemetrilog (.tlog).</translation>
     </message>
 </context>
 <context>
@@ -6101,6 +6164,10 @@ Tilstødende område %4</translation>
         <source>Seen by %1.</source>
         <comment>source and its error</comment>
         <translation>Set med %1.</translation>
+    </message>
+    <message>
+        <source>The scenario has %1 icebergs, the most that are possible.</source>
+        <translation>Scenariet har %1 isbjerge, flere er der ikke plads til.</translation>
     </message>
 </context>
 <context>
@@ -7473,16 +7540,64 @@ mod %2</translation>
         <source>On board: same as the plan of %1</source>
         <translation>Om bord: samme som planen fra %1</translation>
     </message>
+    <message>
+        <source>Battery: %1</source>
+        <translation>Batteri: %1</translation>
+    </message>
+    <message>
+        <source>Link: replay</source>
+        <translation>Forbindelse: afspilning</translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog);;All files (*)</source>
+        <translation>Telemetrilogge (*.tlog);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Stop listening before you play a log.</source>
+        <translation>Hold op med at lytte, før du afspiller en log.</translation>
+    </message>
+    <message>
+        <source>%1 is not a telemetry log, or its beginning is damaged.</source>
+        <translation>%1 er ikke en telemetrilog, eller begyndelsen er beskadiget.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 kan ikke læses: %2</translation>
+    </message>
+    <message>
+        <source>Differs: home has moved since %1</source>
+        <translation>Afviger: hjem har flyttet sig siden %1</translation>
+    </message>
+    <message>
+        <source>%1 can be reached from the network, and MAVLink does not check who sends.</source>
+        <translation>%1 kan nås fra netværket, og MAVLink kontrollerer ikke, hvem der sender.</translation>
+    </message>
+    <message>
+        <source>the mission was not replaced. Steering is off</source>
+        <translation>missionen blev ikke erstattet. Styringen er slået fra</translation>
+    </message>
+    <message>
+        <source>steering is off, because sending is</source>
+        <translation>styringen er slået fra, fordi der ikke sendes</translation>
+    </message>
+    <message>
+        <source>the plan has changed meanwhile. Nothing was sent</source>
+        <translation>planen er ændret imens. Intet blev sendt</translation>
+    </message>
+    <message>
+        <source>its UAV has no plan. Nothing was sent</source>
+        <translation>dens drone har ingen plan. Intet blev sendt</translation>
+    </message>
+    <message>
+        <source>%1. The aircraft keeps its own fence</source>
+        <translation>%1. Luftfartøjet beholder sit eget hegn</translation>
+    </message>
 </context>
 <context>
     <name>berg::AircraftPanel</name>
     <message>
         <source>from %1, %2 ± %3</source>
         <translation>fra %1, %2 ± %3</translation>
-    </message>
-    <message>
-        <source>Battery: %1</source>
-        <translation>Batteri: %1</translation>
     </message>
     <message>
         <source>Wind: %1</source>
@@ -7517,16 +7632,8 @@ mod %2</translation>
         <translation>Øv</translation>
     </message>
     <message>
-        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer.</source>
-        <translation>Simulerede luftfartøjer flyver fra scenariets UAV&apos;er og sender deres telemetri over netværket på denne computer.</translation>
-    </message>
-    <message>
         <source>Upload</source>
         <translation>Send op</translation>
-    </message>
-    <message>
-        <source>Uploads the plan with fence and rally point, reads it back and compares it.</source>
-        <translation>Sender planen med hegn og samlingspunkt, læser den tilbage og sammenligner.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -7613,16 +7720,8 @@ mod %2</translation>
         <translation>Led fra isbjerg til isbjerg</translation>
     </message>
     <message>
-        <source>Ship that the asset follows</source>
-        <translation>Skib, som objektet følger</translation>
-    </message>
-    <message>
-        <source>The asset follows no ship</source>
-        <translation>Objektet følger intet skib</translation>
-    </message>
-    <message>
         <source>No UAV</source>
-        <translation>Ingen UAV</translation>
+        <translation>Ingen drone</translation>
     </message>
     <message>
         <source>The link is off.</source>
@@ -7645,16 +7744,24 @@ mod %2</translation>
         <translation>ingen endnu</translation>
     </message>
     <message>
-        <source>The asset follows %1</source>
-        <translation>Objektet følger %1</translation>
-    </message>
-    <message>
         <source>The flight follows the aircraft</source>
         <translation>Flyvningen følger luftfartøjet</translation>
     </message>
     <message>
         <source>%1  Attention: %2</source>
         <translation>%1  OBS: %2</translation>
+    </message>
+    <message>
+        <source>No aircraft in the log so far.</source>
+        <translation>Intet luftfartøj i loggen indtil nu.</translation>
+    </message>
+    <message>
+        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer. Not while another link is open.</source>
+        <translation>Simulerede luftfartøjer flyver fra scenariets droner og sender deres telemetri over netværket på denne computer. Ikke mens en anden forbindelse er åben.</translation>
+    </message>
+    <message>
+        <source>Uploads the plan with its fence and rally point, reads it back and compares it. If the plan has no fence, the aircraft keeps its own.</source>
+        <translation>Sender planen med dens hegn og samlingspunkt, læser den tilbage og sammenligner. Har planen intet hegn, beholder luftfartøjet sit eget.</translation>
     </message>
 </context>
 <context>
@@ -10274,6 +10381,61 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
 </context>
 <context>
+    <name>berg::LogRows</name>
+    <message>
+        <source>Write a log</source>
+        <translation>Skriv en log</translation>
+    </message>
+    <message>
+        <source>Open a log…</source>
+        <translation>Åbn en log…</translation>
+    </message>
+    <message>
+        <source>Plays a recorded flight (.tlog) in place of a link.</source>
+        <translation>Afspiller en optaget flyvning (.tlog) i stedet for en forbindelse.</translation>
+    </message>
+    <message>
+        <source>Part of the log that has been played</source>
+        <translation>Del af loggen, der er afspillet</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Afspilningens hastighed</translation>
+    </message>
+    <message>
+        <source>Seconds of the log that are played in each second</source>
+        <translation>Sekunder af loggen, der afspilles i hvert sekund</translation>
+    </message>
+    <message>
+        <source>Writes every frame sent and received to a new file (.tlog) in the folder %1.</source>
+        <translation>Skriver hver ramme, der sendes og modtages, til en ny fil (.tlog) i mappen %1.</translation>
+    </message>
+    <message>
+        <source>Log %1 has been played: %2</source>
+        <translation>Loggen %1 er afspillet: %2</translation>
+    </message>
+    <message>
+        <source>Playing log %1: %2</source>
+        <translation>Afspiller loggen %1: %2</translation>
+    </message>
+    <message>
+        <source>Damaged parts were skipped (%1).</source>
+        <translation>Beskadigede dele blev sprunget over (%1).</translation>
+    </message>
+    <message>
+        <source>The log cannot be written: %1 (%2)</source>
+        <translation>Loggen kan ikke skrives: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>The log has reached its largest size and has ended: %1</source>
+        <translation>Loggen har nået sin største størrelse og er afsluttet: %1</translation>
+    </message>
+    <message>
+        <source>Log: %1 (%2)</source>
+        <translation>Log: %1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>berg::MainWindow</name>
     <message>
         <source>Untitled</source>
@@ -10853,6 +11015,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>There is no plan to upload.</source>
         <translation>Der er ingen plan at sende op.</translation>
+    </message>
+    <message>
+        <source>This scenario cannot be flown. Fix the reported errors first.</source>
+        <translation>Dette scenarie kan ikke flyves. Ret de meldte fejl først.</translation>
+    </message>
+    <message>
+        <source>The flight follows real aircraft at their pace: it cannot be stepped.</source>
+        <translation>Flyvningen følger virkelige luftfartøjer i deres tempo: den kan ikke køres trinvist.</translation>
     </message>
 </context>
 <context>
@@ -11860,10 +12030,6 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Nyt scenarie</translation>
     </message>
     <message>
-        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
-        <translation>Scenarier, flyvninger og studier (*.berg *.bergrun *.bergstudy);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>Opened a copy of %1</source>
         <translation>Åbnede en kopi af %1</translation>
     </message>
@@ -11890,6 +12056,41 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Reading %1</source>
         <translation>Læser %1</translation>
+    </message>
+    <message>
+        <source>Scenarios, runs, studies and telemetry logs (*.berg *.bergrun *.bergstudy *.tlog);;All files (*)</source>
+        <translation>Scenarier, flyvninger, studier og telemetrilogge (*.berg *.bergrun *.bergstudy *.tlog);;Alle filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ShipRows</name>
+    <message>
+        <source>Ship that the asset follows</source>
+        <translation>Skib, som objektet følger</translation>
+    </message>
+    <message>
+        <source>The asset follows no ship</source>
+        <translation>Objektet følger intet skib</translation>
+    </message>
+    <message>
+        <source>Ship with launch and home</source>
+        <translation>Skib med start og hjem</translation>
+    </message>
+    <message>
+        <source>Launch and home of the UAVs move with the ship, in the simulation and in uploads. The autopilot&apos;s own home stays where it took off.</source>
+        <translation>Start og hjem for UAV&apos;erne flytter sig med skibet, i simuleringen og i uploads. Autopilotens eget hjem bliver, hvor den lettede.</translation>
+    </message>
+    <message>
+        <source>Launch and home are not on a ship</source>
+        <translation>Start og hjem er ikke på et skib</translation>
+    </message>
+    <message>
+        <source>The asset follows %1</source>
+        <translation>Objektet følger %1</translation>
+    </message>
+    <message>
+        <source>Launch and home are on %1</source>
+        <translation>Start og hjem er på %1</translation>
     </message>
 </context>
 <context>
@@ -12852,11 +13053,7 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     </message>
     <message>
         <source>Move UAVs to their aircraft</source>
-        <translation>Flyt UAV&apos;erne til deres luftfartøjer</translation>
-    </message>
-    <message>
-        <source>Move asset</source>
-        <translation>Flyt objekt</translation>
+        <translation>Flyt dronerne til deres luftfartøjer</translation>
     </message>
 </context>
 </TS>

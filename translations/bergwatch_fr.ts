@@ -52,6 +52,29 @@
     </message>
 </context>
 <context>
+    <name>BatteryText</name>
+    <message>
+        <source>about %1 left</source>
+        <translation>encore %1 environ</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>encore %1</translation>
+    </message>
+    <message>
+        <source>way home %1</source>
+        <translation>retour %1</translation>
+    </message>
+    <message>
+        <source>planned endurance left %1</source>
+        <translation>autonomie prévue restante %1</translation>
+    </message>
+    <message>
+        <source>Battery for %1, way home %2</source>
+        <translation>Batterie pour %1, retour %2</translation>
+    </message>
+</context>
+<context>
     <name>ChartPageText</name>
     <message>
         <source>Flown until %1</source>
@@ -3071,6 +3094,10 @@ Zone adjacente %4</translation>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Le scénario est verrouillé en vol. Arrêtez le vol pour le modifier.</translation>
     </message>
+    <message>
+        <source>Move home</source>
+        <translation>Déplacer la base</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4691,6 +4718,42 @@ Zone adjacente %4</translation>
         <source>The pilot has taken over: nothing is sent</source>
         <translation>Le pilote a repris la main : rien n&apos;est envoyé</translation>
     </message>
+    <message>
+        <source>Tracker %1</source>
+        <translation>Balise %1</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>commande</translation>
+    </message>
+    <message>
+        <source>altitude reference</source>
+        <translation>référence d&apos;altitude</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>latitude</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>longitude</translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation>altitude</translation>
+    </message>
+    <message>
+        <source>parameter %1</source>
+        <translation>paramètre %1</translation>
+    </message>
+    <message>
+        <source>Guiding begins when the flight in this window follows the aircraft</source>
+        <translation>Le guidage commence quand le vol de cette fenêtre suit l&apos;aéronef</translation>
+    </message>
+    <message>
+        <source>Replacing the mission begins when the flight in this window follows the aircraft</source>
+        <translation>La mission est remplacée dès que le vol de cette fenêtre suit l&apos;aéronef</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -4792,10 +4855,6 @@ Zone adjacente %4</translation>
         <translation>La commande « export » écrit les plans et les vols sous forme de fichiers, cartes, graphiques et fiches : voir « bergwatch export --help ».</translation>
     </message>
     <message>
-        <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
-        <translation>Un scénario (.berg), un vol (.bergrun) ou une étude (.bergstudy).</translation>
-    </message>
-    <message>
         <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
         <translation>Écrire le manuel en pages web et en PDF dans &lt;dossier&gt;, où se trouvent les images.</translation>
     </message>
@@ -4810,6 +4869,10 @@ Zone adjacente %4</translation>
     <message>
         <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
         <translation>--wait : « %1 » n&apos;est pas un nombre de secondes jusqu&apos;à %2.</translation>
+    </message>
+    <message>
+        <source>A scenario (.berg), run (.bergrun), study (.bergstudy) or telemetry log (.tlog).</source>
+        <translation>Un scénario (.berg), un vol (.bergrun), une étude (.bergstudy) ou un journal de télémétrie (.tlog).</translation>
     </message>
 </context>
 <context>
@@ -6101,6 +6164,10 @@ Zone adjacente %4</translation>
         <source>Seen by %1.</source>
         <comment>source and its error</comment>
         <translation>Observé par : %1.</translation>
+    </message>
+    <message>
+        <source>The scenario has %1 icebergs, the most that are possible.</source>
+        <translation>Le scénario compte %1 icebergs, le maximum possible.</translation>
     </message>
 </context>
 <context>
@@ -7473,16 +7540,64 @@ vers le %2</translation>
         <source>On board: same as the plan of %1</source>
         <translation>À bord : identique au plan de %1</translation>
     </message>
+    <message>
+        <source>Battery: %1</source>
+        <translation>Batterie : %1</translation>
+    </message>
+    <message>
+        <source>Link: replay</source>
+        <translation>Liaison : lecture</translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog);;All files (*)</source>
+        <translation>Journaux de télémétrie (*.tlog);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Stop listening before you play a log.</source>
+        <translation>Arrêtez l&apos;écoute avant de lire un journal.</translation>
+    </message>
+    <message>
+        <source>%1 is not a telemetry log, or its beginning is damaged.</source>
+        <translation>%1 n&apos;est pas un journal de télémétrie, ou son début est endommagé.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 ne peut pas être lu : %2</translation>
+    </message>
+    <message>
+        <source>Differs: home has moved since %1</source>
+        <translation>Diffère : la base s&apos;est déplacée depuis %1</translation>
+    </message>
+    <message>
+        <source>%1 can be reached from the network, and MAVLink does not check who sends.</source>
+        <translation>%1 est accessible depuis le réseau, et MAVLink ne vérifie pas qui envoie.</translation>
+    </message>
+    <message>
+        <source>the mission was not replaced. Steering is off</source>
+        <translation>la mission n&apos;a pas été remplacée. Le pilotage est désactivé</translation>
+    </message>
+    <message>
+        <source>steering is off, because sending is</source>
+        <translation>le pilotage est désactivé, comme l&apos;envoi</translation>
+    </message>
+    <message>
+        <source>the plan has changed meanwhile. Nothing was sent</source>
+        <translation>le plan a changé entre-temps. Rien n&apos;a été envoyé</translation>
+    </message>
+    <message>
+        <source>its UAV has no plan. Nothing was sent</source>
+        <translation>son drone n&apos;a pas de plan. Rien n&apos;a été envoyé</translation>
+    </message>
+    <message>
+        <source>%1. The aircraft keeps its own fence</source>
+        <translation>%1. L&apos;aéronef garde sa propre clôture</translation>
+    </message>
 </context>
 <context>
     <name>berg::AircraftPanel</name>
     <message>
         <source>from %1, %2 ± %3</source>
         <translation>du %1, %2 ± %3</translation>
-    </message>
-    <message>
-        <source>Battery: %1</source>
-        <translation>Batterie : %1</translation>
     </message>
     <message>
         <source>Wind: %1</source>
@@ -7517,16 +7632,8 @@ vers le %2</translation>
         <translation>Répéter</translation>
     </message>
     <message>
-        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer.</source>
-        <translation>Des aéronefs simulés partent des UAV du scénario et envoient leur télémétrie par le réseau de cet ordinateur.</translation>
-    </message>
-    <message>
         <source>Upload</source>
         <translation>Envoyer</translation>
-    </message>
-    <message>
-        <source>Uploads the plan with fence and rally point, reads it back and compares it.</source>
-        <translation>Envoie le plan avec clôture et point de ralliement, le relit et le compare.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -7613,16 +7720,8 @@ vers le %2</translation>
         <translation>Guider d&apos;iceberg en iceberg</translation>
     </message>
     <message>
-        <source>Ship that the asset follows</source>
-        <translation>Navire que suit le bien protégé</translation>
-    </message>
-    <message>
-        <source>The asset follows no ship</source>
-        <translation>Le bien protégé ne suit aucun navire</translation>
-    </message>
-    <message>
         <source>No UAV</source>
-        <translation>Aucun UAV</translation>
+        <translation>Aucun drone</translation>
     </message>
     <message>
         <source>The link is off.</source>
@@ -7645,16 +7744,24 @@ vers le %2</translation>
         <translation>aucune encore</translation>
     </message>
     <message>
-        <source>The asset follows %1</source>
-        <translation>Le bien protégé suit %1</translation>
-    </message>
-    <message>
         <source>The flight follows the aircraft</source>
         <translation>Le vol suit l&apos;aéronef</translation>
     </message>
     <message>
         <source>%1  Attention: %2</source>
         <translation>%1  Attention : %2</translation>
+    </message>
+    <message>
+        <source>No aircraft in the log so far.</source>
+        <translation>Aucun aéronef dans le journal jusqu&apos;ici.</translation>
+    </message>
+    <message>
+        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer. Not while another link is open.</source>
+        <translation>Des aéronefs simulés partent des drones du scénario et envoient leur télémétrie par le réseau de cet ordinateur. Pas tant qu&apos;une autre liaison est ouverte.</translation>
+    </message>
+    <message>
+        <source>Uploads the plan with its fence and rally point, reads it back and compares it. If the plan has no fence, the aircraft keeps its own.</source>
+        <translation>Envoie le plan avec sa clôture et son point de ralliement, le relit et le compare. Si le plan n&apos;a pas de clôture, l&apos;aéronef garde la sienne.</translation>
     </message>
 </context>
 <context>
@@ -10274,6 +10381,61 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
 </context>
 <context>
+    <name>berg::LogRows</name>
+    <message>
+        <source>Write a log</source>
+        <translation>Écrire un journal</translation>
+    </message>
+    <message>
+        <source>Open a log…</source>
+        <translation>Ouvrir un journal…</translation>
+    </message>
+    <message>
+        <source>Plays a recorded flight (.tlog) in place of a link.</source>
+        <translation>Lit un vol enregistré (.tlog) à la place d&apos;une liaison.</translation>
+    </message>
+    <message>
+        <source>Part of the log that has been played</source>
+        <translation>Partie du journal qui a été lue</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
+        <source>Seconds of the log that are played in each second</source>
+        <translation>Secondes du journal lues en une seconde</translation>
+    </message>
+    <message>
+        <source>Writes every frame sent and received to a new file (.tlog) in the folder %1.</source>
+        <translation>Écrit chaque trame envoyée et reçue dans un nouveau fichier (.tlog) du dossier %1.</translation>
+    </message>
+    <message>
+        <source>Log %1 has been played: %2</source>
+        <translation>Le journal %1 a été lu : %2</translation>
+    </message>
+    <message>
+        <source>Playing log %1: %2</source>
+        <translation>Lecture du journal %1 : %2</translation>
+    </message>
+    <message>
+        <source>Damaged parts were skipped (%1).</source>
+        <translation>Des parties endommagées ont été sautées (%1).</translation>
+    </message>
+    <message>
+        <source>The log cannot be written: %1 (%2)</source>
+        <translation>Le journal ne peut pas être écrit : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>The log has reached its largest size and has ended: %1</source>
+        <translation>Le journal a atteint sa taille maximale et s&apos;est terminé : %1</translation>
+    </message>
+    <message>
+        <source>Log: %1 (%2)</source>
+        <translation>Journal : %1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>berg::MainWindow</name>
     <message>
         <source>Untitled</source>
@@ -10853,6 +11015,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>There is no plan to upload.</source>
         <translation>Il n&apos;y a aucun plan à envoyer.</translation>
+    </message>
+    <message>
+        <source>This scenario cannot be flown. Fix the reported errors first.</source>
+        <translation>Ce scénario ne peut pas être exécuté. Corrigez d&apos;abord les erreurs signalées.</translation>
+    </message>
+    <message>
+        <source>The flight follows real aircraft at their pace: it cannot be stepped.</source>
+        <translation>Le vol suit des aéronefs réels à leur rythme : il ne peut pas avancer pas à pas.</translation>
     </message>
 </context>
 <context>
@@ -11860,10 +12030,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Nouveau scénario</translation>
     </message>
     <message>
-        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
-        <translation>Scénarios, vols et études (*.berg *.bergrun *.bergstudy);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Opened a copy of %1</source>
         <translation>Copie de %1 ouverte</translation>
     </message>
@@ -11890,6 +12056,41 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Reading %1</source>
         <translation>Lecture de %1</translation>
+    </message>
+    <message>
+        <source>Scenarios, runs, studies and telemetry logs (*.berg *.bergrun *.bergstudy *.tlog);;All files (*)</source>
+        <translation>Scénarios, vols, études et journaux de télémétrie (*.berg *.bergrun *.bergstudy *.tlog);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ShipRows</name>
+    <message>
+        <source>Ship that the asset follows</source>
+        <translation>Navire que suit le bien protégé</translation>
+    </message>
+    <message>
+        <source>The asset follows no ship</source>
+        <translation>Le bien protégé ne suit aucun navire</translation>
+    </message>
+    <message>
+        <source>Ship with launch and home</source>
+        <translation>Navire portant le départ et la base</translation>
+    </message>
+    <message>
+        <source>Launch and home of the UAVs move with the ship, in the simulation and in uploads. The autopilot&apos;s own home stays where it took off.</source>
+        <translation>Le départ et la base des drones se déplacent avec le navire, dans la simulation et dans les envois. La base propre à l&apos;autopilote reste au lieu de son décollage.</translation>
+    </message>
+    <message>
+        <source>Launch and home are not on a ship</source>
+        <translation>Le départ et la base ne sont pas sur un navire</translation>
+    </message>
+    <message>
+        <source>The asset follows %1</source>
+        <translation>Le bien protégé suit %1</translation>
+    </message>
+    <message>
+        <source>Launch and home are on %1</source>
+        <translation>Le départ et la base sont sur %1</translation>
     </message>
 </context>
 <context>
@@ -12852,11 +13053,7 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
     <message>
         <source>Move UAVs to their aircraft</source>
-        <translation>Déplacer les UAV vers leurs aéronefs</translation>
-    </message>
-    <message>
-        <source>Move asset</source>
-        <translation>Déplacer le bien protégé</translation>
+        <translation>Déplacer les drones vers leurs aéronefs</translation>
     </message>
 </context>
 </TS>

@@ -52,6 +52,29 @@
     </message>
 </context>
 <context>
+    <name>BatteryText</name>
+    <message>
+        <source>about %1 left</source>
+        <translation>omtrent %1 igjen</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 igjen</translation>
+    </message>
+    <message>
+        <source>way home %1</source>
+        <translation>veien hjem %1</translation>
+    </message>
+    <message>
+        <source>planned endurance left %1</source>
+        <translation>planlagt utholdenhet igjen %1</translation>
+    </message>
+    <message>
+        <source>Battery for %1, way home %2</source>
+        <translation>Batteri til %1, veien hjem %2</translation>
+    </message>
+</context>
+<context>
     <name>ChartPageText</name>
     <message>
         <source>Flown until %1</source>
@@ -3071,6 +3094,10 @@ Tilstøtende område %4</translation>
         <source>The scenario is locked in flight. Stop the flight to change it.</source>
         <translation>Scenarioet er låst under flyging. Stopp flygingen for å endre det.</translation>
     </message>
+    <message>
+        <source>Move home</source>
+        <translation>Flytt hjem</translation>
+    </message>
 </context>
 <context>
     <name>IssueText</name>
@@ -4691,6 +4718,42 @@ Tilstøtende område %4</translation>
         <source>The pilot has taken over: nothing is sent</source>
         <translation>Piloten har overtatt: ingenting sendes</translation>
     </message>
+    <message>
+        <source>Tracker %1</source>
+        <translation>Sporer %1</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>kommando</translation>
+    </message>
+    <message>
+        <source>altitude reference</source>
+        <translation>høydereferanse</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>breddegrad</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>lengdegrad</translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation>høyde</translation>
+    </message>
+    <message>
+        <source>parameter %1</source>
+        <translation>parameter %1</translation>
+    </message>
+    <message>
+        <source>Guiding begins when the flight in this window follows the aircraft</source>
+        <translation>Ledingen begynner når flygingen i dette vinduet følger luftfartøyet</translation>
+    </message>
+    <message>
+        <source>Replacing the mission begins when the flight in this window follows the aircraft</source>
+        <translation>Oppdraget erstattes først når flygingen i dette vinduet følger luftfartøyet</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -4792,10 +4855,6 @@ Tilstøtende område %4</translation>
         <translation>Kommandoen «export» skriver planer og flyginger som filer, kart, diagrammer og flygeark: se «bergwatch export --help».</translation>
     </message>
     <message>
-        <source>A scenario (.berg), run (.bergrun) or study (.bergstudy).</source>
-        <translation>Et scenario (.berg), en flyging (.bergrun) eller en studie (.bergstudy).</translation>
-    </message>
-    <message>
         <source>Write the manual as web pages and as PDF into &lt;folder&gt;, which has its pictures.</source>
         <translation>Skriv håndboken som nettsider og som PDF i &lt;mappe&gt;, der bildene ligger.</translation>
     </message>
@@ -4810,6 +4869,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>--wait: &quot;%1&quot; is not a number of seconds up to %2.</source>
         <translation>--wait: «%1» er ikke et antall sekunder opp til %2.</translation>
+    </message>
+    <message>
+        <source>A scenario (.berg), run (.bergrun), study (.bergstudy) or telemetry log (.tlog).</source>
+        <translation>Et scenario (.berg), en flyging (.bergrun), en studie (.bergstudy) eller en telemetrilogg (.tlog).</translation>
     </message>
 </context>
 <context>
@@ -6101,6 +6164,10 @@ Tilstøtende område %4</translation>
         <source>Seen by %1.</source>
         <comment>source and its error</comment>
         <translation>Sett med %1.</translation>
+    </message>
+    <message>
+        <source>The scenario has %1 icebergs, the most that are possible.</source>
+        <translation>Scenarioet har %1 isfjell, flere er det ikke plass til.</translation>
     </message>
 </context>
 <context>
@@ -7473,16 +7540,64 @@ mot %2</translation>
         <source>On board: same as the plan of %1</source>
         <translation>Om bord: samme som planen fra %1</translation>
     </message>
+    <message>
+        <source>Battery: %1</source>
+        <translation>Batteri: %1</translation>
+    </message>
+    <message>
+        <source>Link: replay</source>
+        <translation>Forbindelse: avspilling</translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog);;All files (*)</source>
+        <translation>Telemetrilogger (*.tlog);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Stop listening before you play a log.</source>
+        <translation>Slutt å lytte før du spiller av en logg.</translation>
+    </message>
+    <message>
+        <source>%1 is not a telemetry log, or its beginning is damaged.</source>
+        <translation>%1 er ingen telemetrilogg, eller begynnelsen er skadd.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 kan ikke leses: %2</translation>
+    </message>
+    <message>
+        <source>Differs: home has moved since %1</source>
+        <translation>Avviker: hjem har flyttet seg siden %1</translation>
+    </message>
+    <message>
+        <source>%1 can be reached from the network, and MAVLink does not check who sends.</source>
+        <translation>%1 kan nås fra nettverket, og MAVLink kontrollerer ikke hvem som sender.</translation>
+    </message>
+    <message>
+        <source>the mission was not replaced. Steering is off</source>
+        <translation>oppdraget ble ikke erstattet. Styringen er av</translation>
+    </message>
+    <message>
+        <source>steering is off, because sending is</source>
+        <translation>styringen er av fordi det ikke sendes</translation>
+    </message>
+    <message>
+        <source>the plan has changed meanwhile. Nothing was sent</source>
+        <translation>planen er endret imens. Ingenting ble sendt</translation>
+    </message>
+    <message>
+        <source>its UAV has no plan. Nothing was sent</source>
+        <translation>UAV-en har ingen plan. Ingenting ble sendt</translation>
+    </message>
+    <message>
+        <source>%1. The aircraft keeps its own fence</source>
+        <translation>%1. Luftfartøyet beholder sitt eget gjerde</translation>
+    </message>
 </context>
 <context>
     <name>berg::AircraftPanel</name>
     <message>
         <source>from %1, %2 ± %3</source>
         <translation>fra %1, %2 ± %3</translation>
-    </message>
-    <message>
-        <source>Battery: %1</source>
-        <translation>Batteri: %1</translation>
     </message>
     <message>
         <source>Wind: %1</source>
@@ -7517,16 +7632,8 @@ mot %2</translation>
         <translation>Øv</translation>
     </message>
     <message>
-        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer.</source>
-        <translation>Simulerte luftfartøyer flyr fra UAV-ene i scenarioet og sender telemetrien sin over nettverket på denne datamaskinen.</translation>
-    </message>
-    <message>
         <source>Upload</source>
         <translation>Last opp</translation>
-    </message>
-    <message>
-        <source>Uploads the plan with fence and rally point, reads it back and compares it.</source>
-        <translation>Laster opp planen med gjerde og samlingspunkt, leser den tilbake og sammenligner.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -7613,14 +7720,6 @@ mot %2</translation>
         <translation>Led fra isfjell til isfjell</translation>
     </message>
     <message>
-        <source>Ship that the asset follows</source>
-        <translation>Skip som objektet følger</translation>
-    </message>
-    <message>
-        <source>The asset follows no ship</source>
-        <translation>Objektet følger ikke noe skip</translation>
-    </message>
-    <message>
         <source>No UAV</source>
         <translation>Ingen UAV</translation>
     </message>
@@ -7645,16 +7744,24 @@ mot %2</translation>
         <translation>ingen ennå</translation>
     </message>
     <message>
-        <source>The asset follows %1</source>
-        <translation>Objektet følger %1</translation>
-    </message>
-    <message>
         <source>The flight follows the aircraft</source>
         <translation>Flygingen følger luftfartøyet</translation>
     </message>
     <message>
         <source>%1  Attention: %2</source>
         <translation>%1  Obs: %2</translation>
+    </message>
+    <message>
+        <source>No aircraft in the log so far.</source>
+        <translation>Ingen luftfartøyer i loggen så langt.</translation>
+    </message>
+    <message>
+        <source>Simulated aircraft fly from the UAVs of the scenario and send their telemetry over the network of this computer. Not while another link is open.</source>
+        <translation>Simulerte luftfartøyer flyr fra UAV-ene i scenarioet og sender telemetrien sin over nettverket på denne datamaskinen. Ikke mens en annen forbindelse er åpen.</translation>
+    </message>
+    <message>
+        <source>Uploads the plan with its fence and rally point, reads it back and compares it. If the plan has no fence, the aircraft keeps its own.</source>
+        <translation>Laster opp planen med gjerdet og samlingspunktet, leser den tilbake og sammenligner. Har planen ikke noe gjerde, beholder luftfartøyet sitt eget.</translation>
     </message>
 </context>
 <context>
@@ -10274,6 +10381,61 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::LogRows</name>
+    <message>
+        <source>Write a log</source>
+        <translation>Skriv en logg</translation>
+    </message>
+    <message>
+        <source>Open a log…</source>
+        <translation>Åpne en logg…</translation>
+    </message>
+    <message>
+        <source>Plays a recorded flight (.tlog) in place of a link.</source>
+        <translation>Spiller av en innspilt flyging (.tlog) i stedet for en forbindelse.</translation>
+    </message>
+    <message>
+        <source>Part of the log that has been played</source>
+        <translation>Del av loggen som er spilt av</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Avspillingens hastighet</translation>
+    </message>
+    <message>
+        <source>Seconds of the log that are played in each second</source>
+        <translation>Sekunder av loggen som spilles av i hvert sekund</translation>
+    </message>
+    <message>
+        <source>Writes every frame sent and received to a new file (.tlog) in the folder %1.</source>
+        <translation>Skriver hver ramme som sendes og mottas, til en ny fil (.tlog) i mappen %1.</translation>
+    </message>
+    <message>
+        <source>Log %1 has been played: %2</source>
+        <translation>Loggen %1 er spilt av: %2</translation>
+    </message>
+    <message>
+        <source>Playing log %1: %2</source>
+        <translation>Spiller av loggen %1: %2</translation>
+    </message>
+    <message>
+        <source>Damaged parts were skipped (%1).</source>
+        <translation>Skadde deler ble hoppet over (%1).</translation>
+    </message>
+    <message>
+        <source>The log cannot be written: %1 (%2)</source>
+        <translation>Loggen kan ikke skrives: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>The log has reached its largest size and has ended: %1</source>
+        <translation>Loggen har nådd sin største størrelse og er avsluttet: %1</translation>
+    </message>
+    <message>
+        <source>Log: %1 (%2)</source>
+        <translation>Logg: %1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>berg::MainWindow</name>
     <message>
         <source>Untitled</source>
@@ -10853,6 +11015,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>There is no plan to upload.</source>
         <translation>Det er ingen plan å laste opp.</translation>
+    </message>
+    <message>
+        <source>This scenario cannot be flown. Fix the reported errors first.</source>
+        <translation>Dette scenarioet kan ikke flys. Rett de meldte feilene først.</translation>
+    </message>
+    <message>
+        <source>The flight follows real aircraft at their pace: it cannot be stepped.</source>
+        <translation>Flygingen følger virkelige luftfartøyer i deres tempo: den kan ikke kjøres trinnvis.</translation>
     </message>
 </context>
 <context>
@@ -11860,10 +12030,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Nytt scenario</translation>
     </message>
     <message>
-        <source>Scenarios, runs and studies (*.berg *.bergrun *.bergstudy);;All files (*)</source>
-        <translation>Scenarioer, flyginger og studier (*.berg *.bergrun *.bergstudy);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>Opened a copy of %1</source>
         <translation>Åpnet en kopi av %1</translation>
     </message>
@@ -11890,6 +12056,41 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Reading %1</source>
         <translation>Leser %1</translation>
+    </message>
+    <message>
+        <source>Scenarios, runs, studies and telemetry logs (*.berg *.bergrun *.bergstudy *.tlog);;All files (*)</source>
+        <translation>Scenarioer, flyginger, studier og telemetrilogger (*.berg *.bergrun *.bergstudy *.tlog);;Alle filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>berg::ShipRows</name>
+    <message>
+        <source>Ship that the asset follows</source>
+        <translation>Skip som objektet følger</translation>
+    </message>
+    <message>
+        <source>The asset follows no ship</source>
+        <translation>Objektet følger ikke noe skip</translation>
+    </message>
+    <message>
+        <source>Ship with launch and home</source>
+        <translation>Skip med start og hjem</translation>
+    </message>
+    <message>
+        <source>Launch and home of the UAVs move with the ship, in the simulation and in uploads. The autopilot&apos;s own home stays where it took off.</source>
+        <translation>Start og hjem for UAV-ene flytter seg med skipet, i simuleringen og i opplastinger. Autopilotens eget hjem blir der den tok av.</translation>
+    </message>
+    <message>
+        <source>Launch and home are not on a ship</source>
+        <translation>Start og hjem er ikke på et skip</translation>
+    </message>
+    <message>
+        <source>The asset follows %1</source>
+        <translation>Objektet følger %1</translation>
+    </message>
+    <message>
+        <source>Launch and home are on %1</source>
+        <translation>Start og hjem er på %1</translation>
     </message>
 </context>
 <context>
@@ -12853,10 +13054,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Move UAVs to their aircraft</source>
         <translation>Flytt UAV-ene til luftfartøyene</translation>
-    </message>
-    <message>
-        <source>Move asset</source>
-        <translation>Flytt objektet</translation>
     </message>
 </context>
 </TS>

@@ -7,8 +7,8 @@
 #include "core/io/text/read_budget.h"
 #include "core/io/text/utc_time.h"
 #include "core/link/link_session.h"
-#include "core/link/nmea_reader.h"
 #include "core/link/recorded_flight.h"
+#include "core/link/tracker_list.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -20,34 +20,6 @@
 namespace berg::cli {
 
 namespace {
-
-/** Passes a link on and reads NMEA sentences in it. It sends nothing. */
-class ListeningLink final : public ByteLink
-{
-public:
-    explicit ListeningLink(ByteLink& link) : m_link(link) {}
-
-    [[nodiscard]] bool isDatagram() const override { return m_link.isDatagram(); }
-    [[nodiscard]] std::vector<int> peers() const override { return {}; }
-    [[nodiscard]] std::optional<LinkPacket> receive() override
-    {
-        std::optional<LinkPacket> packet = m_link.receive();
-        if (packet)
-            for (NmeaFix& fix : m_readers[packet->peer].feed(packet->bytes))
-                if (fix.place)
-                    m_fixes[packet->peer] = std::move(fix);
-        return packet;
-    }
-    void send(int /*peer*/, std::span<const std::uint8_t> /*bytes*/) override {}
-
-    /** Returns the newest fix of each peer since the last call. */
-    [[nodiscard]] std::map<int, NmeaFix> takeFixes() { return std::exchange(m_fixes, {}); }
-
-private:
-    ByteLink& m_link;
-    std::map<int, NmeaReader> m_readers; ///< Bounded, as the peers of a transport are.
-    std::map<int, NmeaFix> m_fixes;
-};
 
 std::string placeText(const LatLon& place)
 {
@@ -181,7 +153,7 @@ int runListen(const ListenArguments& given, const std::stop_token& stop)
         {.outputs = {{.option = "--tlog", .path = arguments.tlog}}, .force = arguments.force});
     const std::unique_ptr<TransportLink> transport = linkOf(arguments);
     TelemetryFile log(arguments.tlog);
-    ListeningLink link(*transport);
+    TrackerLink link(*transport); // nothing is sent, because the session never begins to
     LinkSession session(link, {.log = [&log](LinkTime now, std::span<const std::uint8_t> frame) {
                             log.add(now, frame);
                         }});
@@ -192,7 +164,11 @@ int runListen(const ListenArguments& given, const std::stop_token& stop)
             reporter.report(*transport);
             for (const LinkVehicle& vehicle : session.vehicles())
                 print(lineOf(vehicle));
-            for (const auto& [peer, fix] : link.takeFixes())
+            std::map<int, NmeaFix> newest;
+            for (TrackerFix& received : link.takeFixes())
+                if (received.fix.place)
+                    newest[received.peer] = std::move(received.fix);
+            for (const auto& [peer, fix] : newest)
                 print(fixLine(transport->peerName(peer), fix));
             log.flush();
         });

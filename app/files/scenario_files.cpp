@@ -57,6 +57,11 @@ bool ScenarioFiles::isRunFile(const QString& path)
     return QFileInfo(path).suffix().toLower() == u"bergrun"_s;
 }
 
+bool ScenarioFiles::isTelemetryLog(const QString& path)
+{
+    return QFileInfo(path).suffix().toLower() == u"tlog"_s;
+}
+
 bool ScenarioFiles::confirmDiscardScenario()
 {
     panels().finishTyping();
@@ -111,9 +116,10 @@ void ScenarioFiles::openScenario()
 {
     const bool wasInFlight = workspace().inFlight();
     const QString path =
-        interaction().openPath(&window(), tr("Scenarios, runs and studies (*.berg *.bergrun "
-                                             "*.bergstudy);;All files (*)"));
-    if (!path.isEmpty() && (isStudyFile(path) || mayAnswer(wasInFlight)))
+        interaction().openPath(&window(), tr("Scenarios, runs, studies and telemetry logs (*.berg "
+                                             "*.bergrun *.bergstudy *.tlog);;All files (*)"));
+    const bool staysBeside = isStudyFile(path) || isTelemetryLog(path);
+    if (!path.isEmpty() && (staysBeside || mayAnswer(wasInFlight)))
         openFile(path);
 }
 
@@ -161,6 +167,10 @@ bool ScenarioFiles::openFile(const QString& path)
 {
     if (isStudyFile(path)) {
         workspace().studyFiles().open(path);
+        return true;
+    }
+    if (isTelemetryLog(path)) {
+        emit telemetryLogChosen(path);
         return true;
     }
     if (!confirmDiscardScenario())

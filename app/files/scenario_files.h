@@ -20,6 +20,8 @@ public:
     /** By its ending. Its results are shown beside the scenario, which stays. */
     [[nodiscard]] static bool isStudyFile(const QString& path);
     [[nodiscard]] static bool isRunFile(const QString& path);
+    /** A recorded flight of real aircraft. It is played beside the scenario, which stays. */
+    [[nodiscard]] static bool isTelemetryLog(const QString& path);
 
     /**
      * The gate for all that makes the present scene go away: one question about the changes that
@@ -47,6 +49,9 @@ public:
     void fillRecentMenu(QMenu& menu);
     [[nodiscard]] bool keepsOld() const;
     void setKeepsOld(bool on);
+
+signals:
+    void telemetryLogChosen(const QString& path);
 
 private:
     [[nodiscard]] bool openUnlessInUse(const QString& path);

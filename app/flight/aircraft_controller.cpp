@@ -3,12 +3,9 @@
 #include "app/flight/flight_view.h"
 #include "app/layout/panels.h"
 #include "core/base/angles.h"
-#include "core/mission/sortie_outlook.h"
 #include "widgets/aircraft/link_text.h"
 #include "widgets/map/paint/graticule.h"
-#include "widgets/map/view/map_view.h"
 #include "widgets/panels/aircraft/aircraft_panel.h"
-#include "widgets/theme/quantity_text.h"
 #include "widgets/workspace/workspace.h"
 
 #include <QCoreApplication>
@@ -17,6 +14,8 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTime>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -42,10 +41,11 @@ bool agreesAhead(const std::vector<std::string>& uploaded, const std::vector<std
 {
     constexpr std::ptrdiff_t kAhead = 3;
     if (planned.empty())
-        return true;
+        return uploaded.empty();
     const auto first = std::ranges::find(uploaded, planned.front());
-    const auto count = std::min(kAhead, static_cast<std::ptrdiff_t>(planned.size()));
-    return uploaded.end() - first >= count &&
+    const auto count = std::min(kAhead, std::ssize(planned));
+    const std::ptrdiff_t left = uploaded.end() - first;
+    return (std::ssize(planned) < kAhead ? left == count : left >= count) &&
            std::equal(planned.begin(), planned.begin() + count, first);
 }
 
@@ -53,17 +53,20 @@ AircraftController::AircraftController(WindowContext& context, FlightView& fligh
     : WindowPart(context), m_flightView(flightView), m_mark(new QLabel)
 {
     m_mark->setObjectName(u"linkMark"_s);
-    m_mark->hide();
     window().statusBar()->addPermanentWidget(m_mark);
     panels().aircraft->setAddress(
         settings().value(kAddressKey, QLatin1String(kListenHere)).toString());
     connectPanel();
-    connect(&workspace().link(), &LinkMonitor::updated, this, &AircraftController::showStatus);
+    connectShipsAndLogs();
+    connect(&workspace().link(), &LinkMonitor::updated, this, &AircraftController::receiveStatus);
     connect(&workspace().runner(), &MissionRunner::missionsReady, this,
             [this](const std::shared_ptr<const std::vector<UavMission>>& missions) {
                 acceptMissions(*missions);
             });
+    connect(&workspace().runner(), &MissionRunner::begun, this, &AircraftController::endRequests);
     connect(&workspace(), &Workspace::flightChanged, this, &AircraftController::flightChanged);
+    connect(&workspace().document(), &ScenarioDocument::replaced, this,
+            &AircraftController::scenarioReplaced);
     connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
             &AircraftController::showUavs);
     showUavs();
@@ -73,7 +76,20 @@ void AircraftController::takeOver(AircraftController& other)
 {
     m_aircraft = std::move(other.m_aircraft);
     m_rehearsal = std::move(other.m_rehearsal);
+    m_assetShip = other.m_assetShip;
+    m_homeShip = other.m_homeShip;
+    m_isRehearsalLink = other.m_isRehearsalLink;
+    showUavs();
     showStatus();
+    panels().aircraft->takeOver(*other.panels().aircraft);
+}
+
+/** The ship belonged to the former scenario. */
+void AircraftController::scenarioReplaced()
+{
+    m_assetShip = {};
+    m_homeShip = {};
+    panels().aircraft->chooseNoShip();
 }
 
 void AircraftController::connectPanel()
@@ -88,11 +104,6 @@ void AircraftController::connectPanel()
     connect(panel, &AircraftPanel::compareRequested, this,
             [this] { requestMission(Purpose::Compare); });
     connect(panel, &AircraftPanel::steeringEdited, this, &AircraftController::setSteering);
-    connect(panel, &AircraftPanel::assetShipEdited, this, [this](quint32 mmsi) {
-        m_assetShip = mmsi;
-        m_assetMoved_s = 0;
-        followShip();
-    });
     connect(panel, &AircraftPanel::windRequested, this, &AircraftController::useWind);
     connect(panel, &AircraftPanel::uavEdited, this, [this](const std::string& id) {
         const std::optional<LinkAddress> chosen = panels().aircraft->chosen();
@@ -102,6 +113,7 @@ void AircraftController::connectPanel()
             if (aircraft.uav == id)
                 aircraft.uav.clear(); // a UAV is one aircraft
         m_aircraft[*chosen].uav = id;
+        showUavs();
         showStatus();
     });
     connect(panel, &AircraftPanel::flyMissionRequested, this, [this] {
@@ -117,6 +129,7 @@ void AircraftController::connectPanel()
 void AircraftController::listen(bool isOn)
 {
     LinkMonitor& link = workspace().link();
+    m_isRehearsalLink = false;
     if (!isOn) {
         link.stop();
         m_aircraft.clear();
@@ -132,7 +145,15 @@ void AircraftController::listen(bool isOn)
         return;
     }
     settings().setValue(kAddressKey, address);
-    link.listen([to = std::get<LinkEndpoint>(endpoint)] { return openLink(to); });
+    const auto& to = std::get<LinkEndpoint>(endpoint);
+    if (to.kind == LinkEndpoint::Kind::UdpListen && !isLocal(to)) {
+        const QString warning = tr("%1 can be reached from the network, and MAVLink does not "
+                                   "check who sends.")
+                                    .arg(address);
+        panels().aircraft->addEvent(nowText(), warning, true);
+        showMessage(warning, kLongMessage_ms);
+    }
+    link.listen([to] { return openLink(to); });
 }
 
 void AircraftController::rehearse(bool isOn)
@@ -148,6 +169,7 @@ void AircraftController::rehearse(bool isOn)
             std::get<LinkEndpoint>(typed).kind != LinkEndpoint::Kind::UdpListen)
             panels().aircraft->setAddress(QLatin1String(kListenHere));
         listen(true);
+        m_isRehearsalLink = true;
     }
     const auto endpoint = readEndpoint(panels().aircraft->address().toStdString());
     const Scenario& scenario = workspace().document().scenario();
@@ -160,7 +182,8 @@ void AircraftController::rehearse(bool isOn)
         options.side.autopilot = isPx4 ? AutopilotKind::Px4 : AutopilotKind::ArduPilot;
         options.uav = uav.spec;
         options.home = frame.toGeographic(uav.home_m.value_or(uav.position_m));
-        options.wind_mps = scenario.wind_mps;
+        options.wind_mps =
+            Eigen::Rotation2D<double>(northAngle_rad(frame, uav.position_m)) * scenario.wind_mps;
         options.loiterRadius_m = uav.aircraft.loiterRadius_m.value_or(0);
         options.start = frame.toGeographic(uav.position_m);
         options.heading_deg = uav.heading_deg - degFromRad(northAngle_rad(frame, uav.position_m));
@@ -215,27 +238,42 @@ void AircraftController::flyLive()
     workspace().flyLive(starts);
 }
 
-void AircraftController::showStatus()
+/** Events are new once; the state may be shown again. */
+void AircraftController::receiveStatus()
 {
     if (workspace().link().isListening()) {
         matchAircraft();
         reportEvents();
+    } else {
+        m_aircraft.clear(); // nothing goes on by itself when the link is opened again
+    }
+    showStatus();
+}
+
+void AircraftController::showStatus()
+{
+    if (workspace().link().isListening()) {
+        matchAircraft();
         passPoses();
         for (auto& [address, aircraft] : m_aircraft)
             if (const LinkVehicle* vehicle = vehicleOf(address)) {
+                endUnsent(address, aircraft, *vehicle);
                 aircraft.steering.setMode(vehicle->mode);
                 watchMission(*vehicle, aircraft);
+                recheckMission(*vehicle, aircraft);
+                watchBattery(*vehicle, aircraft);
                 guide(*vehicle, aircraft);
             }
     }
-    followShip();
+    followAssetShip();
+    followHomeShip();
     showOnMap();
     showPanel();
 }
 
 /**
  * A new aircraft flies as the UAV at the place of its id, from 1, in the scenario, or if that one
- * has an aircraft, as the first UAV that is still free.
+ * has an aircraft, as the first UAV that is still free; a tracker may be on a ship.
  */
 void AircraftController::matchAircraft()
 {
@@ -249,6 +287,10 @@ void AircraftController::matchAircraft()
         if (m_aircraft.contains(vehicle.address))
             continue;
         isNew = true;
+        if (isTracker(vehicle.address)) {
+            m_aircraft[vehicle.address].uav.clear();
+            continue;
+        }
         const std::size_t place = vehicle.address.system - std::size_t{1};
         const auto free = place < uavs.size() && isFree(uavs[place])
                               ? uavs.begin() + static_cast<std::ptrdiff_t>(place)
@@ -267,10 +309,9 @@ void AircraftController::reportEvents()
         const bool isAlarm = isAlarming(event);
         if (!text.isEmpty())
             panels().aircraft->addEvent(nowText(), text, isAlarm);
-        if (isAlarm && event.kind != LinkEvent::Kind::VehicleLost) { // that is a notice, too
-            announce(text);
+        if (isAlarm && event.kind != LinkEvent::Kind::VehicleLost) // that is a notice, too
             showMessage(text, kLongMessage_ms);
-        }
+        retryGuidance(event);
         if (event.kind == LinkEvent::Kind::SyncEnded)
             endSync(event.vehicle);
     }
@@ -280,20 +321,90 @@ void AircraftController::endSync(LinkAddress address)
 {
     const LinkVehicle* vehicle = vehicleOf(address);
     const auto found = m_aircraft.find(address);
-    if (vehicle == nullptr || found == m_aircraft.end() || !vehicle->sync || !found->second.upload)
+    if (vehicle == nullptr || found == m_aircraft.end() || !vehicle->sync)
         return;
     Aircraft& aircraft = found->second;
-    if (vehicle->sync->phase != SyncPhase::Equal) {
-        aircraft.upload.reset(); // what is on board is not a plan of ours
+    const bool isDifferent = vehicle->sync->phase == SyncPhase::Different;
+    if (vehicle->sync->isRecheck) {
+        if (aircraft.upload)
+            aircraft.upload->isChangedOnBoard = aircraft.upload->isChangedOnBoard || isDifferent;
         return;
     }
-    aircraft.upload->time = QTime::currentTime().toString(u"HH:mm"_s);
+    std::optional<Transfer> ended = std::exchange(aircraft.transfer, std::nullopt);
+    if (!ended)
+        return;
+    if (vehicle->sync->phase != SyncPhase::Equal) {
+        if (ended->isUpload)
+            loseUpload(address, aircraft);
+        else if (isDifferent && aircraft.upload &&
+                 isSameMission(aircraft.upload->parts, ended->upload.parts))
+            aircraft.upload->isChangedOnBoard = true;
+        return;
+    }
+    aircraft.upload = std::move(ended->upload);
+    if (aircraft.upload->time.isEmpty())
+        aircraft.upload->time = QTime::currentTime().toString(u"HH:mm"_s);
     aircraft.upload->found_s = workspace().link().status().now_s;
     // ArduPilot flies on to the old item, also after an upload; PX4 begins with the first.
-    if (aircraft.steering.state() == SteeringState::Active &&
+    if (ended->isUpload && aircraft.steering.state() == SteeringState::Active &&
         aircraft.steering.kind() == SteeringKind::Mission &&
         vehicle->autopilot == AutopilotKind::ArduPilot)
         workspace().link().sendCommand(address, itemCommand(vehicle->autopilot, 0));
+}
+
+/** A point that did not arrive is sent again after a pause; contact that returns needs none. */
+void AircraftController::retryGuidance(const LinkEvent& event)
+{
+    constexpr double kRetry_s = 5;
+    const auto found = m_aircraft.find(event.vehicle);
+    if (found == m_aircraft.end())
+        return;
+    const bool hasFailed = event.kind == LinkEvent::Kind::CommandEnded && event.command &&
+                           event.command->command.command == LinkCommandId::kReposition &&
+                           event.command->result != 0;
+    if (!hasFailed && event.kind != LinkEvent::Kind::VehicleReturned)
+        return;
+    found->second.guidedTo.reset();
+    if (!hasFailed)
+        return;
+    found->second.guideFrom_s = workspace().link().status().now_s + kRetry_s;
+    found->second.steering.setTargetSent(false);
+}
+
+void AircraftController::report(LinkAddress address, const QString& text)
+{
+    const QString named = u"%1: %2"_s.arg(aircraftName(address), text);
+    panels().aircraft->addEvent(nowText(), named, true);
+    showMessage(named, kLongMessage_ms);
+}
+
+/** What is on board is unknown: without a mission of ours nothing is steered. */
+void AircraftController::loseUpload(LinkAddress address, Aircraft& aircraft)
+{
+    aircraft.upload.reset();
+    if (aircraft.steering.kind() != SteeringKind::Mission)
+        return;
+    aircraft.steering = {};
+    report(address, tr("the mission was not replaced. Steering is off"));
+}
+
+/** Nothing goes on by itself after sending was off, and no transfer is waited for then. */
+void AircraftController::endUnsent(LinkAddress address, Aircraft& aircraft,
+                                   const LinkVehicle& vehicle)
+{
+    constexpr double kStarted_s = 2; // by then the link shows the transfer
+    const LinkStatus& status = workspace().link().status();
+    if (aircraft.transfer && !isSyncRunning(vehicle) &&
+        (!status.isSending || status.now_s > aircraft.transfer->since_s + kStarted_s)) {
+        const bool wasUpload = aircraft.transfer->isUpload;
+        aircraft.transfer.reset();
+        if (wasUpload)
+            loseUpload(address, aircraft);
+    }
+    if (status.isSending || aircraft.steering.kind() == SteeringKind::None)
+        return;
+    aircraft.steering = {};
+    report(address, tr("steering is off, because sending is"));
 }
 
 void AircraftController::passPoses()
@@ -322,126 +433,6 @@ void AircraftController::passPoses()
     }
     if (!poses.empty())
         workspace().runner().addPoses(poses);
-}
-
-void AircraftController::showOnMap()
-{
-    const LinkStatus& status = workspace().link().status();
-    const LocalFrame frame(workspace().document().scenario().origin);
-    const bool isLive = workspace().record().now.isLive;
-    MapLive live;
-    for (const LinkVehicle& vehicle : status.vehicles) {
-        const std::optional<DubinsState> pose = poseOf(vehicle);
-        const auto found = m_aircraft.find(vehicle.address);
-        if (!pose || found == m_aircraft.end())
-            continue;
-        const std::optional<int> uav = uavIndex(found->second);
-        const double age_s = status.now_s - vehicle.state.position->received_s;
-        MapAircraft& shown = live.aircraft.emplace_back(
-            MapAircraft{.position_m = pose->position_m,
-                        .psi_rad = pose->psi_rad,
-                        .label = u"%1, %2"_s.arg(aircraftName(vehicle.address),
-                                                 positionAgeText(age_s, locale())),
-                        .place = uav.value_or(0),
-                        .isFlown = isLive && uav.has_value()});
-        for (const LatLon& place : workspace().link().trackOf(vehicle.address))
-            shown.track_m.push_back(frame.toPlane(place));
-        const auto ghost = std::ranges::find(status.ghosts, vehicle.address, &GhostReport::address);
-        if (ghost == status.ghosts.end())
-            continue;
-        const DubinsState predicted = poseAt(ghost->readings.place, ghost->readings.heading_rad);
-        shown.position_m = predicted.position_m;
-        shown.psi_rad = predicted.psi_rad;
-        shown.isGhost = true;
-        shown.label = tr("%1: no contact for %2")
-                          .arg(aircraftName(vehicle.address), clockText(ghost->silentFor_s));
-        if (ghost->expected && ghost->expected->at_s > status.now_s) {
-            shown.contact_m = frame.toPlane(ghost->expected->place);
-            shown.contactLabel =
-                tr("contact in %1").arg(clockText(ghost->expected->at_s - status.now_s));
-        }
-    }
-    for (const TrafficTarget& target : status.traffic)
-        live.traffic.push_back(
-            {.position_m = frame.toPlane(target.place),
-             .psi_rad = target.course_rad
-                            ? std::optional(poseAt(target.place, *target.course_rad).psi_rad)
-                            : std::nullopt,
-             .label = trafficName(target),
-             .isShip = target.kind == TrafficTarget::Kind::Ship});
-    panels().map->setLive(std::move(live));
-}
-
-void AircraftController::showPanel()
-{
-    std::map<LinkAddress, AircraftNotes> notes;
-    for (const auto& [address, aircraft] : m_aircraft)
-        if (const LinkVehicle* vehicle = vehicleOf(address)) {
-            const std::optional<Upload>& upload = aircraft.upload;
-            notes[address] = {.uav = aircraft.uav,
-                              .onBoard = onBoardText(aircraft, *vehicle),
-                              .isSame =
-                                  upload && !upload->isChangedOnBoard && !upload->isPlanChanged,
-                              .steering = aircraft.steering};
-        }
-    panels().aircraft->showStatus(workspace().link().status(), notes);
-    panels().aircraft->showFlight(workspace().record().now.isLive, m_rehearsal != nullptr);
-    const LinkStatus& status = workspace().link().status();
-    m_mark->setText(status.isSending ? tr("Link: sending") : tr("Link: listening"));
-    m_mark->setVisible(status.isListening);
-    showNotices();
-}
-
-void AircraftController::showNotices()
-{
-    std::vector<FlightNotice> notices;
-    for (const auto& [address, aircraft] : m_aircraft) {
-        const LinkVehicle* vehicle = vehicleOf(address);
-        if (vehicle == nullptr)
-            continue;
-        const auto add = [&notices, &uav = aircraft.uav](NoticeKind kind, const QString& text) {
-            notices.push_back({.kind = kind, .about = {uav}, .text = text});
-        };
-        const auto named = [name = aircraftName(address)](const QString& text) {
-            return u"%1: %2"_s.arg(name, text);
-        };
-        if (vehicle->isLost)
-            add(NoticeKind::ContactLost,
-                linkEventText({.kind = LinkEvent::Kind::VehicleLost, .vehicle = address}, vehicle));
-        if (aircraft.steering.state() == SteeringState::PilotTookOver)
-            add(NoticeKind::Aircraft, named(steeringText(aircraft.steering)));
-        if (aircraft.upload &&
-            (aircraft.upload->isPlanChanged || aircraft.upload->isChangedOnBoard))
-            add(NoticeKind::Aircraft, named(onBoardText(aircraft, *vehicle)));
-    }
-    m_flightView.setAircraftNotices(notices);
-}
-
-/** The UAVs offered and what is known of them, after an edit. */
-void AircraftController::showUavs()
-{
-    const Scenario& scenario = workspace().document().scenario();
-    std::vector<std::string> ids;
-    for (const Uav& uav : scenario.uavs)
-        ids.push_back(uav.id);
-    if (ids != m_uavIds)
-        panels().aircraft->setUavs(ids);
-    m_uavIds = std::move(ids);
-    if (!workspace().link().isListening())
-        return;
-    const LocalFrame frame(scenario.origin);
-    std::map<LinkAddress, AircraftData> data;
-    for (const auto& [address, aircraft] : m_aircraft) {
-        AircraftData& one = data[address];
-        one.wind_mps = scenario.wind_mps;
-        if (const std::optional<int> uav = uavIndex(aircraft))
-            one.uav = scenario.uavs[static_cast<std::size_t>(*uav)].spec;
-        if (const std::optional<GroundStation>& station = scenario.groundStation) {
-            one.station = frame.toGeographic(station->position_m);
-            one.range_m = linkRange_m(*station, one.uav.altitude_m);
-        }
-    }
-    workspace().link().setData(data);
 }
 
 } // namespace berg

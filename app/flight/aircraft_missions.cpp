@@ -16,32 +16,20 @@ namespace berg {
 namespace {
 
 constexpr double kLinkDelay_s = 2;
+constexpr double kRecheck_s = 30; ///< 40 items in this time are 1 % of a slow radio
+constexpr int kWholeRecheck = 4;  ///< one of this many rechecks reads fence and rally points, too
+constexpr double kQuiet_s = 3;    ///< the upload of another ground station has ended
 constexpr double kLoiterRadius_m = 150; ///< asked for; autopilots fly a larger one if they must
+constexpr double kHomeMoved_m = 300;    ///< a minute of a ship at 10 knots
 constexpr double kMoved_m = 100;        ///< the iceberg has moved: the point is sent again
 
-bool isRunning(const LinkVehicle& vehicle)
-{
-    return vehicle.sync && (vehicle.sync->phase == SyncPhase::Uploading ||
-                            vehicle.sync->phase == SyncPhase::ReadingBack);
-}
+} // namespace
 
-bool isEqual(const std::vector<MissionPart>& a, const std::vector<MissionPart>& b)
+bool isSameMission(const std::vector<MissionPart>& a, const std::vector<MissionPart>& b)
 {
     return std::ranges::equal(a, b, [](const MissionPart& x, const MissionPart& y) {
         return x.type == y.type && missionDifferences(x.items, y.items).empty();
     });
-}
-
-} // namespace
-
-std::vector<std::string> AircraftController::orderInForce(int uav) const
-{
-    const MissionSnapshot& now = workspace().record().now;
-    std::vector<std::string> ids;
-    if (const UavPlan* plan = planOf(now, uav))
-        for (const int iceberg : plan->order)
-            ids.push_back(now.icebergs[static_cast<std::size_t>(iceberg)].id);
-    return ids;
 }
 
 void AircraftController::requestMission(Purpose purpose)
@@ -49,8 +37,40 @@ void AircraftController::requestMission(Purpose purpose)
     const std::optional<LinkAddress> chosen = panels().aircraft->chosen();
     if (!chosen)
         return;
-    m_aircraft[*chosen].purpose = purpose;
+    Aircraft& aircraft = m_aircraft[*chosen];
+    if (purpose == Purpose::Compare && aircraft.upload && workspace().record().now.isLive) {
+        // The present plan starts where the aircraft is now; the mission on board does not.
+        Transfer transfer{.upload = *aircraft.upload};
+        transfer.upload.isChangedOnBoard = false;
+        transfer.upload.total.reset();
+        transfer.upload.missionId.reset();
+        startTransfer(*chosen, aircraft, transfer);
+        return;
+    }
+    aircraft.purpose = purpose;
     workspace().runner().requestMissions();
+}
+
+void AircraftController::startTransfer(LinkAddress address, Aircraft& aircraft,
+                                       const Transfer& transfer)
+{
+    if (aircraft.transfer)
+        return; // that one is not over yet
+    aircraft.transfer = transfer;
+    aircraft.transfer->since_s = workspace().link().status().now_s;
+    workspace().link().startSync(address, transfer.upload.parts,
+                                 transfer.isUpload ? MissionSync::Task::UploadAndCompare
+                                                   : MissionSync::Task::Compare);
+}
+
+/** Requests for the former scenario are not answered. */
+void AircraftController::endRequests()
+{
+    for (auto& [address, aircraft] : m_aircraft) {
+        const Purpose purpose = std::exchange(aircraft.purpose, Purpose::None);
+        if (purpose == Purpose::Upload || purpose == Purpose::Compare)
+            report(address, tr("the plan has changed meanwhile. Nothing was sent"));
+    }
 }
 
 void AircraftController::acceptMissions(const std::vector<UavMission>& missions)
@@ -58,41 +78,55 @@ void AircraftController::acceptMissions(const std::vector<UavMission>& missions)
     for (auto& [address, aircraft] : m_aircraft) {
         const Purpose purpose = std::exchange(aircraft.purpose, Purpose::None);
         const auto mission = std::ranges::find(missions, aircraft.uav, &UavMission::uav);
-        if (purpose == Purpose::None || mission == missions.end())
+        if (purpose == Purpose::None)
             continue;
-        if (purpose == Purpose::Check) {
-            if (aircraft.upload)
-                aircraft.upload->isPlanChanged = !isEqual(aircraft.upload->parts, mission->parts);
+        if (mission == missions.end()) {
+            if (purpose == Purpose::Upload || purpose == Purpose::Compare)
+                report(address, tr("its UAV has no plan. Nothing was sent"));
             continue;
         }
-        aircraft.upload = Upload{.parts = mission->parts, .order = mission->order};
-        workspace().link().startSync(address, mission->parts,
-                                     purpose == Purpose::Upload
-                                         ? MissionSync::Task::UploadAndCompare
-                                         : MissionSync::Task::Compare);
+        if (purpose == Purpose::Check) {
+            if (aircraft.upload)
+                aircraft.upload->isPlanChanged =
+                    !isSameMission(aircraft.upload->parts, mission->parts);
+            continue;
+        }
+        if (purpose == Purpose::Replace && aircraft.steering.state() != SteeringState::Active)
+            continue; // the pilot has taken over meanwhile
+        Transfer transfer{.upload = {.parts = mission->parts, .order = mission->order},
+                          .isUpload = purpose != Purpose::Compare};
+        if (const std::optional<int> uav = uavIndex(aircraft))
+            transfer.upload.home_m = homes_m()[static_cast<std::size_t>(*uav)];
+        startTransfer(address, aircraft, transfer);
     }
     showPanel();
 }
 
 QString AircraftController::onBoardText(const Aircraft& aircraft, const LinkVehicle& vehicle) const
 {
-    if (isRunning(vehicle))
-        return syncText(*vehicle.sync);
-    if (!aircraft.upload || aircraft.upload->time.isEmpty())
-        return vehicle.sync && vehicle.sync->phase != SyncPhase::Equal ? syncText(*vehicle.sync)
-                                                                       : QString();
+    if (isSyncRunning(vehicle))
+        return syncText(*vehicle.sync, vehicle.autopilot);
+    if (!aircraft.upload)
+        return vehicle.sync && !vehicle.sync->isRecheck && vehicle.sync->phase != SyncPhase::Equal
+                   ? syncText(*vehicle.sync, vehicle.autopilot)
+                   : QString();
     const Upload& upload = *aircraft.upload;
     if (upload.isChangedOnBoard)
         return tr("Differs: the mission on board has changed since %1").arg(upload.time);
     if (upload.isPlanChanged)
         return tr("Differs: the plan has changed since %1").arg(upload.time);
-    return tr("On board: same as the plan of %1").arg(upload.time);
+    if (upload.isHomeMoved)
+        return tr("Differs: home has moved since %1").arg(upload.time);
+    const QString same = tr("On board: same as the plan of %1").arg(upload.time);
+    const bool hasFence = std::ranges::any_of(
+        upload.parts, [](const MissionPart& part) { return part.type == MissionType::Fence; });
+    return hasFence ? same : tr("%1. The aircraft keeps its own fence").arg(same);
 }
 
 /** Notes whether plan or mission on board have changed since they were equal. */
 void AircraftController::watchMission(const LinkVehicle& vehicle, Aircraft& aircraft)
 {
-    if (!aircraft.upload || aircraft.upload->time.isEmpty() || !vehicle.state.mission)
+    if (!aircraft.upload || aircraft.transfer || !vehicle.state.mission)
         return;
     Upload& upload = *aircraft.upload;
     const AircraftMission& mission = *vehicle.state.mission;
@@ -106,25 +140,66 @@ void AircraftController::watchMission(const LinkVehicle& vehicle, Aircraft& airc
                               upload.missionId != mission.missionId;
 }
 
-/** In flight the order ahead counts, because places of waypoints follow the estimates. */
+/**
+ * Reads the mission back now and then, because few autopilots say that it was changed: ArduPilot
+ * reports its number of items only, PX4 a number that changes with the mission, and neither the
+ * fence. Contact that returns and an upload of another ground station are reasons to look at once.
+ */
+void AircraftController::recheckMission(const LinkVehicle& vehicle, Aircraft& aircraft)
+{
+    const LinkStatus& status = workspace().link().status();
+    if (vehicle.isLost)
+        aircraft.nextRecheck_s = status.now_s + kLinkDelay_s;
+    if (!status.isSending || !aircraft.upload || aircraft.transfer || vehicle.isLost ||
+        isSyncRunning(vehicle) || aircraft.purpose != Purpose::None ||
+        aircraft.upload->isChangedOnBoard)
+        return;
+    const Upload& upload = *aircraft.upload;
+    const double from_s = std::max(upload.found_s, aircraft.nextRecheck_s - kRecheck_s);
+    const std::optional<double>& others_s = vehicle.othersUpload_s;
+    const bool isOthers = others_s && *others_s > from_s && status.now_s > *others_s + kQuiet_s;
+    if (!isOthers && status.now_s < std::max(aircraft.nextRecheck_s, upload.found_s + kRecheck_s))
+        return;
+    aircraft.nextRecheck_s = status.now_s + kRecheck_s;
+    std::vector<MissionPart> parts = upload.parts;
+    const bool isWhole = isOthers || ++aircraft.rechecks % kWholeRecheck == 0;
+    if (!isWhole) // the mission alone is most likely to change
+        std::erase_if(parts,
+                      [](const MissionPart& part) { return part.type != MissionType::Mission; });
+    workspace().link().startSync(vehicle.address, parts, MissionSync::Task::Recheck);
+}
+
+/**
+ * In flight the order ahead counts, because places of waypoints follow the estimates. A simulated
+ * flight says nothing about the aircraft.
+ */
 void AircraftController::flightChanged()
 {
+    const MissionSnapshot& now = workspace().record().now;
+    if (windInForce_mps() != m_dataWind_mps)
+        showUavs();
     bool mustCheck = false;
     for (auto& [address, aircraft] : m_aircraft) {
-        if (!aircraft.upload || aircraft.upload->time.isEmpty())
+        if (!aircraft.upload)
             continue;
         const std::optional<int> uav = uavIndex(aircraft);
         if (!workspace().inFlight()) {
-            if (workspace().record().now.phase != RunPhase::Ready)
+            if (now.phase != RunPhase::Ready)
                 continue;
             if (aircraft.purpose != Purpose::None)
                 continue; // it will compare, too
             aircraft.purpose = Purpose::Check;
             mustCheck = true;
-        } else if (uav) {
-            aircraft.upload->isPlanChanged =
-                !agreesAhead(aircraft.upload->order, orderInForce(*uav));
-            replaceMission(address, aircraft);
+        } else if (uav && now.isLive) {
+            // Without a plan the UAV holds or flies home, and the mission ends at home, too.
+            if (now.world.uavs[toIndex(*uav)].isPlanned())
+                aircraft.upload->isPlanChanged =
+                    !agreesAhead(aircraft.upload->order, sortieIcebergs(now, *uav));
+            aircraft.upload->isHomeMoved =
+                (homes_m()[static_cast<std::size_t>(*uav)] - aircraft.upload->home_m).norm() >
+                kHomeMoved_m;
+            if (now.world.uavs[toIndex(*uav)].isPlanned() || aircraft.upload->isHomeMoved)
+                replaceMission(address, aircraft);
         }
     }
     if (mustCheck)
@@ -136,12 +211,13 @@ void AircraftController::flightChanged()
 void AircraftController::replaceMission(LinkAddress address, Aircraft& aircraft)
 {
     const LinkVehicle* vehicle = vehicleOf(address);
-    if (!aircraft.upload->isPlanChanged || vehicle == nullptr || vehicle->isLost ||
-        isRunning(*vehicle) || aircraft.purpose != Purpose::None ||
+    const bool hasChanged = aircraft.upload->isPlanChanged || aircraft.upload->isHomeMoved;
+    if (!hasChanged || vehicle == nullptr || vehicle->isLost || aircraft.transfer ||
+        isSyncRunning(*vehicle) || aircraft.purpose != Purpose::None ||
         aircraft.steering.kind() != SteeringKind::Mission ||
         aircraft.steering.state() != SteeringState::Active)
         return;
-    aircraft.purpose = Purpose::Upload;
+    aircraft.purpose = Purpose::Replace;
     workspace().runner().requestMissions();
 }
 
@@ -166,7 +242,9 @@ void AircraftController::guide(const LinkVehicle& vehicle, Aircraft& aircraft)
     const MissionSnapshot& now = workspace().record().now;
     const std::optional<int> uav = uavIndex(aircraft);
     const SteeringState state = aircraft.steering.state();
+    const LinkStatus& status = workspace().link().status();
     if (aircraft.steering.kind() != SteeringKind::Guided || !uav || vehicle.isLost || !now.isLive ||
+        !status.isSending || status.now_s < aircraft.guideFrom_s ||
         (state != SteeringState::Waiting && state != SteeringState::Active))
         return;
     const UavState& flown = now.world.uavs[static_cast<std::size_t>(*uav)];
@@ -192,6 +270,7 @@ void AircraftController::guide(const LinkVehicle& vehicle, Aircraft& aircraft)
         return; // the altitude of its home is not known yet
     aircraft.guidedTo = flown.target;
     aircraft.guidedTo_m = iceberg_m;
+    aircraft.steering.setTargetSent(true);
     workspace().link().sendCommand(vehicle.address, *command);
 }
 
@@ -202,38 +281,11 @@ void AircraftController::useWind()
     if (vehicle == nullptr || !vehicle->state.wind)
         return;
     const AircraftWind& wind = *vehicle->state.wind;
-    const double north_rad =
-        northAngle_rad(LocalFrame(workspace().document().scenario().origin), Point::Zero());
+    const LocalFrame frame(workspace().document().scenario().origin);
+    const std::optional<AircraftPosition>& position = vehicle->state.position;
+    const double north_rad = position ? northAngle_rad(frame, frame.toPlane(position->place)) : 0.0;
     const Point mean_mps(wind.meanEast_mps, wind.meanNorth_mps);
     workspace().setWind(Eigen::Rotation2D<double>(-north_rad) * mean_mps);
-}
-
-/** Each move costs a plan, so that small deviations wait. */
-void AircraftController::followShip()
-{
-    constexpr double kDeviation_m = 50;
-    constexpr double kDeviation_mps = 0.5;
-    constexpr double kPause_s = 10;
-    const LinkStatus& status = workspace().link().status();
-    const auto ship = std::ranges::find_if(status.traffic, [this](const TrafficTarget& target) {
-        return target.kind == TrafficTarget::Kind::Ship && target.id == m_assetShip;
-    });
-    const bool inFlight = workspace().inFlight();
-    const std::optional<Asset>& asset =
-        inFlight ? workspace().record().now.asset : workspace().document().scenario().asset;
-    if (m_assetShip == 0 || ship == status.traffic.end() || !asset ||
-        status.now_s - m_assetMoved_s < kPause_s)
-        return;
-    const DubinsState pose = poseAt(ship->place, ship->course_rad.value_or(0));
-    const Point velocity_mps =
-        ship->speed_mps * Point(std::cos(pose.psi_rad), std::sin(pose.psi_rad));
-    const Point place_m = pose.position_m + velocity_mps * (status.now_s - ship->received_s);
-    const double now_s = inFlight ? workspace().record().now.time_s : 0;
-    if ((asset->position_m + now_s * asset->velocity_mps - place_m).norm() < kDeviation_m &&
-        (asset->velocity_mps - velocity_mps).norm() < kDeviation_mps)
-        return;
-    m_assetMoved_s = status.now_s;
-    workspace().setAssetMotion(place_m, velocity_mps);
 }
 
 } // namespace berg

@@ -107,7 +107,6 @@ void connectPlayback(WindowContext& context)
             hide->start();
     };
     context.on(&w, &Workspace::discardedFlightChanged, showDiscarded);
-    showDiscarded();
 }
 
 void togglePlay(const WindowContext& context)

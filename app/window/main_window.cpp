@@ -143,6 +143,10 @@ MainWindow::MainWindow(Workspace& workspace, Interaction& interaction, QSettings
     setCentralWidget(m_panels.makeCentre());
     m_panels.map->setFocus(); // else the window gives it to an alarm, which takes the space key
     m_parts = std::make_unique<WindowParts>(m_context);
+    connect(&m_parts->files, &ScenarioFiles::telemetryLogChosen, this, [this](const QString& path) {
+        m_parts->docks.raise(Dock::Aircraft);
+        m_parts->aircraft.replay(path);
+    });
     connect(&m_parts->appearance, &AppearanceChoice::themeChanged, this, &MainWindow::showTheme);
     connect(&m_parts->preferences, &PreferenceMenus::languageChosen, this,
             &MainWindow::languageChosen);
@@ -179,10 +183,15 @@ void MainWindow::showTheme(const Theme& theme)
     m_parts->menus.refreshIcons();
 }
 
-void MainWindow::takeOver(MainWindow& other)
+void MainWindow::showAs(MainWindow& other)
 {
     if (other.m_parts->start.pageIsShown())
         m_parts->start.showPage();
+    m_panels.map->camera().showAs(other.m_panels.map->camera());
+}
+
+void MainWindow::takeOver(MainWindow& other)
+{
     m_parts->results.takeOver(other.m_parts->results);
     m_parts->study.takeOver(other.m_parts->study);
     m_parts->studyFlights.takeOver(other.m_parts->studyFlights);
@@ -193,7 +202,6 @@ void MainWindow::takeOver(MainWindow& other)
     m_panels.messages->takeOver(*shown.messages);
     m_panels.alarms->takeOver(*shown.alarms);
     m_panels.solveTime->showSpec(shown.solveTime->spec());
-    m_panels.map->camera().showAs(shown.map->camera());
     m_panels.playback->setRate(shown.playback->rate());
     for (std::size_t i = 0; i < shown.charts.size(); ++i)
         m_panels.charts[i]->setKind(shown.charts[i]->kind());

@@ -28,6 +28,8 @@ public:
     /** Carries on in place of another window of the same workspace: what that one shows and awaits,
      * and what was last chosen in it. */
     void takeOver(MainWindow& other);
+    /** Shows the same part of the map, and the start page, as `other`; after this is laid out. */
+    void showAs(MainWindow& other);
     [[nodiscard]] MapView& mapView() const { return *m_panels.map; }
     /** Waits until all the land last painted can be painted: for pictures. */
     void finishLand() const;

@@ -52,9 +52,12 @@ void MainWindowHost::remake(const std::function<void()>& change)
     make();
     m_window->restoreGeometry(geometry);
     m_window->restoreState(state);
+    // Hidden, because a widget that appears lays out a visible window at once, and Qt 6.4 crashes
+    // if the docks of a maximised one are still being restored.
+    m_window->takeOver(*old);
     if (old->isVisible()) // else it has been closed since the change was asked for
         m_window->show();
-    m_window->takeOver(*old);
+    m_window->showAs(*old);
 }
 
 } // namespace berg

@@ -105,7 +105,7 @@ void keepSafe(Workspace& workspace, const QDir& data)
 struct NamedFile
 {
     QString path;       ///< empty if no file was named
-    bool later = false; ///< to be opened by the window: a study, a run, or a file in use
+    bool later = false; ///< to be opened by the window: a study, run or log, or a file in use
     QString fault = {}; ///< reason that it was not opened; empty on success
 };
 
@@ -113,9 +113,9 @@ NamedFile openNamed(Workspace& workspace, const QString& name, bool isScreenshot
 {
     // The next start, after a crash, may be in another folder.
     const QString path = name.isEmpty() ? name : QFileInfo(name).absoluteFilePath();
-    const bool later =
-        !isScreenshot && (ScenarioFiles::isStudyFile(path) || ScenarioFiles::isRunFile(path) ||
-                          workspace.file().otherHolder(path));
+    const bool later = !isScreenshot &&
+                       (ScenarioFiles::isStudyFile(path) || ScenarioFiles::isRunFile(path) ||
+                        ScenarioFiles::isTelemetryLog(path) || workspace.file().otherHolder(path));
     NamedFile named{.path = path, .later = later};
     if (path.isEmpty() || named.later)
         return named;

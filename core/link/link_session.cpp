@@ -35,6 +35,13 @@ constexpr std::array<RequestedStream, 8> kRequestedStreams{{
     {MessageId::ExtendedSysState, 1'000'000},
 }};
 
+/** Returns true for messages by which a vehicle receives a list, or ends a transfer. */
+bool isOfUpload(MessageId id)
+{
+    return id == MessageId::MissionRequest || id == MessageId::MissionRequestInt ||
+           id == MessageId::MissionAck;
+}
+
 } // namespace
 
 LinkSession::LinkSession(ByteLink& link, LinkSessionOptions options)
@@ -133,10 +140,18 @@ void LinkSession::receiveFrame(const ReceivedFrame& received, LinkTime now, Link
     vehicle.signature = received.signature;
     if (const auto loss = m_senders.find(frame.sender); loss != m_senders.end())
         vehicle.loss = loss->second;
-    if (!frame.message || !isForUs(*frame.message))
+    if (!frame.message)
         return;
     const LinkMessage& message = *frame.message;
+    if (!isForUs(message)) {
+        if (isOfUpload(message.id()))
+            vehicle.othersUpload_s = now.monotonic_s;
+        return;
+    }
     updateState(vehicle.state, message, now.monotonic_s);
+    if (message.id() == MessageId::GlobalPositionInt && vehicle.state.position)
+        update.places.push_back(
+            {.vehicle = vehicle.address, .place = vehicle.state.position->place});
     if (message.id() == MessageId::StatusText)
         receiveText(partner, message, update);
     if (message.id() == MessageId::MissionItemReached)
@@ -310,7 +325,8 @@ bool LinkSession::startSync(LinkAddress vehicle, std::vector<MissionPart> parts,
     if (!m_isSending || found == m_partners.end() || parts.empty())
         return false;
     Partner& partner = found->second;
-    if (partner.sync && partner.sync->isRunning())
+    if (partner.sync && partner.sync->isRunning() &&
+        (!partner.sync->status().isRecheck || task == MissionSync::Task::Recheck))
         return false;
     partner.sync.emplace(std::move(parts), task, vehicle, partner.vehicle.autopilot);
     partner.vehicle.sync = partner.sync->status();

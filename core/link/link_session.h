@@ -48,6 +48,8 @@ struct LinkVehicle
     AircraftState state;
     /** Last upload or comparison; empty before the first and after one that was broken off. */
     std::optional<SyncStatus> sync;
+    /** Last time when it was heard to receive a list from another ground station. */
+    std::optional<double> othersUpload_s;
 };
 
 /** An event on a link. */
@@ -72,12 +74,20 @@ struct LinkEvent
     std::optional<CommandResult> command;
 };
 
+/** A position of a vehicle, of which one step may bring several. */
+struct VehiclePlace
+{
+    LinkAddress vehicle;
+    LatLon place;
+};
+
 /** Result of one step of a session. */
 struct LinkUpdate
 {
     std::vector<LinkEvent> events;
     /** All frames received, for traffic display and recordings. */
     std::vector<ReceivedFrame> frames;
+    std::vector<VehiclePlace> places; ///< every new position of a vehicle, for tracks
 };
 
 /**
@@ -120,7 +130,7 @@ public:
     std::optional<int> sendCommand(LinkAddress vehicle, const LinkCommand& command);
     /**
      * Starts an upload or comparison. Returns false if sending is off, the vehicle is unknown,
-     * there are no parts or one is running.
+     * there are no parts or one is running. A recheck that is running gives way to any other task.
      */
     bool startSync(LinkAddress vehicle, std::vector<MissionPart> parts, MissionSync::Task task);
     /**

@@ -19,6 +19,7 @@ MissionSync::MissionSync(std::vector<MissionPart> parts, Task task, LinkAddress 
     std::stable_partition(m_parts.begin(), m_parts.end(), [](const MissionPart& part) {
         return part.type != MissionType::Mission;
     });
+    m_status.isRecheck = task == Task::Recheck;
     startPart();
 }
 

@@ -34,14 +34,16 @@ struct SyncStatus
     std::vector<ItemDifference> differences; ///< Empty unless the phase is Different.
     /** Lists that the vehicle does not support and that were left out: no fence, rally points. */
     std::vector<MissionType> leftOut;
+    bool isRecheck = false; ///< The task is a recheck.
 };
 
 /**
  * Uploads lists to a vehicle, reads each back and compares it. Only the items on board count, not
  * the vehicle's "accepted". Fence and rally points go before the mission, whatever the order of
  * `parts`; the first list that fails or differs ends the task. Rally points, and an empty list in
- * place of a fence, are left out if the vehicle does not support them or never answers. Task
- * Compare only reads and compares. The constructor throws `std::logic_error` without parts.
+ * place of a fence, are left out if the vehicle does not support them or never answers. The tasks
+ * Compare and Recheck only read and compare. The constructor throws `std::logic_error` without
+ * parts.
  */
 class MissionSync
 {
@@ -49,7 +51,8 @@ public:
     enum class Task
     {
         UploadAndCompare,
-        Compare
+        Compare,
+        Recheck ///< A comparison in the background, to notice changes by others.
     };
 
     MissionSync(std::vector<MissionPart> parts, Task task, LinkAddress vehicle, AutopilotKind kind);

@@ -141,6 +141,9 @@ void Mission::intervene(Intervention intervention)
     after.asset = intervention.asset ? intervention.asset : m_simulation.world().asset();
     if (intervention.appears)
         after.icebergs.push_back(*intervention.appears);
+    if (const auto& home = intervention.home)
+        if (const std::optional<int> uav = indexOfId(after.uavs, home->uav))
+            after.uavs[toIndex(*uav)].home_m = home->place_m;
     checked(after);
     requireNames(intervention);
     // A plan still due is made before the change, as in a replay, which reaches this instant

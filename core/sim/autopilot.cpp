@@ -263,6 +263,15 @@ void Autopilot::setWind(const Point& wind_mps, const Observer& observer)
     m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
 }
 
+void Autopilot::setHome(const Point& home_m, const Observer& observer)
+{
+    if (isOnGround())
+        m_pose.position_m = home_m;
+    m_withoutLimit.home_m = home_m;
+    m_guard.setHome(home_m);
+    m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
+}
+
 void Autopilot::setFence(std::shared_ptr<const Geofence> fence, const Observer& observer)
 {
     m_guard.setFence(std::move(fence));

@@ -67,6 +67,8 @@ public:
     [[nodiscard]] double altitude_m() const { return m_altitude_m; }
     [[nodiscard]] const SensorSpec& sensor() const { return m_sensor; }
     [[nodiscard]] const SafetyGuard& guard() const { return m_guard; }
+    /** Returns the place where the UAV lands, even if its endurance is unlimited. */
+    [[nodiscard]] const Point& home_m() const { return m_withoutLimit.home_m; }
     /** Returns true if the UAV cannot come within reach of the place without leaving its fence. */
     [[nodiscard]] bool isShutOff(const Point& place_m) const;
     /**
@@ -100,6 +102,11 @@ public:
     void withhold(double withheld_s) { m_guard.withhold(withheld_s); }
     /** Sets the wind from now on and proves the return path again. */
     void setWind(const Point& wind_mps, const Observer& observer);
+    /**
+     * Sets the landing place from now on and proves the return path again. On the ground the UAV
+     * moves along.
+     */
+    void setHome(const Point& home_m, const Observer& observer);
     /** Sets the fence, built for the present wind; null removes it. */
     void setFence(std::shared_ptr<const Geofence> fence, const Observer& observer);
 

@@ -367,6 +367,12 @@ void Fleet::setAsset(const Asset& asset)
     }
 }
 
+void Fleet::setHome(int uav, const Point& home_m)
+{
+    m_autopilots[toIndex(uav)].setHome(home_m, m_observer);
+    sendHomeWhenLate(uav);
+}
+
 void Fleet::sendHomeWhenLate(int uav)
 {
     const Autopilot& me = autopilot(uav);

@@ -111,6 +111,8 @@ public:
      * longer be home in time turn home.
      */
     void setAsset(const Asset& asset);
+    /** Moves the home of the UAV; it turns home if it could no longer be there in time. */
+    void setHome(int uav, const Point& home_m);
     /** Gives the UAV an operator's order. */
     void order(int uav, FlightOrder order);
 

@@ -13,7 +13,8 @@ auto partsOf(const Intervention& i)
 {
     return std::array{i.tau.has_value(),     i.policy.has_value(),   i.wind_mps.has_value(),
                       i.asset.has_value(),   i.appears.has_value(),  i.seen.has_value(),
-                      i.removed.has_value(), i.assigned.has_value(), i.commanded.has_value()};
+                      i.removed.has_value(), i.assigned.has_value(), i.commanded.has_value(),
+                      i.home.has_value()};
 }
 
 } // namespace
@@ -57,6 +58,8 @@ std::vector<Issue> unknownNames(const Intervention& intervention, const std::vec
         requireIceberg(icebergs.isRemovable(*id), "removed", *id);
     if (const auto& commanded = intervention.commanded)
         requireUav("commanded.uav", commanded->uav);
+    if (const auto& home = intervention.home)
+        requireUav("home.uav", home->uav);
     if (const auto& assigned = intervention.assigned) {
         requireIceberg(icebergs.isMonitored(assigned->iceberg), "assigned.iceberg",
                        assigned->iceberg);
@@ -88,6 +91,8 @@ void apply(const Intervention& intervention, Simulation& world,
                      indexOfId(uavs, intervention.assigned->uav));
     if (intervention.commanded)
         world.order(*indexOfId(uavs, intervention.commanded->uav), intervention.commanded->order);
+    if (intervention.home)
+        world.setHome(*indexOfId(uavs, intervention.home->uav), intervention.home->place_m);
 }
 
 } // namespace berg

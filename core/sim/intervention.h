@@ -25,6 +25,14 @@ struct UavCommand
     bool operator==(const UavCommand&) const = default;
 };
 
+/** Moves the home of one UAV, as a ship carries it. */
+struct HomeMove
+{
+    std::string uav; ///< UAV id
+    Point place_m = Point::Zero();
+    bool operator==(const HomeMove&) const = default;
+};
+
 /**
  * A change made in flight. The run file stores it and a replay applies it again. Members without a
  * value change nothing.
@@ -43,7 +51,8 @@ struct Intervention
     std::optional<std::string> removed; ///< id of an iceberg to monitor no longer
     std::optional<Assignment> assigned;
     std::optional<UavCommand> commanded;
-    std::string extraJson = {}; ///< unknown members of its object in the run file
+    std::optional<HomeMove> home; ///< the UAV lands there from now on
+    std::string extraJson = {};   ///< unknown members of its object in the run file
     bool operator==(const Intervention&) const = default;
 };
 

@@ -78,6 +78,12 @@ void Simulation::order(int uav, FlightOrder order)
     requestPlan();
 }
 
+void Simulation::setHome(int uav, const Point& home_m)
+{
+    require(uav >= 0 && uav < uavCount(), "setHome: no such UAV");
+    m_fleet.setHome(uav, home_m);
+}
+
 void Simulation::reportSighting(int iceberg, double age_s)
 {
     m_fleet.observer().reportSighting(iceberg, age_s, m_fleet.report());

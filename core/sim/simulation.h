@@ -84,6 +84,12 @@ public:
     void setWind(const Point& wind_mps);
     /** Sets the protected asset from now on and requests a plan. */
     void setAsset(const Asset& asset);
+    /**
+     * Moves the home of the UAV. The present plan stays in force: the next one counts with the new
+     * home, and the UAV turns home as soon as the return needs it. Throws `std::logic_error` if
+     * there is no such UAV.
+     */
+    void setHome(int uav, const Point& home_m);
     /** Requests a plan now, after a change from outside (tau, policy). */
     void requestPlan() { m_trigger.needAll(PlanReason::Intervention, m_fleet); }
     /** Sets the policy of plans from now on. */

@@ -66,6 +66,8 @@ void Steering::begin(SteeringKind kind, AutopilotKind autopilot, std::uint32_t m
     m_kind = kind;
     m_wanted = steeringMode(kind, autopilot);
     m_former = mode;
+    m_needsTarget = kind == SteeringKind::Guided && autopilot == AutopilotKind::Px4;
+    m_isTargetSent = false;
     m_state = kind == SteeringKind::None ? SteeringState::Off : SteeringState::Waiting;
     setMode(mode);
 }
@@ -74,7 +76,8 @@ void Steering::setMode(std::uint32_t mode)
 {
     if (m_state != SteeringState::Waiting && m_state != SteeringState::Active)
         return;
-    if (mode == m_wanted)
+    const bool isPilots = m_state == SteeringState::Waiting && m_needsTarget && !m_isTargetSent;
+    if (mode == m_wanted && !isPilots)
         m_state = SteeringState::Active;
     else if (m_state == SteeringState::Active || mode != m_former)
         m_state = SteeringState::PilotTookOver;

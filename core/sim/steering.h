@@ -28,7 +28,8 @@ enum class SteeringState
 
 /**
  * Decides whether Bergwatch may direct an aircraft: only while the aircraft is in the mode that
- * belongs to the chosen kind of steering. Any other mode means that the pilot has taken over.
+ * belongs to the chosen kind of steering. Any other mode means that the pilot has taken over. PX4
+ * is guided in its hold mode, which its pilot may choose, too: it counts only after a target.
  */
 class Steering
 {
@@ -37,6 +38,8 @@ public:
     void begin(SteeringKind kind, AutopilotKind autopilot, std::uint32_t mode);
     /** Processes the aircraft's present mode. */
     void setMode(std::uint32_t mode);
+    /** Notes that a target was sent to the aircraft; false if it was refused or not answered. */
+    void setTargetSent(bool isSent) { m_isTargetSent = isSent; }
 
     [[nodiscard]] SteeringKind kind() const { return m_kind; }
     [[nodiscard]] SteeringState state() const { return m_state; }
@@ -46,6 +49,8 @@ private:
     SteeringState m_state = SteeringState::Off;
     std::uint32_t m_wanted = 0;
     std::uint32_t m_former = 0; ///< Mode at the start.
+    bool m_needsTarget = false; ///< The wanted mode counts only after a target.
+    bool m_isTargetSent = false;
 };
 
 /** Returns the mode, as in HEARTBEAT, in which an autopilot accepts this kind of steering. */

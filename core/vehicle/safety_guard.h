@@ -49,6 +49,12 @@ public:
     [[nodiscard]] const SortieState& sortie() const { return m_sortie; }
     /** Sets the wind, and rebuilds the fence for it. The proven path home must be proven again. */
     void setWind(const Point& wind_mps);
+    /** Sets the landing place of a UAV with a sortie. The path home must be proven again. */
+    void setHome(const Point& home_m)
+    {
+        if (m_uav.sortie)
+            m_uav.sortie->home_m = home_m;
+    }
     /** Replaces the fence; it must be made for the present wind. Null removes the fence. */
     void setFence(std::shared_ptr<const Geofence> fence) { m_uav.fence = std::move(fence); }
 

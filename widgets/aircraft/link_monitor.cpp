@@ -42,7 +42,7 @@ void LinkMonitor::post(Command command)
         m_worker, [worker = m_worker, command] { command(*worker); }, Qt::QueuedConnection);
 }
 
-void LinkMonitor::listen(const LinkOpener& opener)
+void LinkMonitor::begin()
 {
     if (!m_thread.isRunning())
         m_thread.start();
@@ -50,8 +50,31 @@ void LinkMonitor::listen(const LinkOpener& opener)
     m_isListening = true;
     m_status.isListening = true;
     m_pulse.start();
+}
+
+void LinkMonitor::listen(const LinkOpener& opener)
+{
+    begin();
     post([opener](LinkWorker& worker) { worker.open(opener); });
     emit updated();
+}
+
+void LinkMonitor::replay(const ReplayOrder& order)
+{
+    begin();
+    m_status.replay = ReplayReport{.path = order.path, .speed = order.speed};
+    post([order](LinkWorker& worker) { worker.replay(order); });
+    emit updated();
+}
+
+void LinkMonitor::setReplaySpeed(double speed)
+{
+    post([speed](LinkWorker& worker) { worker.setReplaySpeed(speed); });
+}
+
+void LinkMonitor::setLogFolder(const QString& folder)
+{
+    post([folder](LinkWorker& worker) { worker.setLogFolder(folder); });
 }
 
 void LinkMonitor::stop()
@@ -88,10 +111,11 @@ void LinkMonitor::setData(const std::map<LinkAddress, AircraftData>& data)
     post([data](LinkWorker& worker) { worker.setData(data); });
 }
 
-std::vector<LatLon> LinkMonitor::trackOf(LinkAddress vehicle) const
+const std::vector<LatLon>& LinkMonitor::trackOf(LinkAddress vehicle) const
 {
+    static const std::vector<LatLon> kNone;
     const auto track = m_tracks.find(vehicle);
-    return track == m_tracks.end() ? std::vector<LatLon>{} : track->second;
+    return track == m_tracks.end() ? kNone : track->second;
 }
 
 void LinkMonitor::accept()
@@ -101,25 +125,28 @@ void LinkMonitor::accept()
         return; // it was sent before the link was closed
     m_status = std::move(*status);
     m_isListening = m_status.isListening; // false after an internal failure
+    if (!m_isListening) {
+        m_pulse.stop();
+        m_tracks.clear();
+    }
     extendTracks();
     emit updated();
 }
 
 void LinkMonitor::extendTracks()
 {
-    for (const LinkVehicle& vehicle : m_status.vehicles) {
-        const std::optional<AircraftPosition>& position = vehicle.state.position;
-        std::vector<LatLon>& track = m_tracks[vehicle.address];
-        if (!position ||
-            (!track.empty() && greatCircle_m(track.back(), position->place) < kTrackStep_m))
-            continue;
-        track.push_back(position->place);
-        if (track.size() <= kMostPlaces)
-            continue;
-        for (std::size_t i = 0; 2 * i < track.size(); ++i) // every other place
-            track[i] = track[2 * i];
-        track.resize((track.size() + 1) / 2);
-    }
+    for (const auto& [vehicle, places] : m_status.places)
+        for (const LatLon& place : places) {
+            std::vector<LatLon>& track = m_tracks[vehicle];
+            if (!track.empty() && greatCircle_m(track.back(), place) < kTrackStep_m)
+                continue;
+            track.push_back(place);
+            if (track.size() <= kMostPlaces)
+                continue;
+            for (std::size_t i = 0; 2 * i < track.size(); ++i) // every other place
+                track[i] = track[2 * i];
+            track.resize((track.size() + 1) / 2);
+        }
 }
 
 } // namespace berg

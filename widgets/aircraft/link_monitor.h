@@ -21,12 +21,18 @@ class LinkMonitor : public QObject
 
 public:
     explicit LinkMonitor(QObject* parent = nullptr);
-    /** Closes the link and waits for the thread, well under a second. */
+    /** Closes the link and waits for the thread, under a second. */
     ~LinkMonitor() override;
 
     /** Listens on the link that `opener` makes on the link thread, in place of another. */
     void listen(const LinkOpener& opener);
+    /** Plays a telemetry log in place of a link, as if its aircraft were heard now. */
+    void replay(const ReplayOrder& order);
+    /** Sets the speed of the replay, in seconds of the log in each second. */
+    void setReplaySpeed(double speed);
     void stop();
+    /** Sets the folder in which telemetry logs are written; empty for none, as at first. */
+    void setLogFolder(const QString& folder);
     void setSending(bool isOn);
     /** Starts an upload or comparison, if sending is on and none is running for this vehicle. */
     void startSync(LinkAddress vehicle, const std::vector<MissionPart>& parts,
@@ -40,7 +46,7 @@ public:
     /** Returns the newest state, with the events since the one before. */
     [[nodiscard]] const LinkStatus& status() const { return m_status; }
     /** Returns the positions of a vehicle since listening began, thinned to 5,000. */
-    [[nodiscard]] std::vector<LatLon> trackOf(LinkAddress vehicle) const;
+    [[nodiscard]] const std::vector<LatLon>& trackOf(LinkAddress vehicle) const;
 
 signals:
     /** Emitted when `status` has changed. */
@@ -49,6 +55,7 @@ signals:
 private:
     template <class Command>
     void post(Command command);
+    void begin();
     void accept();
     void extendTracks();
 

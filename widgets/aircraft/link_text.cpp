@@ -1,5 +1,6 @@
 #include "widgets/aircraft/link_text.h"
 
+#include "core/link/tracker_list.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
@@ -41,15 +42,23 @@ QString partName(MissionType type)
     return {};
 }
 
-QString failureText(const TransferStatus& transfer)
+/** Fences and rally points have no item for home. */
+int transferredItem(const SyncStatus& sync, AutopilotKind autopilot)
 {
+    const int item = sync.transfer.item.value_or(0);
+    return sync.type == MissionType::Mission ? itemNumber(item, autopilot) : item + 1;
+}
+
+QString failureText(const SyncStatus& sync, AutopilotKind autopilot)
+{
+    const TransferStatus& transfer = sync.transfer;
     switch (transfer.failure) {
     case TransferFailure::None:
     case TransferFailure::NoAnswer:
         return LinkText::tr("the aircraft does not answer");
     case TransferFailure::GaveUp:
         return LinkText::tr("the aircraft stopped answering at item %1")
-            .arg(transfer.item.value_or(0));
+            .arg(transferredItem(sync, autopilot));
     case TransferFailure::Refused:
         return LinkText::tr("the aircraft refuses it (result %1)").arg(transfer.result);
     case TransferFailure::WrongItem:
@@ -60,25 +69,48 @@ QString failureText(const TransferStatus& transfer)
     return {};
 }
 
+/** Returns the name of a field of an item, as MAVLink calls it. */
+QString fieldText(const std::string& field)
+{
+    if (field == "command")
+        return LinkText::tr("command");
+    if (field == "frame")
+        return LinkText::tr("altitude reference");
+    if (field == "x")
+        return LinkText::tr("latitude");
+    if (field == "y")
+        return LinkText::tr("longitude");
+    if (field == "z")
+        return LinkText::tr("altitude");
+    if (field.starts_with("param"))
+        return LinkText::tr("parameter %1").arg(QString::fromStdString(field.substr(5)));
+    return QString::fromStdString(field);
+}
+
 QString differenceText(const ItemDifference& difference)
 {
     if (!difference.index)
         return LinkText::tr("the numbers of items differ");
     return LinkText::tr("item %1, %2")
-        .arg(QString::number(*difference.index + 1), QString::fromStdString(difference.field));
+        .arg(QString::number(*difference.index + 1), fieldText(difference.field));
 }
 
 } // namespace
 
 QString aircraftName(LinkAddress address)
 {
-    return LinkText::tr("Aircraft %1").arg(address.system);
+    return isTracker(address) ? LinkText::tr("Tracker %1").arg(address.component)
+                              : LinkText::tr("Aircraft %1").arg(address.system);
 }
 
 QString trafficName(const TrafficTarget& target)
 {
     const QString name = plainText(target.name);
-    return name.isEmpty() ? QString::number(target.id) : name;
+    if (!name.isEmpty())
+        return name;
+    return target.kind == TrafficTarget::Kind::Ship // MMSI, or ICAO address
+               ? QString::number(target.id)
+               : QString::number(target.id, 16).toUpper().rightJustified(6, u'0');
 }
 
 QString linkConditionText(const LinkCondition& condition)
@@ -101,7 +133,12 @@ QString positionAgeText(double age_s, const QLocale& locale)
                                                         : clockText(age_s));
 }
 
-QString syncText(const SyncStatus& sync)
+int itemNumber(int item, AutopilotKind autopilot)
+{
+    return autopilot == AutopilotKind::ArduPilot ? item : item + 1;
+}
+
+QString syncText(const SyncStatus& sync, AutopilotKind autopilot)
 {
     const QString progress = sync.transfer.total ? LinkText::tr("%1 of %2")
                                                        .arg(QString::number(sync.transfer.done),
@@ -121,7 +158,7 @@ QString syncText(const SyncStatus& sync)
             .arg(partName(sync.type),
                  sync.differences.empty() ? QString() : differenceText(sync.differences.front()));
     case SyncPhase::Failed:
-        return LinkText::tr("%1 failed: %2").arg(partName(sync.type), failureText(sync.transfer));
+        return LinkText::tr("%1 failed: %2").arg(partName(sync.type), failureText(sync, autopilot));
     }
     return {};
 }
@@ -142,7 +179,9 @@ QString linkEventText(const LinkEvent& event, const LinkVehicle* vehicle)
             modeName(vehicle == nullptr ? AutopilotKind::Other : vehicle->autopilot,
                      static_cast<std::uint32_t>(event.value)))));
     case LinkEvent::Kind::ItemReached:
-        return named(LinkText::tr("item %1 reached").arg(event.value));
+        return named(LinkText::tr("item %1 reached")
+                         .arg(itemNumber(event.value, vehicle == nullptr ? AutopilotKind::Other
+                                                                         : vehicle->autopilot)));
     case LinkEvent::Kind::Text:
         return named(plainText(event.text));
     case LinkEvent::Kind::CommandEnded:
@@ -153,7 +192,9 @@ QString linkEventText(const LinkEvent& event, const LinkVehicle* vehicle)
                          ? LinkText::tr("command accepted")
                          : LinkText::tr("command refused (result %1)").arg(*event.command->result));
     case LinkEvent::Kind::SyncEnded:
-        return vehicle != nullptr && vehicle->sync ? named(syncText(*vehicle->sync)) : QString();
+        return vehicle != nullptr && vehicle->sync && !vehicle->sync->isRecheck
+                   ? named(syncText(*vehicle->sync, vehicle->autopilot))
+                   : QString();
     case LinkEvent::Kind::SameIdHeard:
         return LinkText::tr("Another ground station uses the same id: sending is off");
     }
@@ -169,7 +210,7 @@ bool isAlarming(const LinkEvent& event)
             event.command->result != 0);
 }
 
-QString steeringText(const Steering& steering)
+QString steeringText(const Steering& steering, bool isLive)
 {
     const bool isGuided = steering.kind() == SteeringKind::Guided;
     switch (steering.state()) {
@@ -179,8 +220,14 @@ QString steeringText(const Steering& steering)
         return isGuided ? LinkText::tr("Waiting for guided mode")
                         : LinkText::tr("Waiting until the mission is flown");
     case SteeringState::Active:
-        return isGuided ? LinkText::tr("Guiding from iceberg to iceberg")
-                        : LinkText::tr("Replacing the mission when the plan changes");
+        if (isLive)
+            return isGuided ? LinkText::tr("Guiding from iceberg to iceberg")
+                            : LinkText::tr("Replacing the mission when the plan changes");
+        return isGuided
+                   ? LinkText::tr("Guiding begins when the flight in this window follows the "
+                                  "aircraft")
+                   : LinkText::tr("Replacing the mission begins when the flight in this window "
+                                  "follows the aircraft");
     case SteeringState::PilotTookOver:
         return LinkText::tr("The pilot has taken over: nothing is sent");
     }

@@ -37,8 +37,14 @@ public:
     {
     }
 
-    void undo() override { m_document.setScenario(*m_before); }
-    void redo() override { m_document.setScenario(*m_after); }
+    void undo() override { m_document.stepTo(*m_before); }
+    void redo() override
+    {
+        if (std::exchange(m_isPushed, true))
+            m_document.stepTo(*m_after);
+        else
+            m_document.setScenario(*m_after);
+    }
     [[nodiscard]] int id() const override { return m_gesture.isEmpty() ? -1 : 1; }
 
     bool mergeWith(const QUndoCommand* other) override
@@ -64,6 +70,7 @@ private:
     std::shared_ptr<const Scenario> m_before;
     std::shared_ptr<const Scenario> m_after;
     QString m_gesture;
+    bool m_isPushed = false;
 };
 
 ScenarioDocument::ScenarioDocument(QObject* parent)
@@ -122,6 +129,29 @@ void ScenarioDocument::endGesture()
     ++m_gestureNumber;
 }
 
+void ScenarioDocument::follow(const QString& key, const std::function<void(Scenario&)>& change)
+{
+    if (m_isStepping || m_isLocked)
+        return;
+    m_followed[key] = change;
+    stepTo(m_scenario);
+}
+
+/** Changes that are followed apply to every step of the history. */
+void ScenarioDocument::stepTo(const Scenario& scenario)
+{
+    Scenario after = scenario;
+    for (const auto& change : std::as_const(m_followed))
+        change(after);
+    if (after != scenario) {
+        if (!unreadable(after).empty() && unreadable(scenario).empty())
+            after = scenario;
+        else
+            m_undoStack->resetClean(); // the file does not have this change
+    }
+    setScenario(after);
+}
+
 void ScenarioDocument::undo()
 {
     const QScopedValueRollback stepping(m_isStepping, true);
@@ -156,6 +186,7 @@ void ScenarioDocument::begin(const Scenario& scenario, const QString& filePath, 
                              const QByteArray& fileHash)
 {
     m_isLocked = false;
+    m_followed.clear();
     m_undoStack->clear();
     m_filePath = filePath;
     m_fileHash = fileHash;

@@ -3,6 +3,7 @@
 #include "core/scenario/scenario.h"
 #include "core/tracking/position_error.h"
 
+#include <QMap>
 #include <QObject>
 #include <QString>
 
@@ -57,6 +58,13 @@ public:
     bool edit(const QString& text, const std::function<void(Scenario&)>& change,
               const QString& gesture = {});
     void endGesture();
+    /**
+     * Applies a change that is not the user's, such as the place of a ship, without an undo step:
+     * undo and redo keep the last change under each `key`. A locked document stays as it is.
+     */
+    void follow(const QString& key, const std::function<void(Scenario&)>& change);
+    /** Forgets the change under `key`; the scenario stays as it is. */
+    void stopFollowing(const QString& key) { m_followed.remove(key); }
     void undo();
     void redo();
 
@@ -96,10 +104,12 @@ private:
                const QByteArray& fileHash = {});
     void setScenario(const Scenario& scenario);
     [[nodiscard]] bool refuses();
+    void stepTo(const Scenario& scenario);
 
     Scenario m_scenario;
     std::vector<Issue> m_issues;
     QUndoStack* m_undoStack;
+    QMap<QString, std::function<void(Scenario&)>> m_followed;
     QString m_filePath;
     QByteArray m_fileHash;
     SightingSource m_newIcebergSource = SightingSource::Radar;

@@ -15,7 +15,8 @@ namespace {
  */
 bool isOfOne(const Intervention& change)
 {
-    return change.appears || change.seen || change.removed || change.assigned || change.commanded;
+    return change.appears || change.seen || change.removed || change.assigned || change.commanded ||
+           change.home;
 }
 
 /** Joins waiting interventions: during a drag only the newest value is flown. */
@@ -181,9 +182,9 @@ void MissionRunner::fly(FlightRate rate)
     postToFlight([rate](MissionWorker& worker) { worker.fly(rate); });
 }
 
-void MissionRunner::flyLive()
+void MissionRunner::flyLive(double clock_s)
 {
-    postToFlight([](MissionWorker& worker) { worker.flyLive(); });
+    postToFlight([clock_s](MissionWorker& worker) { worker.flyLive(clock_s); });
 }
 
 void MissionRunner::addPoses(const std::vector<LivePose>& poses)

@@ -49,7 +49,7 @@ struct MissionRequest
 struct LivePose
 {
     int uav = 0;        ///< index in the scenario
-    double clock_s = 0; ///< `monotonicNow_s` when it was valid
+    double clock_s = 0; ///< clock of the link when it was valid
     DubinsState pose;
     bool isMeasured = true; ///< as in `PoseFix`
 };
@@ -59,7 +59,7 @@ struct UavMission
 {
     std::string uav; ///< id
     std::vector<MissionPart> parts;
-    std::vector<std::string> order; ///< ids of the icebergs in visiting order
+    std::vector<std::string> order; ///< `sortieIcebergs` its plan
 };
 
 /** Mailboxes between the GUI thread and the mission thread. */
@@ -105,13 +105,14 @@ public:
     void fly(FlightRate rate);
     /**
      * Flies with real aircraft from now on, at their pace: as far as the poses of `addPoses` reach.
+     * `clock_s` is the present time of their clock (`LivePose::clock_s`).
      */
-    void flyLive();
+    void flyLive(double clock_s);
     /** Adds poses of real aircraft. They have no effect outside a live flight. */
     void addPoses(const std::vector<LivePose>& poses);
     /**
-     * Requests the present plans as uploads; `missionsReady` follows, or `commandRefused`. Solves
-     * nothing.
+     * Requests the present plans as uploads; `missionsReady` follows unless `begun` comes first. It
+     * is empty after `commandRefused`. Solves nothing.
      */
     void requestMissions();
     void pause();

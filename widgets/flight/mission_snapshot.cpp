@@ -36,6 +36,7 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
     for (int uav = 0; uav < simulation.uavCount(); ++uav) {
         snapshot.motions.push_back(simulation.motion(uav));
         const Autopilot& autopilot = simulation.fleet().autopilot(uav);
+        snapshot.homes_m.push_back(autopilot.home_m());
         snapshot.fences.push_back(autopilot.guard().uav().fence);
         snapshot.homeMargins_s.push_back(autopilot.homeMargin_s(simulation.observer()));
     }
@@ -65,12 +66,13 @@ std::vector<Intervention> worldChangesOf(const Mission& mission)
 {
     std::vector<Intervention> changes;
     for (const Intervention& change : mission.interventions())
-        if (change.wind_mps || change.asset || change.appears || change.removed)
+        if (change.wind_mps || change.asset || change.appears || change.removed || change.home)
             changes.push_back({.time_s = change.time_s,
                                .wind_mps = change.wind_mps,
                                .asset = change.asset,
                                .appears = change.appears,
-                               .removed = change.removed});
+                               .removed = change.removed,
+                               .home = change.home});
     return changes;
 }
 
@@ -99,6 +101,19 @@ const UavPlan* planOf(const MissionSnapshot& snapshot, int uav)
 {
     const auto k = static_cast<std::size_t>(uav);
     return k < snapshot.plans.size() && snapshot.plans[k] ? snapshot.plans[k]->of(uav) : nullptr;
+}
+
+std::vector<std::string> sortieIcebergs(const MissionSnapshot& snapshot, int uav)
+{
+    std::vector<std::string> ids;
+    const UavPlan* plan = planOf(snapshot, uav);
+    if (plan == nullptr)
+        return ids;
+    const int all = static_cast<int>(plan->order.size());
+    const int visits = std::clamp(plan->thisSortie.value_or(all), 0, all);
+    for (int i = 0; i < visits; ++i)
+        ids.push_back(snapshot.icebergs[toIndex(plan->order[toIndex(i)])].id);
+    return ids;
 }
 
 OrdersByUav ordersOf(const MissionSnapshot& snapshot)

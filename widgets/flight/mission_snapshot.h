@@ -58,6 +58,7 @@ struct MissionSnapshot
     std::optional<Asset> asset;  ///< present asset; its position is that at time 0
     /** Geofence of each UAV; null if it is not limited. */
     std::vector<std::shared_ptr<const Geofence>> fences;
+    std::vector<Point> homes_m; ///< landing place of each UAV
     /** By UAV, `Autopilot::homeMargin_s`. */
     std::vector<std::optional<double>> homeMargins_s;
     /**
@@ -66,7 +67,8 @@ struct MissionSnapshot
      */
     std::vector<std::optional<int>> assigned;
     /**
-     * Changes of the world so far: wind, asset and icebergs, without other changes made with them.
+     * Changes of the world so far: wind, asset, homes and icebergs, without other changes made with
+     * them.
      */
     std::vector<Intervention> worldChanges;
     /** The change that Undo reverts; nullopt in snapshots of an earlier instant. */
@@ -90,6 +92,12 @@ struct MissionSnapshot
 
 /** Returns the UAV's part of its plan in force, or null if there is none. */
 [[nodiscard]] const UavPlan* planOf(const MissionSnapshot& snapshot, int uav);
+
+/**
+ * Returns the ids of the icebergs that the UAV visits before it turns home, in the order of its
+ * plan in force; none without a plan.
+ */
+[[nodiscard]] std::vector<std::string> sortieIcebergs(const MissionSnapshot& snapshot, int uav);
 
 /** Returns the orders of the plans in force, by UAV. */
 [[nodiscard]] OrdersByUav ordersOf(const MissionSnapshot& snapshot);

@@ -2,7 +2,6 @@
 
 #include "core/io/export/content/export_flight.h"
 #include "core/io/export/missions/mission_upload.h"
-#include "core/link/transport/link_clock.h"
 #include "widgets/words/error_text.h"
 #include "widgets/words/issue_text.h"
 #include "widgets/words/report_language.h"
@@ -47,6 +46,19 @@ void amend(MissionSnapshot& waiting, MissionSnapshot next)
         news.firstEvent = std::min(news.firstEvent, old.firstEvent);
     }
     waiting = std::move(next);
+}
+
+/**
+ * Returns the scope of an upload: paths if plans have aimed legs, because straight legs over the
+ * icebergs are not what such a plan means. Interim plans have no legs, so the policy counts, too.
+ */
+ExportScope uploadScope(const Mission& mission)
+{
+    bool isAimed = traitsOf(mission.plannerSettings().policy).method == PolicyMethod::PredictedZeta;
+    for (int uav = 0; uav < mission.simulation().uavCount(); ++uav)
+        if (const PlanPointer last = lastPlanOf(mission.plans(), uav))
+            isAimed = isAimed || !last->of(uav)->legs.empty();
+    return isAimed ? ExportScope::Path : ExportScope::Order;
 }
 
 } // namespace
@@ -144,15 +156,19 @@ void MissionWorker::fly(FlightRate rate)
     m_phase = RunPhase::Flying;
     m_target_s = m_mission->simulation().time_s();
     m_clock.start();
-    m_timer.start(rate ? kSlice_ms : 0);
+    m_timer.start(rate || m_liveZero_s ? kSlice_ms : 0); // aircraft set the pace of a live flight
     publish();
 }
 
-void MissionWorker::flyLive()
+void MissionWorker::flyLive(double clock_s)
 {
-    if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
+    if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed) {
+        emit refused(m_phase == RunPhase::Finished
+                         ? runEndedText()
+                         : tr("This scenario cannot be flown. Fix the reported errors first."));
         return;
-    m_liveZero_s = monotonicNow_s() - m_mission->simulation().time_s();
+    }
+    m_liveZero_s = clock_s - m_mission->simulation().time_s();
     fly(1);
 }
 
@@ -188,33 +204,31 @@ void MissionWorker::sliceLive()
 
 void MissionWorker::sendMissions()
 {
-    if (!m_mission || m_mission->plans().empty()) {
-        emit refused(tr("There is no plan to upload."));
-        return;
-    }
+    const auto refuse = [this](const QString& message) {
+        emit refused(message);
+        emit missionsReady(std::make_shared<const std::vector<UavMission>>(), m_request.generation);
+    };
+    if (!m_mission || m_mission->plans().empty())
+        return refuse(tr("There is no plan to upload."));
     const auto failure = failureOf([&] {
         const ExportSource source{.scenario = m_mission->scenario(),
                                   .plan = *m_mission->plans().front(),
                                   .mission =
                                       m_phase == RunPhase::Ready ? nullptr : m_mission.get()};
-        // Straight legs over the icebergs are not what a plan of aimed legs means.
-        const bool isAimed = std::ranges::any_of(
-            m_mission->plans().back()->uavs, [](const UavPlan& own) { return !own.legs.empty(); });
-        const ExportContent content = exportContent(
-            source, {.what = isAimed ? ExportScope::Path : ExportScope::Order, .returnHome = true});
+        const ExportContent content =
+            exportContent(source, {.what = uploadScope(*m_mission), .returnHome = true});
+        const MissionSnapshot now = snapshotOf(*m_mission);
         auto missions = std::make_shared<std::vector<UavMission>>();
-        for (const ExportUav& uav : content.uavs) {
-            UavMission& mission = missions->emplace_back(
-                UavMission{.uav = uav.uav.id, .parts = missionParts(content, uav)});
-            for (const Visit& visit : uav.visits)
-                if (visit.iceberg)
-                    for (std::string& id : idsOf(content, visit))
-                        mission.order.push_back(std::move(id));
-        }
+        for (const ExportUav& uav : content.uavs)
+            missions->push_back(
+                {.uav = uav.uav.id,
+                 .parts = missionParts(content, uav),
+                 .order =
+                     sortieIcebergs(now, indexOfId(source.scenario.uavs, uav.uav.id).value_or(0))});
         emit missionsReady(missions, m_request.generation);
     });
     if (failure)
-        emit refused(failure->report);
+        refuse(failure->report);
 }
 
 void MissionWorker::pause()
@@ -228,8 +242,11 @@ void MissionWorker::pause()
 
 void MissionWorker::stepBy(double seconds)
 {
+    if (m_liveZero_s && (m_phase == RunPhase::Flying || m_phase == RunPhase::Paused)) {
+        emit refused(tr("The flight follows real aircraft at their pace: it cannot be stepped."));
+        return;
+    }
     m_timer.stop();
-    m_liveZero_s.reset();
     if (!m_mission || m_phase == RunPhase::Finished || m_phase == RunPhase::Failed)
         return;
     m_phase = RunPhase::Paused;

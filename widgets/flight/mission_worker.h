@@ -38,7 +38,7 @@ public:
     /** Returns the generation of the last request taken. */
     [[nodiscard]] std::uint64_t generation() const { return m_request.generation; }
     void fly(FlightRate rate);
-    void flyLive();
+    void flyLive(double clock_s);
     /** Takes the waiting poses; a live flight continues up to them. */
     void addPoses();
     void sendMissions();

@@ -55,7 +55,7 @@ PicturePage logPage(const ExportContent& content, const QLocale& locale)
     const QString title = printable(log.title);
     const std::string head = "<h1>" + html(title) + "</h1>\n<p>" + html(pathsText(content)) +
                              "</p>\n<hr/>\n" + log.summary;
-    document->html = head + log.figure;
+    document->html = withPrintableNames(head + log.figure);
     document->pictures[u"chart"_s] =
         [drawing = layOut(figure, {width_px, kChart_px}, figureFonts(Theme::light()))](
             QPainter& painter) { paintDrawing(painter, drawing, Theme::light()); };
@@ -63,7 +63,8 @@ PicturePage logPage(const ExportContent& content, const QLocale& locale)
     const QSizeF map_px(width_px,
                         std::max(kLeastMap_px, PrintedText(*document).spare_px() - kGap_px));
     document->pictures[u"map"_s] = printedMap(content, map_px, locale);
-    document->html = withFewMarks(head + pictureHtml("map", map_px) + log.figure + log.details);
+    document->html = withFewMarks(
+        withPrintableNames(head + pictureHtml("map", map_px) + log.figure + log.details));
     const int pages = PrintedText(*document).pageCount();
     const auto paint = [document, pages](int page) {
         return [document, page, pages](QPainter& painter) {

@@ -3,6 +3,7 @@
 #include <QList>
 
 #include <algorithm>
+#include <string_view>
 
 using namespace Qt::StringLiterals;
 
@@ -69,6 +70,24 @@ std::string withFewMarks(const std::string& utf8)
     for (const uint c : codesWithFewMarks(QString::fromStdString(utf8)))
         text += QChar::fromUcs4(c);
     return text.toStdString();
+}
+
+std::string withPrintableNames(const std::string& html)
+{
+    constexpr std::string_view kBegin = "<bdi>";
+    constexpr std::string_view kEnd = "</bdi>";
+    std::string printed;
+    std::size_t at = 0;
+    while (true) {
+        const std::size_t begin = html.find(kBegin, at);
+        const std::size_t end = begin == std::string::npos ? begin : html.find(kEnd, begin);
+        if (end == std::string::npos)
+            return printed + html.substr(at);
+        printed += html.substr(at, begin - at);
+        const std::size_t name = begin + kBegin.size();
+        printed += printable(html.substr(name, end - name)).toStdString();
+        at = end + kEnd.size();
+    }
 }
 
 } // namespace berg

@@ -17,4 +17,10 @@ namespace berg {
 /** Returns a text of several names with at most two marks per letter. */
 [[nodiscard]] std::string withFewMarks(const std::string& utf8);
 
+/**
+ * Makes the names in HTML (`htmlName`) `printable`: Qt's documents ignore the element bdi, which
+ * keeps names from turning the text around them elsewhere.
+ */
+[[nodiscard]] std::string withPrintableNames(const std::string& html);
+
 } // namespace berg

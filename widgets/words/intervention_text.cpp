@@ -31,6 +31,8 @@ QString changeName(const Intervention& change)
         return InterventionText::tr("Assign iceberg");
     if (change.commanded)
         return InterventionText::tr("Order UAV");
+    if (change.home)
+        return InterventionText::tr("Move home");
     return InterventionText::tr("Change trade-off");
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/workspace/workspace.h"
 
 #include "core/base/angles.h"
+#include "core/link/transport/link_clock.h"
 #include "widgets/document/scenario_edits.h"
 #include "widgets/words/intervention_text.h"
 
@@ -298,6 +299,9 @@ void Workspace::flyLive(const std::vector<std::optional<DubinsState>>& starts)
         m_document.edit(tr("Move UAVs to their aircraft"), [&](Scenario& scenario) {
             for (std::size_t i = 0; i < std::min(starts.size(), scenario.uavs.size()); ++i)
                 if (starts[i]) {
+                    // The aircraft is in the air, while home stays on the ground.
+                    scenario.uavs[i].home_m =
+                        scenario.uavs[i].home_m.value_or(scenario.uavs[i].position_m);
                     scenario.uavs[i].position_m = starts[i]->position_m;
                     scenario.uavs[i].heading_deg = headingFromPsi(starts[i]->psi_rad);
                 }
@@ -305,7 +309,8 @@ void Workspace::flyLive(const std::vector<std::optional<DubinsState>>& starts)
     }
     prepareTakeOff();
     flyTau();
-    m_runner.flyLive();
+    const LinkStatus& link = m_link.status();
+    m_runner.flyLive(link.replay ? link.now_s : monotonicNow_s());
 }
 
 void Workspace::setRate(FlightRate rate)

@@ -110,8 +110,19 @@ public:
     void setWind(const Point& wind_mps);
     /** In flight: moves the asset to its present position. */
     void moveAsset(const Point& position_m);
-    /** Sets the present position and the velocity of the asset, before take-off and in flight. */
+    /**
+     * Sets the present position and the velocity of the asset, before take-off (without an undo
+     * step, `ScenarioDocument::follow`) and in flight.
+     */
     void setAssetMotion(const Point& position_m, const Point& velocity_mps);
+    /**
+     * Sets launch and home of each UAV, by UAV, before take-off (without an undo step); in flight
+     * only the home. More or fewer places than UAVs change nothing for the rest.
+     */
+    void setHomes(const std::vector<Point>& homes_m);
+    /** Ends `setAssetMotion` or `setHomes`: undo steps have their own places again. */
+    void stopAssetMotion();
+    void stopHomeMotion();
     /** In flight: adds an iceberg at its present position, under a fresh id. */
     void addIceberg(Iceberg iceberg);
     /** Returns the change that `undoChange` reverts, or nullopt if there is none. */

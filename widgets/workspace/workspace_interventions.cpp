@@ -116,15 +116,12 @@ void Workspace::moveAsset(const Point& position_m)
 void Workspace::setAssetMotion(const Point& position_m, const Point& velocity_mps)
 {
     if (!inFlight()) {
-        m_document.edit(
-            tr("Move asset"),
-            [&](Scenario& scenario) {
-                if (!scenario.asset)
-                    return;
-                scenario.asset->position_m = position_m;
-                scenario.asset->velocity_mps = velocity_mps;
-            },
-            u"asset motion"_s);
+        m_document.follow(u"asset"_s, [position_m, velocity_mps](Scenario& scenario) {
+            if (!scenario.asset)
+                return;
+            scenario.asset->position_m = position_m;
+            scenario.asset->velocity_mps = velocity_mps;
+        });
         return;
     }
     if (!m_record.now.asset || !mayIntervene())
@@ -133,6 +130,34 @@ void Workspace::setAssetMotion(const Point& position_m, const Point& velocity_mp
     asset.velocity_mps = velocity_mps;
     asset.position_m = position_m - velocity_mps * m_record.now.time_s;
     m_runner.intervene({.asset = asset});
+}
+
+void Workspace::setHomes(const std::vector<Point>& homes_m)
+{
+    if (!inFlight()) {
+        m_document.follow(u"homes"_s, [homes_m](Scenario& scenario) {
+            for (std::size_t i = 0; i < std::min(homes_m.size(), scenario.uavs.size()); ++i) {
+                scenario.uavs[i].position_m = homes_m[i];
+                scenario.uavs[i].home_m.reset(); // it is the start
+            }
+        });
+        return;
+    }
+    if (!mayIntervene())
+        return; // it comes again
+    const std::vector<Uav>& uavs = m_record.scenario.uavs;
+    for (std::size_t i = 0; i < std::min(homes_m.size(), uavs.size()); ++i)
+        m_runner.intervene({.home = HomeMove{.uav = uavs[i].id, .place_m = homes_m[i]}});
+}
+
+void Workspace::stopAssetMotion()
+{
+    m_document.stopFollowing(u"asset"_s);
+}
+
+void Workspace::stopHomeMotion()
+{
+    m_document.stopFollowing(u"homes"_s);
 }
 
 void Workspace::addIceberg(Iceberg iceberg)

@@ -54,6 +54,10 @@ void interventionMembers(Io io, I& change)
         members("uav", commanded.uav, {.isNeeded = true});
         members("order", commanded.order);
     });
+    io.part("home", change.home, [](auto members, auto& home) {
+        members("uav", home.uav, {.isNeeded = true});
+        members("place_m", home.place_m, {.isNeeded = true});
+    });
 }
 
 /** Names the members of the metrics. */

@@ -1,6 +1,7 @@
 #include "core/link/transport/link_clock.h"
 #include "core/sim/steering.h"
 #include "tests/support/flight/scenario_builder.h"
+#include "tests/support/window/free_port.h"
 #include "tests/support/window/window_fixture.h"
 #include "widgets/aircraft/rehearsal_fleet.h"
 
@@ -28,12 +29,6 @@ Scenario px4Scenario()
     test::addIceberg(scenario, -1500, 2500);
     test::addIceberg(scenario, 3000, -2000);
     return scenario;
-}
-
-/** A port that parallel tests do not share. */
-int freePort(int offset)
-{
-    return 50'000 + static_cast<int>(QCoreApplication::applicationPid() % 5'000) * 3 + offset;
 }
 
 void setAddress(WindowFixture& w, int port)
@@ -88,7 +83,7 @@ private slots:
     void rehearsalFliesThePlan()
     {
         WindowFixture w(px4Scenario());
-        setAddress(w, freePort(0));
+        setAddress(w, test::freeUdpPort());
         clickButton(w, u"rehearseButton"_s);
         QVERIFY(w.workspace.link().isListening());
         QVERIFY(w.until([&] { return hasPosition(w); }));
@@ -136,7 +131,7 @@ private slots:
 
     void pilotTakesOver()
     {
-        const int port = freePort(1);
+        const int port = test::freeUdpPort();
         WindowFixture w(px4Scenario());
         setAddress(w, port);
         clickButton(w, u"listenButton"_s);

@@ -39,6 +39,29 @@ private slots:
         QVERIFY(steering.state() == SteeringState::PilotTookOver);
     }
 
+    /** PX4 is guided in its hold mode, in which it also stops for its pilot. */
+    void holdWithoutATargetIsThePilots()
+    {
+        constexpr std::uint32_t kMission = 0x04040000;
+        const std::uint32_t hold = steeringMode(SteeringKind::Guided, AutopilotKind::Px4);
+        Steering steering;
+        steering.begin(SteeringKind::Guided, AutopilotKind::Px4, kMission);
+        steering.setMode(hold);
+        QVERIFY(steering.state() == SteeringState::PilotTookOver);
+
+        steering.begin(SteeringKind::Guided, AutopilotKind::Px4, hold);
+        QVERIFY(steering.state() == SteeringState::Waiting);
+        steering.setTargetSent(true);
+        steering.setMode(hold);
+        QVERIFY(steering.state() == SteeringState::Active);
+
+        steering.begin(SteeringKind::Guided, AutopilotKind::Px4, kMission);
+        steering.setTargetSent(true);
+        steering.setTargetSent(false); // refused
+        steering.setMode(hold);
+        QVERIFY(steering.state() == SteeringState::PilotTookOver);
+    }
+
     void modesHaveTheNamesOfTheirAutopilot()
     {
         QCOMPARE(modeName(AutopilotKind::ArduPilot, 11), std::string("RTL"));

@@ -78,6 +78,41 @@ private slots:
         QCOMPARE(document.scenario().icebergs[0].position_m.x(), 10.0);
     }
 
+    /** The place of a ship is no change of the user's: undo keeps it, and redo stays possible. */
+    void followedChangesAreNoUndoSteps()
+    {
+        ScenarioDocument document;
+        document.reset(randomScenario(1));
+        const auto moveUav = [&](double east_m) {
+            document.follow(u"ship"_s,
+                            [east_m](Scenario& s) { s.uavs[0].position_m.x() = east_m; });
+        };
+        const auto uavEast_m = [&] { return document.scenario().uavs[0].position_m.x(); };
+        const double start_m = uavEast_m();
+        moveFirst(document, 10);
+        moveUav(100);
+        QVERIFY(!document.isClean());
+        QCOMPARE(uavEast_m(), 100.0);
+        QCOMPARE(document.undoStack()->count(), 1);
+        document.undoStack()->undo();
+        QVERIFY(document.scenario().icebergs[0].position_m.x() != 10);
+        QCOMPARE(uavEast_m(), 100.0);
+        QVERIFY(!document.isClean()); // the file has another place
+        moveUav(200);
+        QVERIFY(document.undoStack()->canRedo());
+        document.undoStack()->redo();
+        QCOMPARE(document.scenario().icebergs[0].position_m.x(), 10.0);
+        QCOMPARE(uavEast_m(), 200.0);
+        document.stopFollowing(u"ship"_s);
+        document.undoStack()->undo();
+        QCOMPARE(uavEast_m(), start_m);
+        moveUav(300);
+        document.reset(randomScenario(1));
+        moveFirst(document, 20);
+        document.undoStack()->undo();
+        QCOMPARE(uavEast_m(), start_m);
+    }
+
     void gestureMergesUntilItEnds()
     {
         ScenarioDocument document;

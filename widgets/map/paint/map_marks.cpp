@@ -39,17 +39,27 @@ void drawLiveLabel(const MapPaint& p, const QPointF& at, const QString& text, co
     drawHaloText(p.painter, box, Qt::AlignCenter, text, colour, p.theme.sea);
 }
 
+/** Leaves out places that are hardly apart on the screen, because tracks become long. */
+QPolygonF liveTrack(const MapPaint& p, const std::vector<Point>& track_m)
+{
+    constexpr double kStep_px = 2;
+    QPolygonF track;
+    for (std::size_t i = 0; i < track_m.size(); ++i) {
+        const QPointF at = p.layout.view.toPixel(track_m[i]);
+        if (i == 0 || i + 1 == track_m.size() || (at - track.back()).manhattanLength() >= kStep_px)
+            track.push_back(at);
+    }
+    return track;
+}
+
 void paintAircraft(const MapPaint& p, const MapAircraft& aircraft)
 {
     const QColor colour = uavColour(p.theme, aircraft.place);
     const QPointF at = p.layout.view.toPixel(aircraft.position_m);
-    QPolygonF track;
-    for (const Point& place_m : aircraft.track_m)
-        track.push_back(p.layout.view.toPixel(place_m));
     p.painter.setBrush(Qt::NoBrush);
-    p.painter.setPen(QPen(colour, 1.2, Qt::DotLine));
+    p.painter.setPen(QPen(colour, 1));
     if (!aircraft.isFlown)
-        p.painter.drawPolyline(track);
+        p.painter.drawPolyline(liveTrack(p, aircraft.track_m));
     if (aircraft.contact_m) {
         const QPointF contact = p.layout.view.toPixel(*aircraft.contact_m);
         p.painter.setPen(QPen(colour, 1.6));

@@ -266,6 +266,9 @@ MapUav uavOf(const FlightRecord& record, std::size_t uav)
 {
     const UavState& state = record.shown().world.uavs[uav];
     MapUav drawn = mapUav(record.scenario, uav);
+    const Point& home_m = record.shown().homes_m[uav];
+    if (drawn.home_m || home_m != drawn.position_m) // else its start, with unlimited endurance
+        drawn.home_m = home_m;
     drawn.position_m = state.pose.position_m;
     drawn.psi_rad = state.pose.psi_rad;
     drawn.isAloft = state.mode != FlightMode::Ground;

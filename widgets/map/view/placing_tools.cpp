@@ -1,14 +1,13 @@
 #include "widgets/map/view/placing_tools.h"
 
 #include "core/base/angles.h"
-#include "core/checks/validate.h"
+#include "core/scenario/limits.h"
 #include "widgets/document/scenario_edits.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/asset_size.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/theme/quantity_text.h"
-#include "widgets/words/issue_text.h"
 #include "widgets/words/source_text.h"
 
 #include <QCoreApplication>
@@ -186,8 +185,8 @@ QString IcebergTool::status() const
                                 "drift. In flight this cannot be undone.") +
                source;
     if (context().document.scenario().icebergs.size() >= kMostIcebergs)
-        return issueSentence(IssueId::IcebergCount,
-                             {countOf(kMostIcebergs), countOf(kMostIcebergs + 1)});
+        return PlacingTools::tr("The scenario has %1 icebergs, the most that are possible.")
+            .arg(context().scene.locale().toString(kMostIcebergs));
     return PlacingTools::tr(
                "Click to add an iceberg; drag to set its drift. Esc leaves the tool.") +
            source;

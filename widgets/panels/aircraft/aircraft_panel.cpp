@@ -1,7 +1,11 @@
 #include "widgets/panels/aircraft/aircraft_panel.h"
 
 #include "core/base/angles.h"
+#include "core/link/tracker_list.h"
 #include "widgets/aircraft/link_text.h"
+#include "widgets/panels/aircraft/log_rows.h"
+#include "widgets/panels/aircraft/ship_rows.h"
+#include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCheckBox>
@@ -76,18 +80,6 @@ QStringList motionTexts(const AircraftState& state, const QLocale& locale)
     return parts;
 }
 
-QString batteryText(const AircraftBattery& battery, const QLocale& locale)
-{
-    QStringList parts;
-    if (battery.remaining)
-        parts << u"%1 %"_s.arg(qRound(100 * *battery.remaining));
-    if (battery.timeRemaining_s)
-        parts << clockText(*battery.timeRemaining_s);
-    if (battery.voltage_v)
-        parts << u"%1 V"_s.arg(fixedText(*battery.voltage_v, 1, locale));
-    return parts.join(u", "_s);
-}
-
 QString windText(const AircraftWind& wind, const QLocale& locale)
 {
     const double speed_mps = std::hypot(wind.meanNorth_mps, wind.meanEast_mps);
@@ -102,15 +94,15 @@ QString detailsOf(const LinkVehicle& vehicle, const QLocale& locale)
     QStringList lines;
     if (const QStringList motion = motionTexts(state, locale); !motion.isEmpty())
         lines << motion.join(u", "_s);
-    if (state.battery)
-        lines << AircraftPanel::tr("Battery: %1").arg(batteryText(*state.battery, locale));
     if (state.wind)
         lines << AircraftPanel::tr("Wind: %1").arg(windText(*state.wind, locale));
     if (state.mission)
         lines << (state.mission->total ? AircraftPanel::tr("Item %1 of %2")
-                                             .arg(QString::number(state.mission->item),
+                                             .arg(QString::number(itemNumber(state.mission->item,
+                                                                             vehicle.autopilot)),
                                                   QString::number(*state.mission->total))
-                                       : AircraftPanel::tr("Item %1").arg(state.mission->item));
+                                       : AircraftPanel::tr("Item %1").arg(
+                                             itemNumber(state.mission->item, vehicle.autopilot)));
     if (vehicle.loss.lost > 0)
         lines << AircraftPanel::tr("Frames lost: %1 of %2")
                      .arg(QString::number(vehicle.loss.lost),
@@ -128,7 +120,8 @@ AircraftPanel::AircraftPanel(QWidget* parent)
     , m_send(new QCheckBox(tr("Send")))
     , m_rehearse(button("rehearseButton", tr("Rehearse"),
                         tr("Simulated aircraft fly from the UAVs of the scenario and send their "
-                           "telemetry over the network of this computer.")))
+                           "telemetry over the network of this computer. Not while another link "
+                           "is open.")))
     , m_state(wrapped("linkState"))
     , m_list(new QTreeWidget)
     , m_details(wrapped("aircraftDetails"))
@@ -137,8 +130,8 @@ AircraftPanel::AircraftPanel(QWidget* parent)
     , m_steeringState(wrapped("steeringState"))
     , m_steering(new QComboBox)
     , m_upload(button("uploadButton", tr("Upload"),
-                      tr("Uploads the plan with fence and rally point, reads it back and compares "
-                         "it.")))
+                      tr("Uploads the plan with its fence and rally point, reads it back and "
+                         "compares it. If the plan has no fence, the aircraft keeps its own.")))
     , m_compare(button("compareButton", tr("Compare"),
                        tr("Reads the mission on board and compares it with the plan.")))
     , m_flyMission(button("flyMissionButton", tr("Fly the mission"),
@@ -149,7 +142,9 @@ AircraftPanel::AircraftPanel(QWidget* parent)
     , m_flyLive(button("flyLiveButton", tr("Fly with the aircraft"),
                        tr("The flight in this window follows the aircraft: charts and uncertainty "
                           "show the real flight.")))
-    , m_assetShip(new QComboBox)
+    , m_log(new LogRows)
+    , m_battery(wrapped("aircraftBattery"))
+    , m_ships(new ShipRows)
     , m_events(new QPlainTextEdit)
     , m_theme(Theme::light())
 {
@@ -187,7 +182,11 @@ void AircraftPanel::addConnection(QVBoxLayout& column)
     choices->addWidget(m_rehearse);
     column.addLayout(address);
     column.addLayout(choices);
+    column.addWidget(m_log);
     column.addWidget(m_state);
+    connect(m_log, &LogRows::logEdited, this, &AircraftPanel::logEdited);
+    connect(m_log, &LogRows::openRequested, this, &AircraftPanel::openLogRequested);
+    connect(m_log, &LogRows::speedEdited, this, &AircraftPanel::replaySpeedEdited);
     connect(m_listen, &QPushButton::clicked, this, &AircraftPanel::listenEdited);
     connect(m_send, &QCheckBox::clicked, this, &AircraftPanel::sendEdited);
     connect(m_rehearse, &QPushButton::clicked, this, &AircraftPanel::rehearsalEdited);
@@ -203,12 +202,16 @@ void AircraftPanel::addDetails(QVBoxLayout& column)
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
     m_list->setMaximumHeight(kListHeight_px);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     column.addWidget(m_list);
+    column.addWidget(m_battery);
     column.addWidget(m_details);
     auto* uavRow = new QHBoxLayout;
     auto* uavName = new QLabel(tr("Flies as"));
     uavName->setBuddy(m_uav);
     m_uav->setObjectName(u"aircraftUav"_s);
+    guardWheel(*m_uav);
     uavRow->addWidget(uavName);
     uavRow->addWidget(m_uav, 1);
     uavRow->addWidget(m_wind);
@@ -227,15 +230,12 @@ void AircraftPanel::addDetails(QVBoxLayout& column)
     m_steering->addItem(tr("Guide from iceberg to iceberg"),
                         static_cast<int>(SteeringKind::Guided));
     m_steering->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    guardWheel(*m_steering);
     column.addWidget(m_steering);
     column.addWidget(m_steeringState);
-    m_assetShip->setObjectName(u"assetShip"_s);
-    m_assetShip->setAccessibleName(tr("Ship that the asset follows"));
-    m_assetShip->addItem(tr("The asset follows no ship"), 0U);
-    m_assetShip->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    column.addWidget(m_assetShip);
-    connect(m_assetShip, &QComboBox::activated, this,
-            [this] { emit assetShipEdited(m_assetShip->currentData().toUInt()); });
+    column.addWidget(m_ships);
+    connect(m_ships, &ShipRows::assetShipEdited, this, &AircraftPanel::assetShipEdited);
+    connect(m_ships, &ShipRows::homeShipEdited, this, &AircraftPanel::homeShipEdited);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &AircraftPanel::showDetails);
     connect(m_uav, &QComboBox::activated, this,
             [this] { emit uavEdited(m_uav->currentData().toString().toStdString()); });
@@ -252,6 +252,7 @@ void AircraftPanel::addDetails(QVBoxLayout& column)
 void AircraftPanel::setTheme(const Theme& theme)
 {
     m_theme = theme;
+    m_log->setTheme(theme);
     showDetails();
 }
 
@@ -274,61 +275,81 @@ void AircraftPanel::setUavs(const std::vector<std::string>& ids)
     showDetails();
 }
 
+void AircraftPanel::setLogChoice(bool isOn, const QString& folder)
+{
+    m_log->setChoice(isOn, folder);
+}
+
+double AircraftPanel::replaySpeed() const
+{
+    return m_log->speed();
+}
+
+QString AircraftPanel::stateText() const
+{
+    const LinkCondition& condition = m_status.condition;
+    if (!m_status.isListening && condition.state != LinkCondition::State::Broken)
+        return tr("The link is off.");
+    if (m_status.replay)
+        return m_status.vehicles.empty() ? tr("No aircraft in the log so far.") : QString();
+    if (m_status.vehicles.empty() && condition.state == LinkCondition::State::Open)
+        return tr("Listening. No aircraft has been heard yet.");
+    const bool hasPosition = std::ranges::any_of(m_status.vehicles, [](const LinkVehicle& vehicle) {
+        return vehicle.state.position.has_value();
+    });
+    if (!m_status.isSending && !hasPosition && !m_status.vehicles.empty())
+        return tr("No position yet. Some autopilots report it only while Send is on.");
+    return linkConditionText(condition);
+}
+
 void AircraftPanel::showStatus(const LinkStatus& status,
                                const std::map<LinkAddress, AircraftNotes>& notes)
 {
     m_status = status;
     m_notes = notes;
-    showShips();
+    m_ships->showShips(status);
+    m_log->showStatus(status);
     m_listen->setChecked(status.isListening);
     m_send->setChecked(status.isSending);
-    m_send->setEnabled(status.isListening);
+    m_send->setEnabled(status.isListening && !status.replay);
+    m_rehearse->setEnabled(!status.replay && m_flight.mayRehearse);
     m_address->setEnabled(!status.isListening);
-    const bool isBroken = status.condition.state == LinkCondition::State::Broken;
-    m_state->setText(!status.isListening && !isBroken ? tr("The link is off.")
-                     : status.vehicles.empty() &&
-                             status.condition.state == LinkCondition::State::Open
-                         ? tr("Listening. No aircraft has been heard yet.")
-                     : !status.isSending &&
-                             std::ranges::none_of(status.vehicles,
-                                                  [](const LinkVehicle& vehicle) {
-                                                      return vehicle.state.position.has_value();
-                                                  }) &&
-                             !status.vehicles.empty()
-                         ? tr("No position yet. Some autopilots report it only while Send is on.")
-                         : linkConditionText(status.condition));
-    const int count = static_cast<int>(status.vehicles.size());
+    m_state->setText(stateText());
+    m_state->setVisible(!m_state->text().isEmpty());
+    showList();
+    showDetails();
+}
+
+/** Rows are in the order of ids: an aircraft heard later may come first, and the choice moves. */
+void AircraftPanel::showList()
+{
+    const std::optional<LinkAddress> before = chosen();
+    const int count = static_cast<int>(m_status.vehicles.size());
     while (m_list->topLevelItemCount() > count)
         delete m_list->takeTopLevelItem(m_list->topLevelItemCount() - 1);
     for (int row = 0; row < count; ++row) {
-        const LinkVehicle& vehicle = status.vehicles[static_cast<std::size_t>(row)];
+        const LinkVehicle& vehicle = m_status.vehicles[static_cast<std::size_t>(row)];
         if (row >= m_list->topLevelItemCount())
             m_list->addTopLevelItem(new QTreeWidgetItem);
         QTreeWidgetItem& item = *m_list->topLevelItem(row);
         item.setData(Name, Qt::UserRole, keyOf(vehicle.address));
         item.setText(Name, aircraftName(vehicle.address));
-        item.setText(Mode, vehicle.isLost
-                               ? tr("no contact")
+        item.setText(Mode, vehicle.isLost ? tr("no contact")
+                           : isTracker(vehicle.address)
+                               ? u"NMEA"_s
                                : QString::fromStdString(modeName(vehicle.autopilot, vehicle.mode)));
         const std::optional<AircraftPosition>& position = vehicle.state.position;
-        const double age_s = position ? status.now_s - position->received_s : 0;
+        const double age_s = position ? m_status.now_s - position->received_s : 0;
         item.setText(Age, position ? positionAgeText(age_s, locale()) : tr("none yet"));
         const bool isOld = vehicle.isLost || !position || age_s > kOld_s;
         for (const int column : {Mode, Age})
             item.setForeground(column, isOld ? QBrush(m_theme.warning) : QBrush());
     }
-    if (m_list->currentItem() == nullptr && count > 0)
-        m_list->setCurrentItem(m_list->topLevelItem(0));
-    showDetails();
-}
-
-/** Offers every ship heard; a ship that has become silent stays in the list. */
-void AircraftPanel::showShips()
-{
-    for (const TrafficTarget& target : m_status.traffic)
-        if (target.kind == TrafficTarget::Kind::Ship && m_assetShip->findData(target.id) < 0)
-            m_assetShip->addItem(tr("The asset follows %1").arg(trafficName(target)), target.id);
-    m_assetShip->setVisible(m_assetShip->count() > 1);
+    int row = 0;
+    for (int i = 0; before && i < count; ++i)
+        if (m_status.vehicles[static_cast<std::size_t>(i)].address == *before)
+            row = i;
+    m_list->setCurrentItem(count > 0 ? m_list->topLevelItem(row) : nullptr);
 }
 
 std::optional<LinkAddress> AircraftPanel::chosen() const
@@ -350,8 +371,16 @@ void AircraftPanel::showDetails()
     const auto found = isThere ? m_notes.find(*address) : m_notes.end();
     const AircraftNotes notes = found != m_notes.end() ? found->second : AircraftNotes{};
     m_details->setText(isThere ? detailsOf(*vehicle, locale()) : QString());
+    m_details->setVisible(!m_details->text().isEmpty());
     m_uav->setCurrentIndex(std::max(0, m_uav->findData(QString::fromStdString(notes.uav))));
+    m_battery->setText(notes.battery);
+    m_battery->setVisible(!notes.battery.isEmpty());
+    QPalette charge = m_battery->palette();
+    charge.setColor(QPalette::WindowText,
+                    notes.isBatteryShort ? m_theme.warning : palette().color(QPalette::WindowText));
+    m_battery->setPalette(charge);
     m_onBoard->setText(notes.onBoard);
+    m_onBoard->setVisible(!notes.onBoard.isEmpty());
     QPalette colours = m_onBoard->palette();
     colours.setColor(QPalette::WindowText, notes.isSame || notes.onBoard.isEmpty()
                                                ? palette().color(QPalette::WindowText)
@@ -359,30 +388,46 @@ void AircraftPanel::showDetails()
     m_onBoard->setPalette(colours);
     m_steering->setCurrentIndex(
         std::max(0, m_steering->findData(static_cast<int>(notes.steering.kind()))));
-    m_steeringState->setText(steeringText(notes.steering));
+    m_steeringState->setText(steeringText(notes.steering, m_flight.isLive));
     m_steeringState->setVisible(!m_steeringState->text().isEmpty());
-    const bool isBusy = isThere && vehicle->sync &&
-                        (vehicle->sync->phase == SyncPhase::Uploading ||
-                         vehicle->sync->phase == SyncPhase::ReadingBack);
-    const bool maySend = isThere && m_status.isSending && !vehicle->isLost;
+    const bool isBusy = isThere && isSyncRunning(*vehicle);
+    const bool maySend =
+        isThere && m_status.isSending && !vehicle->isLost && !isTracker(vehicle->address);
     m_uav->setEnabled(isThere);
     m_wind->setEnabled(isThere && vehicle->state.wind.has_value());
     m_upload->setEnabled(maySend && !isBusy && !notes.uav.empty());
     m_compare->setEnabled(maySend && !isBusy && !notes.uav.empty());
     m_flyMission->setEnabled(maySend && vehicle->state.isFlying.value_or(true));
     m_steering->setEnabled(maySend && !notes.uav.empty());
-    m_flyLive->setEnabled(!m_isLive && std::ranges::any_of(m_notes, [](const auto& entry) {
+    m_flyLive->setEnabled(!m_flight.isLive && std::ranges::any_of(m_notes, [](const auto& entry) {
         return !entry.second.uav.empty();
     }));
 }
 
-void AircraftPanel::showFlight(bool isLive, bool isRehearsing)
+void AircraftPanel::showFlight(const LiveFlightState& state)
 {
-    m_isLive = isLive;
-    m_rehearse->setChecked(isRehearsing);
-    m_flyLive->setText(isLive ? tr("The flight follows the aircraft")
-                              : tr("Fly with the aircraft"));
+    m_flight = state;
+    m_rehearse->setChecked(state.isRehearsing);
+    m_rehearse->setEnabled(!m_status.replay && state.mayRehearse);
+    m_flyLive->setText(state.isLive ? tr("The flight follows the aircraft")
+                                    : tr("Fly with the aircraft"));
     showDetails();
+}
+
+void AircraftPanel::chooseNoShip()
+{
+    m_ships->chooseNone();
+}
+
+void AircraftPanel::takeOver(const AircraftPanel& other)
+{
+    m_events->setPlainText(other.m_events->toPlainText());
+    m_events->moveCursor(QTextCursor::End);
+    m_ships->takeOver(*other.m_ships);
+    const std::optional<LinkAddress> address = other.chosen();
+    for (int row = 0; address && row < m_list->topLevelItemCount(); ++row)
+        if (m_list->topLevelItem(row)->data(Name, Qt::UserRole) == keyOf(*address))
+            m_list->setCurrentItem(m_list->topLevelItem(row));
 }
 
 void AircraftPanel::addEvent(const QString& time, const QString& text, bool isAlarm)
@@ -393,8 +438,8 @@ void AircraftPanel::addEvent(const QString& time, const QString& text, bool isAl
 
 void AircraftPanel::showFault(const QString& fault)
 {
-    if (!fault.isEmpty())
-        m_state->setText(fault);
+    m_state->setText(fault);
+    m_state->setVisible(!fault.isEmpty());
 }
 
 } // namespace berg

@@ -21,13 +21,26 @@ class QVBoxLayout;
 
 namespace berg {
 
+class LogRows;
+class ShipRows;
+
 /** State of one aircraft besides its telemetry. */
 struct AircraftNotes
 {
     std::string uav;     ///< id of the UAV that it flies as; empty for none
     QString onBoard;     ///< whether the mission on board is the plan
-    bool isSame = false; ///< it is
+    bool isSame = false; ///< the mission found there last is the plan, also during an upload
+    QString battery;     ///< battery, way home and endurance
+    bool isBatteryShort = false;
     Steering steering;
+};
+
+/** State of the flight in the window as far as the aircraft are concerned. */
+struct LiveFlightState
+{
+    bool isLive = false;       ///< it follows the aircraft
+    bool isRehearsing = false; ///< simulated aircraft fly
+    bool mayRehearse = true;   ///< they may start: no other link is open
 };
 
 /**
@@ -47,12 +60,20 @@ public:
     /** Sets the UAVs of the scenario that an aircraft may fly as. */
     void setUavs(const std::vector<std::string>& ids);
     void showStatus(const LinkStatus& status, const std::map<LinkAddress, AircraftNotes>& notes);
-    /** Shows whether the flight in the window follows the aircraft, and whether it can. */
-    void showFlight(bool isLive, bool isRehearsing);
+    void showFlight(const LiveFlightState& state);
     /** Appends a line to the events. */
     void addEvent(const QString& time, const QString& text, bool isAlarm);
-    /** Shows a problem with the address; empty for none. */
+    /** Shows whether a telemetry log is to be written, and in which folder. */
+    void setLogChoice(bool isOn, const QString& folder);
+    /** Returns the speed chosen for replays, in seconds of the log in each second. */
+    [[nodiscard]] double replaySpeed() const;
+    /** Shows a problem with the address, until the next status. */
     void showFault(const QString& fault);
+
+    /** Shows that neither asset nor home follows a ship. */
+    void chooseNoShip();
+    /** Copies choices and events from another panel, after the same status was shown. */
+    void takeOver(const AircraftPanel& other);
 
     /** Returns the aircraft that is chosen in the list; nullopt if there is none. */
     [[nodiscard]] std::optional<LinkAddress> chosen() const;
@@ -68,14 +89,20 @@ signals:
     void windRequested();
     void uavEdited(const std::string& id);
     void steeringEdited(berg::SteeringKind kind);
-    /** Emitted with the MMSI of the ship that the asset follows; 0 for none. */
-    void assetShipEdited(quint32 mmsi);
+    /** Emitted with the key of the ship (`LinkShip`) that the asset follows; 0 for none. */
+    void assetShipEdited(quint64 key);
+    /** Emitted with the key of the ship that launch and home are on; 0 for none. */
+    void homeShipEdited(quint64 key);
+    void logEdited(bool isOn);
+    void openLogRequested();
+    void replaySpeedEdited(double speed);
 
 private:
     void addConnection(QVBoxLayout& column);
     void addDetails(QVBoxLayout& column);
+    void showList();
     void showDetails();
-    void showShips();
+    [[nodiscard]] QString stateText() const;
 
     QLineEdit* m_address;
     QPushButton* m_listen;
@@ -93,12 +120,14 @@ private:
     QPushButton* m_flyMission;
     QPushButton* m_wind;
     QPushButton* m_flyLive;
-    QComboBox* m_assetShip;
+    LogRows* m_log;
+    QLabel* m_battery;
+    ShipRows* m_ships;
     QPlainTextEdit* m_events;
     LinkStatus m_status;
     std::map<LinkAddress, AircraftNotes> m_notes;
     Theme m_theme;
-    bool m_isLive = false;
+    LiveFlightState m_flight;
 };
 
 } // namespace berg

@@ -79,6 +79,8 @@ QStringList textsOf(const std::vector<FlightNotice>& notices)
 /** Returns the keys of an acknowledgement. */
 std::set<std::string> subjectsOf(const FlightNotice& notice)
 {
+    if (!notice.subject.empty())
+        return {notice.subject};
     std::set<std::string> ids(notice.about.begin(), notice.about.end());
     if (ids.empty())
         ids.insert({}); // a notice about the whole flight
@@ -288,7 +290,8 @@ void AlarmStrip::reportNewNotices()
     for (const FlightNotice& notice : m_reported)
         if (rankOf(notice.kind) != NoticeRank::Note &&
             std::ranges::none_of(before, [&](const FlightNotice& known) {
-                return known.kind == notice.kind && known.about == notice.about;
+                return known.kind == notice.kind && known.about == notice.about &&
+                       known.subject == notice.subject;
             }))
             emit raised(notice.text);
 }

@@ -261,11 +261,13 @@ NoticeRank rankOf(NoticeKind kind)
     case NoticeKind::LateHome:
     case NoticeKind::RingEntry:
     case NoticeKind::ContactLost:
+    case NoticeKind::Battery:
         return NoticeRank::Alarm;
     case NoticeKind::PlannerFailed:
     case NoticeKind::WindLimit:
     case NoticeKind::LostIceberg:
-    case NoticeKind::Aircraft:
+    case NoticeKind::PilotTookOver:
+    case NoticeKind::OnBoard:
         return NoticeRank::Warning;
     case NoticeKind::Mode:
         return NoticeRank::Note;

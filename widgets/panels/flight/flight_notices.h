@@ -26,8 +26,10 @@ enum class NoticeKind
     WindLimit,
     LostIceberg,
     Mode,
-    ContactLost, ///< with a real aircraft
-    Aircraft     ///< the pilot has taken over, or the mission on board is not the plan
+    ContactLost,   ///< with a real aircraft
+    Battery,       ///< of a real aircraft: it ends before the way home does
+    PilotTookOver, ///< a real aircraft that was steered
+    OnBoard        ///< the mission on board of a real aircraft is not the plan
 };
 
 [[nodiscard]] NoticeRank rankOf(NoticeKind kind);
@@ -38,7 +40,8 @@ struct FlightNotice
     NoticeKind kind = NoticeKind::Mode;
     std::vector<std::string> about{}; ///< icebergs, UAVs or the asset, as shown on the map
     QString text;
-    QString toolTip{}; ///< full text; empty if `text` is complete
+    QString toolTip{};     ///< full text; empty if `text` is complete
+    std::string subject{}; ///< distinguishes notices of a kind; empty if `about` does
     bool operator==(const FlightNotice&) const = default;
 };
 

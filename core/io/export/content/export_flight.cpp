@@ -33,7 +33,6 @@ Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, int
 
 void advanceToNow(Uav& uav, const UavState& now, double least_s)
 {
-    uav.home_m = uav.home_m.value_or(uav.position_m);
     uav.position_m = now.pose.position_m;
     uav.heading_deg = headingFromPsi(now.pose.psi_rad);
     if (uav.spec.endurance_s == 0)
@@ -55,6 +54,7 @@ void advanceToNow(Scenario& scene, const Mission& mission, int row)
     for (const Iceberg& iceberg : mission.icebergs())
         scene.icebergs.push_back(
             presentIceberg(iceberg, simulation, static_cast<int>(scene.icebergs.size())));
+    scene.uavs.front().home_m = simulation.fleet().autopilot(row).home_m();
     advanceToNow(scene.uavs.front(), simulation.uav(row), simulation.world().dt_s());
 }
 

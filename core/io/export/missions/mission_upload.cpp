@@ -68,7 +68,10 @@ std::vector<MissionPart> missionParts(const ExportContent& content, const Export
     MissionPart flown;
     for (const MavItem& item : mission.items)
         flown.items.push_back(linkItem(item));
-    return {fence, rally, flown};
+    std::vector<MissionPart> parts{rally, flown};
+    if (!fence.items.empty())
+        parts.insert(parts.begin(), fence);
+    return parts;
 }
 
 } // namespace berg

@@ -23,7 +23,8 @@ struct MissionFence
 
 /**
  * Returns what a link uploads to the autopilot of one UAV: its fence, a rally point at home at the
- * altitude of the mission, and the mission that `mavMission` makes.
+ * altitude of the mission, and the mission that `mavMission` makes. Without a fence in the plan
+ * there is no such part, because an empty one would delete the aircraft's own fence.
  */
 [[nodiscard]] std::vector<MissionPart> missionParts(const ExportContent& content,
                                                     const ExportUav& uav);

@@ -59,6 +59,9 @@ private slots:
         QVERIFY(differNear(with, without, pixel(ghost.position_m)));
         QVERIFY(differNear(with, without, pixel(*ghost.contact_m)));
         QVERIFY(differNear(with, without, pixel(at(120, 0))));
+        MapPicture heard = picture;
+        heard.live.aircraft[1].isGhost = false;
+        QVERIFY(differNear(with, mapImage(heard, style, kSize_px, 1), pixel(ghost.position_m)));
         // Its UAV's symbol shows it already.
         QVERIFY(!differNear(with, without, pixel(flown.position_m)));
     }

@@ -79,6 +79,20 @@ private slots:
         QVERIFY(rehearsal.phase() == SyncPhase::Equal);
     }
 
+    /** An empty list would delete the fence that the aircraft has. */
+    void planWithoutFenceLeavesTheAircraftsOwn()
+    {
+        const auto hasFence = [](const Scenario& scenario) {
+            const ExportContent content = planContent(scenario);
+            for (const MissionPart& part : missionParts(content, content.uavs.front()))
+                if (part.type == MissionType::Fence)
+                    return true;
+            return false;
+        };
+        QVERIFY(!hasFence(changed([](Scenario& s) { s.geofence = false; })));
+        QVERIFY(hasFence(changed([](Scenario& s) { s.geofence = true; })));
+    }
+
     /** The default mission, started in AUTO, leads past all icebergs and home again. */
     void defaultMissionIsFlown()
     {
