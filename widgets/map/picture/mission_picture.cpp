@@ -370,6 +370,12 @@ SweptPointer SweptPaths::of(const FlightRecord& record, std::size_t uav)
     return path.poses;
 }
 
+MapPicture mapPicture(const FlightRecord& record, const QLocale& locale, SweptPaths& swept)
+{
+    MapPicture picture = missionPicture(record, locale, swept);
+    return record.inFlight() ? picture : withScenario(std::move(picture), record.scenario);
+}
+
 MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)
 {
     SweptPaths swept;

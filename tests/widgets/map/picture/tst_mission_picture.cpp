@@ -106,6 +106,33 @@ private slots:
             QVERIFY(index < 4);
     }
 
+    /** Before take-off an edit is on the map at once, with the plan made before it. */
+    void editIsShownWithTheLastPlan()
+    {
+        FlightRecord record = recordOf(fiveIcebergs(0));
+        SweptPaths swept;
+        const std::vector<int> plan = mapPicture(record, kLocale, swept).routes[0].plan;
+        QCOMPARE(plan.size(), std::size_t{4});
+        record.scenario.icebergs[2].position_m = {2500, 2000};
+        record.scenario.name = "Edited";
+        const MapPicture picture = mapPicture(record, kLocale, swept);
+        QCOMPARE(picture.title, u"Edited"_s);
+        QCOMPARE(picture.icebergs.size(), std::size_t{5}); // with the one to come
+        QVERIFY(picture.icebergs[2].position_m == Point(2500, 2000));
+        QCOMPARE(picture.routes[0].plan, plan);
+    }
+
+    void flightIsShownAsItIs()
+    {
+        FlightRecord record = recordOf(fiveIcebergs(50));
+        QVERIFY(record.inFlight());
+        record.scenario.icebergs[2].position_m = {2500, 2000};
+        SweptPaths swept;
+        const MapPicture picture = mapPicture(record, kLocale, swept);
+        QCOMPARE(picture.icebergs.size(), std::size_t{4});
+        QVERIFY(picture.icebergs[2].position_m == record.estimate_m(2));
+    }
+
     void eachUavHasItsRoute()
     {
         const Mission mission = fleetFlown(120);
