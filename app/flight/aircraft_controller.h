@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/layout/window_part.h"
+#include "core/base/index.h"
 #include "core/sim/steering.h"
 #include "widgets/aircraft/link_status.h"
 #include "widgets/aircraft/rehearsal_fleet.h"
@@ -63,7 +64,7 @@ private:
         std::string uav; ///< id of the UAV that it flies as; empty for none
         std::optional<Upload> upload;
         Steering steering;
-        std::optional<int> guidedTo; ///< iceberg of the last guided point
+        std::optional<IcebergIndex> guidedTo; ///< iceberg of the last guided point
         Point guidedTo_m = Point::Zero();
         double lastPose_s = 0; ///< of the last pose passed on
         Purpose purpose = Purpose::None;

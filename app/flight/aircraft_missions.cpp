@@ -39,8 +39,8 @@ std::vector<std::string> AircraftController::orderInForce(int uav) const
     const MissionSnapshot& now = workspace().record().now;
     std::vector<std::string> ids;
     if (const UavPlan* plan = planOf(now, uav))
-        for (const int iceberg : plan->order)
-            ids.push_back(now.icebergs[static_cast<std::size_t>(iceberg)].id);
+        for (const IcebergIndex iceberg : plan->order)
+            ids.push_back(now.icebergs[toIndex(iceberg)].id);
     return ids;
 }
 
@@ -172,8 +172,7 @@ void AircraftController::guide(const LinkVehicle& vehicle, Aircraft& aircraft)
     const UavState& flown = now.world.uavs[static_cast<std::size_t>(*uav)];
     if (!flown.target)
         return;
-    const Point iceberg_m =
-        workspace().record().estimate_m(static_cast<std::size_t>(*flown.target));
+    const Point iceberg_m = workspace().record().estimate_m(*flown.target);
     if (aircraft.guidedTo == flown.target && (aircraft.guidedTo_m - iceberg_m).norm() < kMoved_m)
         return;
     const Point path_m = iceberg_m - flown.pose.position_m;

@@ -41,7 +41,7 @@ Mission liveFlight(double lost_s = 1e9)
     return mission;
 }
 
-std::ptrdiff_t sightingsOf(const Mission& mission, int iceberg)
+std::ptrdiff_t sightingsOf(const Mission& mission, IcebergIndex iceberg)
 {
     return std::ranges::count_if(mission.events(), [iceberg](const MissionEvent& event) {
         return event.kind == EventKind::Sighted && event.iceberg == iceberg;

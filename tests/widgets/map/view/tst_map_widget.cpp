@@ -146,7 +146,7 @@ private slots:
         scenario.icebergs[0].appears_s = 90;
         const MapPicture shown = withScenario(picture, scenario);
         QCOMPARE(shown.icebergs.size(), std::size_t{3});
-        QCOMPARE(shown.routes[0].plan, (std::vector<int>{1, 2})); // berg-3 and berg-4
+        QCOMPARE(shown.routes[0].plan, (MapPlaces{1, 2})); // berg-3 and berg-4
         COMPARE_NEAR(shown.icebergs[0].appears_s, 90, 0);
     }
 
