@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/layout/window_part.h"
+#include "core/base/index.h"
 #include "core/link/battery_trend.h"
 #include "core/sim/steering.h"
 #include "widgets/aircraft/battery_text.h"
@@ -80,7 +81,7 @@ private:
         std::optional<Upload> upload;
         std::optional<Transfer> transfer;
         Steering steering;
-        std::optional<int> guidedTo; ///< iceberg of the last guided point
+        std::optional<IcebergIndex> guidedTo; ///< iceberg of the last guided point
         Point guidedTo_m = Point::Zero();
         double guideFrom_s = 0; ///< clock of the link: no point is sent before
         double lastPose_s = 0;  ///< of the last pose passed on

@@ -250,8 +250,7 @@ void AircraftController::guide(const LinkVehicle& vehicle, Aircraft& aircraft)
     const UavState& flown = now.world.uavs[static_cast<std::size_t>(*uav)];
     if (!flown.target)
         return;
-    const Point iceberg_m =
-        workspace().record().estimate_m(static_cast<std::size_t>(*flown.target));
+    const Point iceberg_m = workspace().record().estimate_m(*flown.target);
     if (aircraft.guidedTo == flown.target && (aircraft.guidedTo_m - iceberg_m).norm() < kMoved_m)
         return;
     const Point path_m = iceberg_m - flown.pose.position_m;

@@ -67,7 +67,7 @@ FlightView::FlightView(WindowContext& context, FlightPanels& flightPanels, Statu
 void FlightView::showFlight()
 {
     const FlightRecord& record = workspace().record();
-    MapPicture picture = missionPicture(record, locale(), m_swept);
+    MapPicture picture = mapPicture(record, locale(), m_swept);
     if (!m_truthShown)
         hideTruth(picture);
     if (const RunPointer other = workspace().runs().otherIn(record.scenario))

@@ -71,7 +71,8 @@ QImage imageOf(const Scenario& scenario, const Theme& theme, double pixelRatio,
     MapPicture picture = withScenario({}, scenario);
     const Plan answer = planFromStart(scenario, {.stop = stop});
     for (std::size_t uav = 0; uav < answer.uavs.size(); ++uav)
-        picture.routes[uav].plan = answer.uavs[uav].order;
+        for (const IcebergIndex iceberg : answer.uavs[uav].order) // all are shown, in their order
+            picture.routes[uav].plan.push_back(MapPlace::of(iceberg.number()));
     return painted(picture, theme, kExampleImage_px, pixelRatio);
 }
 

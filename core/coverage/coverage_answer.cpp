@@ -4,8 +4,8 @@
 #include "core/coverage/own_inputs.h"
 #include "core/coverage/patrol_plans.h"
 #include "core/coverage/plan_conversion.h"
+#include "core/plan/policy/fleet_task.h"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -31,9 +31,8 @@ double flown_m(const PlanRequest& request, std::span<const UavPlan> answers)
     double sum_m = 0;
     for (std::size_t u = 0; u < answers.size(); ++u) {
         Eigen::Index from = 0;
-        for (const int id : answers[u].order) {
-            const auto it = std::find(request.ids.begin(), request.ids.end(), id);
-            const Eigen::Index to = it - request.ids.begin() + 1;
+        for (const IcebergIndex iceberg : answers[u].order) {
+            const Eigen::Index to = nodeOf(request, iceberg);
             sum_m += request.uavs[u].distance_m(from, to);
             from = to;
         }
@@ -72,9 +71,8 @@ void judgeAlone(Plan& answer, const PlanRequest& request)
 {
     const UavPlan& only = answer.uavs.front();
     VisitOrder nodes;
-    for (const int id : only.order)
-        nodes.push_back(static_cast<int>(std::ranges::find(request.ids, id) - request.ids.begin()) +
-                        1);
+    for (const IcebergIndex iceberg : only.order)
+        nodes.push_back(nodeOf(request, iceberg));
     const TvpProblem problem = restrictedTo(
         {.distance_m = request.uavs.front().distance_m, .sigma_m2 = request.sigma_m2}, nodes);
     VisitOrder order(nodes.size());

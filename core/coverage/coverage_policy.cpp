@@ -38,7 +38,7 @@ public:
         m_next_s = elapsed_s + kBetween_s;
         SolveProgress progress{.objective = better.total_m2s, .elapsed_s = elapsed_s};
         for (UavPlan& uav : describeFleet(m_models, m_request, better.plans)) {
-            progress.plan.push_back(std::move(uav.order));
+            progress.orders.push_back(std::move(uav.order));
             progress.legs.push_back(std::move(uav.legs));
         }
         m_options.onProgress(progress);
@@ -56,11 +56,12 @@ private:
  * Returns the probability of finding each iceberg; it falls with each flight in vain to a lost
  * iceberg.
  */
-std::vector<double> chancesOf(std::span<const int> ids, const std::map<int, int>& inVain)
+std::vector<double> chancesOf(std::span<const IcebergIndex> ids,
+                              const std::map<IcebergIndex, int>& inVain)
 {
     constexpr double kAfterMiss = 0.3;
     std::vector<double> chances;
-    for (const int id : ids) {
+    for (const IcebergIndex id : ids) {
         const auto times = inVain.find(id);
         chances.push_back(times == inVain.end()
                               ? kChanceOfLost
@@ -112,7 +113,7 @@ private:
         return m_isAlone ? ofOne : ofOne * 3 / 2;
     }
 
-    [[nodiscard]] std::map<int, int> inVain(const PlanRequest& request) const;
+    [[nodiscard]] std::map<IcebergIndex, int> inVain(const PlanRequest& request) const;
     [[nodiscard]] Plan explore(const PlanRequest& request, const SolveOptions& options);
     void keep(const PlanRequest& request, const FoundPlans& plans, const Plan& answer);
 
@@ -130,8 +131,8 @@ private:
     std::map<int, Flown> m_last;
     /** Predicted cost of the last plans, if keeping icebergs in view pays. */
     double m_total_m2s = std::numeric_limits<double>::infinity();
-    /** Number of flights in vain to each lost iceberg, by id. */
-    std::map<int, int> m_inVain;
+    /** Number of flights in vain to each lost iceberg. */
+    std::map<IcebergIndex, int> m_inVain;
     LastPlan m_lastKind = LastPlan::None;
     std::unique_ptr<TvpSolver> m_solver; ///< Solver of `m_latency`; both are null until needed.
     std::unique_ptr<Policy> m_latency;
@@ -210,11 +211,11 @@ std::optional<CoveragePlans> CoveragePolicy::warmStart(const PlanRequest& reques
 }
 
 /** Returns `m_inVain` at the time of the request. */
-std::map<int, int> CoveragePolicy::inVain(const PlanRequest& request) const
+std::map<IcebergIndex, int> CoveragePolicy::inVain(const PlanRequest& request) const
 {
-    std::map<int, int> inVain = m_inVain;
+    std::map<IcebergIndex, int> inVain = m_inVain;
     const PredictionInput& input = *request.uavs.front().prediction;
-    const auto isLost = [&](int id) {
+    const auto isLost = [&](IcebergIndex id) {
         const auto k = std::ranges::find(request.ids, id) - request.ids.begin();
         return k < std::ssize(request.ids) &&
                input.tracks[static_cast<std::size_t>(k)].status != TrackStatus::Tracked;
@@ -222,7 +223,7 @@ std::map<int, int> CoveragePolicy::inVain(const PlanRequest& request) const
     std::erase_if(inVain, [&](const auto& entry) { return !isLost(entry.first); });
     for (const auto& [uav, last] : m_last)
         if (last.sighting_s && *last.sighting_s <= input.time_s)
-            if (const std::optional<int>& id = last.plan.front().id; id && isLost(*id))
+            if (const std::optional<IcebergIndex>& id = last.plan.front().id; id && isLost(*id))
                 ++inVain[*id];
     return inVain;
 }
@@ -449,7 +450,7 @@ Plan CoveragePolicy::plan(const PlanRequest& request, const SolveOptions& option
     const Stopwatch clock;
     const SolveWatch watch(options);
     std::vector<PredictionInput> inputs = ownInputs(request);
-    std::map<int, int> inVain = this->inVain(request);
+    std::map<IcebergIndex, int> inVain = this->inVain(request);
     for (PredictionInput& input : inputs)
         input.chances = chancesOf(request.ids, inVain);
     Plan answer{.uavs = std::vector<UavPlan>(request.uavs.size())};

@@ -99,7 +99,8 @@ CoveragePlan straightPlan(const VisitOrder& order, int rounds)
     return plan;
 }
 
-KeptPlan keptPlan(const CoveragePlan& plan, const CoverageModel& model, std::span<const int> ids)
+KeptPlan keptPlan(const CoveragePlan& plan, const CoverageModel& model,
+                  std::span<const IcebergIndex> ids)
 {
     KeptPlan kept;
     for (const CoverageLeg& leg : plan) {
@@ -112,7 +113,8 @@ KeptPlan keptPlan(const CoveragePlan& plan, const CoverageModel& model, std::spa
     return kept;
 }
 
-CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model, std::span<const int> ids)
+CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model,
+                    std::span<const IcebergIndex> ids)
 {
     CoveragePlan rest;
     for (const auto& [id, offset_m, leg] : plan) {

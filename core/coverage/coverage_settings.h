@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/index.h"
 #include "core/coverage/coverage_model.h"
 #include "core/plan/problem/tvp.h"
 
@@ -73,7 +74,7 @@ inline constexpr int kRounds = 20;
 /** A leg with an identification of its destination that stays valid during the flight. */
 struct KeptLeg
 {
-    std::optional<int> id = {};     ///< Id of the iceberg; nullopt for a hold.
+    std::optional<IcebergIndex> id = {}; ///< Iceberg of the mission; nullopt for a hold.
     Point offset_m = Point::Zero(); ///< Offset of the place from the estimate of a lost iceberg.
     CoverageLeg leg; ///< The leg, with the place number of the plan it was kept from.
 };
@@ -81,20 +82,20 @@ struct KeptLeg
 using KeptPlan = std::vector<KeptLeg>;
 
 /**
- * Returns the legs of a plan with the ids and offsets of their destinations. `ids` are those of the
+ * Returns the legs of a plan with the icebergs and offsets of their destinations. `ids` are the
  * model's icebergs, in its order.
  */
 [[nodiscard]] KeptPlan keptPlan(const CoveragePlan& plan, const CoverageModel& model,
-                                std::span<const int> ids);
+                                std::span<const IcebergIndex> ids);
 
 /**
  * Returns an earlier plan in the places of the present model. A leg to a lost iceberg goes to the
  * place that is now nearest, and legs to icebergs that no longer exist are left out. Legs to
- * icebergs that have come into view since are dropped when the plan is flown. `ids` are those of
- * the model's icebergs, in its order.
+ * icebergs that have come into view since are dropped when the plan is flown. `ids` are the
+ * model's icebergs, in its order.
  */
 [[nodiscard]] CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model,
-                                  std::span<const int> ids);
+                                  std::span<const IcebergIndex> ids);
 
 /** Shortens the first leg by the time flown since the plan was made, and drops it if it is over. */
 void shorten(CoveragePlan& plan, const CoverageModel& model, const PredictionInput& input,

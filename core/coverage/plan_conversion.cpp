@@ -53,7 +53,7 @@ double firstSighting_s(const UavRequest& request, const std::vector<CoverageSigh
 
 /** Adds the first view of each place of lost icebergs. */
 void addSearches(DescribedPlan& described, const CoverageModel& model, const UavRequest& request,
-                 std::span<const int> ids, std::vector<CoverageView> views)
+                 std::span<const IcebergIndex> ids, std::vector<CoverageView> views)
 {
     std::ranges::stable_sort(views, {}, &CoverageView::enter_s);
     const CoverageState start = model.start();
@@ -99,7 +99,7 @@ int icebergOf(const CoveragePlan& plan, std::size_t leg)
 } // namespace
 
 DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
-                       std::span<const int> ids, const CoveragePlan& plan)
+                       std::span<const IcebergIndex> ids, const CoveragePlan& plan)
 {
     DescribedPlan described;
     std::vector<CoverageSighting> all;

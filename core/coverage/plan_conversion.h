@@ -23,10 +23,10 @@ struct DescribedPlan
 
 /**
  * Returns a plan of the model in the terms of the autopilot and the display. The model must have
- * been made from `request`, which must have a input, and from icebergs with these ids.
+ * been made from `request`, which must have a input, and from these icebergs of the mission.
  */
 [[nodiscard]] DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
-                                     std::span<const int> ids, const CoveragePlan& plan);
+                                     std::span<const IcebergIndex> ids, const CoveragePlan& plan);
 
 /**
  * Returns the plans of several UAVs in the terms of the autopilots and the display, one answer for

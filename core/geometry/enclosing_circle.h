@@ -25,12 +25,12 @@ struct Circle
  * Returns the smallest circle around the points `placeOf(number)`. Throws `std::logic_error` if
  * there are no numbers.
  */
-template <class PlaceOf>
-[[nodiscard]] Circle circleRound(std::span<const int> numbers, const PlaceOf& placeOf)
+template <class Numbers, class PlaceOf>
+[[nodiscard]] Circle circleRound(const Numbers& numbers, const PlaceOf& placeOf)
 {
     std::vector<Point> places_m;
     places_m.reserve(numbers.size());
-    for (const int number : numbers)
+    for (const auto& number : numbers)
         places_m.push_back(placeOf(number));
     return enclosingCircle(places_m);
 }

@@ -113,13 +113,14 @@ private:
 
     void finishTarget()
     {
-        const int target = m_rest.front();
-        const std::span<const int> members = clusterWith(m_plan.clusters, target);
-        std::vector<int> together =
+        const IcebergIndex target = m_rest.front();
+        const std::span<const IcebergIndex> members = clusterWith(m_plan.clusters, target);
+        IcebergList together =
             members.empty() ? std::vector{target} : std::vector(members.begin(), members.end());
-        std::erase_if(together, [this](int member) { // skips members seen on the path to the others
-            return std::ranges::find(m_rest, member) == m_rest.end();
-        });
+        std::erase_if(together,
+                      [this](IcebergIndex member) { // skips members seen on the path to the others
+                          return std::ranges::find(m_rest, member) == m_rest.end();
+                      });
         visit(together);
         while (!m_rest.empty() && std::ranges::find(together, m_rest.front()) != together.end())
             m_rest.erase(m_rest.begin());
@@ -138,7 +139,7 @@ private:
     /** Removes every iceberg in view: aimed legs see icebergs in any order. */
     void passOverAllVisible()
     {
-        std::erase_if(m_rest, [this](int iceberg) {
+        std::erase_if(m_rest, [this](IcebergIndex iceberg) {
             const bool isSeen = m_simulation.track(iceberg).inView;
             if (isSeen)
                 visit({iceberg});
@@ -148,9 +149,9 @@ private:
 
     void flyToNext()
     {
-        const int target = m_rest.front();
-        std::vector<int> members;
-        for (const int member : clusterWith(m_plan.clusters, target))
+        const IcebergIndex target = m_rest.front();
+        IcebergList members;
+        for (const IcebergIndex member : clusterWith(m_plan.clusters, target))
             if (m_simulation.available(0, member))
                 members.push_back(member);
         if (members.size() < 2)
@@ -158,14 +159,14 @@ private:
         m_simulation.setTarget(0, target, std::nullopt, members);
     }
 
-    void visit(const std::vector<int>& icebergs)
+    void visit(const IcebergList& icebergs)
     {
-        const Circle circle =
-            circleRound(icebergs, [this](int i) { return m_simulation.observer().estimate_m(i); });
+        const Circle circle = circleRound(
+            icebergs, [this](IcebergIndex i) { return m_simulation.observer().estimate_m(i); });
         m_path.visits.push_back({.iceberg = icebergs.front(),
                                  .time_s = m_simulation.time_s(),
                                  .position_m = circle.centre_m,
-                                 .members = icebergs.size() > 1 ? icebergs : std::vector<int>{},
+                                 .members = icebergs.size() > 1 ? icebergs : IcebergList{},
                                  .spread_m = circle.radius_m});
     }
 
@@ -178,7 +179,7 @@ private:
     }
 
     const UavPlan& m_plan;
-    std::vector<int> m_rest; ///< icebergs still to be visited
+    IcebergList m_rest; ///< icebergs still to be visited
     Simulation m_simulation;
     std::int64_t m_sampleSteps;
     std::vector<AimedPath> m_paths; ///< of the aimed legs

@@ -25,9 +25,9 @@ const Scenario& checked(const Scenario& scenario)
 }
 
 /** Returns the other members of the target's cluster; empty for a single iceberg. */
-std::vector<int> seenWithTarget(const FlightTarget& flightTarget)
+IcebergList seenWithTarget(const FlightTarget& flightTarget)
 {
-    std::vector<int> others = flightTarget.members;
+    IcebergList others = flightTarget.members;
     std::erase(others, *flightTarget.target);
     return others;
 }
@@ -90,7 +90,7 @@ void Mission::note(MissionEvent event)
 
 void Mission::noteStep()
 {
-    for (const int iceberg : m_simulation.observer().newlyAppeared())
+    for (const IcebergIndex iceberg : m_simulation.observer().newlyAppeared())
         note({.kind = EventKind::Appeared, .iceberg = iceberg});
     for (const SeenIceberg& sighting : m_simulation.observer().newlySeen())
         note({.kind = EventKind::Sighted, .iceberg = sighting.iceberg, .uav = sighting.uav});
@@ -119,12 +119,12 @@ void Mission::noteAlarms()
 {
     m_alarmed.resize(static_cast<std::size_t>(m_simulation.icebergCount()));
     const double radius_m = alarmRadius_m(*m_simulation.world().asset());
-    for (int i = 0; i < m_simulation.icebergCount(); ++i) {
+    for (const IcebergIndex i : m_simulation.icebergs()) {
         if (!m_simulation.active(i))
             continue;
         const std::optional<double> entry_s =
             entryTime_s(*relativeToAsset(m_simulation.observer(), i), radius_m, kApproachHorizon_s);
-        const auto k = static_cast<std::size_t>(i);
+        const std::size_t k = toIndex(i);
         if (entry_s && !m_alarmed[k])
             note({.kind = EventKind::Alarm, .iceberg = i, .entry_s = *entry_s});
         m_alarmed[k] = entry_s.has_value();
@@ -177,7 +177,7 @@ void Mission::noteChanges(const Intervention& intervention)
         changed(ChangedPart::Asset);
     if (intervention.appears)
         note({.kind = EventKind::Appeared,
-              .iceberg = m_simulation.icebergCount() - 1,
+              .iceberg = IcebergIndex::of(m_simulation.icebergCount() - 1),
               .reported = true});
     if (intervention.seen)
         note({.kind = EventKind::Sighted,
@@ -188,8 +188,8 @@ void Mission::noteChanges(const Intervention& intervention)
               .iceberg = indexOfId(m_icebergs, *intervention.removed),
               .changed = ChangedPart::Removal});
     if (const std::optional<Assignment>& assigned = intervention.assigned) {
-        const int iceberg = *indexOfId(m_icebergs, assigned->iceberg);
-        m_icebergs[static_cast<std::size_t>(iceberg)].uav = assigned->uav;
+        const IcebergIndex iceberg = *indexOfId(m_icebergs, assigned->iceberg);
+        m_icebergs[toIndex(iceberg)].uav = assigned->uav;
         note({.kind = EventKind::Intervention,
               .iceberg = iceberg,
               .uav = indexOfId(m_scenario.uavs, assigned->uav),
@@ -210,11 +210,11 @@ void Mission::noteChanges(const Intervention& intervention)
 void Mission::requireNames(const Intervention& intervention) const
 {
     const auto isMonitored = [this](const std::string& id) {
-        const std::optional<int> index = indexOfId(m_icebergs, id);
+        const std::optional<IcebergIndex> index = indexOfId(m_icebergs, id);
         return index && m_simulation.active(*index);
     };
     const auto isRemovable = [&](const std::string& id) {
-        const std::optional<int> index = indexOfId(m_icebergs, id);
+        const std::optional<IcebergIndex> index = indexOfId(m_icebergs, id);
         return isMonitored(id) || (index && m_simulation.track(*index).left);
     };
     std::vector<Issue> faults = unknownNames(

@@ -145,8 +145,8 @@ private:
     void activate(Plan plan);
     void flyOn();
     void flyOn(int uav);
-    [[nodiscard]] bool isTargetOfOther(int uav, int iceberg) const;
-    [[nodiscard]] std::vector<int> restOfPlan(int uav, PlanReason reason) const;
+    [[nodiscard]] bool isTargetOfOther(int uav, IcebergIndex iceberg) const;
+    [[nodiscard]] IcebergList restOfPlan(int uav, PlanReason reason) const;
     void compareWithLast(Plan& plan) const;
     [[nodiscard]] ForecastStart forecastStart() const;
     void reportIncumbent(const SolveProgress& progress, const PlanRequest& request);
@@ -180,7 +180,7 @@ private:
 };
 
 /**
- * Returns the plan that `Mission` flies at t = 0, with iceberg indices as ids. Throws
+ * Returns the plan that `Mission` flies at t = 0. Throws
  * `Error{InvalidInput}` if the scenario has errors, `Error{Unsupported}` for policies and back ends
  * missing in this build, and `std::logic_error` inside a `NoBlockingScope`.
  */

@@ -28,12 +28,13 @@ FleetProblem withoutNumbers(const FleetProblem& problem)
 }
 
 /** Returns the clusters, reduced to the members that the UAV can still visit as one point. */
-std::vector<std::vector<int>> stillClusters(std::vector<std::vector<int>> clusters, int uav,
-                                            const Simulation& simulation)
+std::vector<IcebergList> stillClusters(std::vector<IcebergList> clusters, int uav,
+                                       const Simulation& simulation)
 {
-    for (std::vector<int>& members : clusters)
-        std::erase_if(members, [&](int i) { return !simulation.fleet().clusterable(uav, i); });
-    std::erase_if(clusters, [](const std::vector<int>& members) { return members.size() < 2; });
+    for (IcebergList& members : clusters)
+        std::erase_if(members,
+                      [&](IcebergIndex i) { return !simulation.fleet().clusterable(uav, i); });
+    std::erase_if(clusters, [](const IcebergList& members) { return members.size() < 2; });
     return clusters;
 }
 
@@ -73,8 +74,9 @@ bool Mission::putPendingInForce()
     bool isTimely = true;
     for (UavPlan& own : plan.uavs) {
         // Targets that have come into view since are dropped.
-        const std::optional<int> target = own.target();
-        std::erase_if(own.order, [&](int i) { return !m_simulation.available(own.uav, i); });
+        const std::optional<IcebergIndex> target = own.target();
+        std::erase_if(own.order,
+                      [&](IcebergIndex i) { return !m_simulation.available(own.uav, i); });
         own.clusters = stillClusters(std::move(own.clusters), own.uav, m_simulation);
         if (own.target() == target)
             continue;
@@ -170,13 +172,15 @@ void Mission::flyOn(int uav)
 {
     const PlanReason reason = m_simulation.planReason(uav);
     UavPlan own{.uav = uav, .order = restOfPlan(uav, reason), .reason = reason};
-    std::erase_if(own.order, [&](int i) {
+    std::erase_if(own.order, [&](IcebergIndex i) {
         return !m_simulation.available(uav, i) || isTargetOfOther(uav, i);
     });
     if (own.order.empty())
-        if (const std::optional<int> next = nearest(
+        if (const std::optional<IcebergIndex> next = nearest(
                 m_simulation.observer(), m_simulation.fleet().autopilot(uav).pose().position_m,
-                [&](int i) { return !isTargetOfOther(uav, i) && m_simulation.available(uav, i); });
+                [&](IcebergIndex i) {
+                    return !isTargetOfOther(uav, i) && m_simulation.available(uav, i);
+                });
             next)
             own.order = {*next};
     if (const PlanPointer last = lastPlanOf(m_plans, uav))
@@ -199,7 +203,7 @@ void Mission::flyOn(int uav)
               .uavs = {std::move(own)}});
 }
 
-bool Mission::isTargetOfOther(int uav, int iceberg) const
+bool Mission::isTargetOfOther(int uav, IcebergIndex iceberg) const
 {
     for (int other = 0; other < m_simulation.uavCount(); ++other)
         if (other != uav && m_simulation.fleet().autopilot(other).fliesTo(iceberg))
@@ -207,10 +211,10 @@ bool Mission::isTargetOfOther(int uav, int iceberg) const
     return false;
 }
 
-std::vector<int> Mission::restOfPlan(int uav, PlanReason reason) const
+IcebergList Mission::restOfPlan(int uav, PlanReason reason) const
 {
     const PlanPointer last = lastPlanOf(m_plans, uav);
-    std::vector<int> rest = last ? last->of(uav)->order : std::vector<int>();
+    IcebergList rest = last ? last->of(uav)->order : IcebergList();
     if (reason == PlanReason::TargetReached && !rest.empty())
         rest.erase(rest.begin());
     return rest;
@@ -223,7 +227,7 @@ ForecastStart Mission::forecastStart() const
                         .wind_mps = m_simulation.motion(0).wind_mps};
     for (int uav = 0; uav < m_simulation.uavCount(); ++uav)
         start.airspeeds_mps.push_back(m_simulation.motion(uav).airspeed_mps);
-    for (int i = 0; i < m_simulation.icebergCount(); ++i)
+    for (const IcebergIndex i : m_simulation.icebergs())
         start.active.push_back(m_simulation.active(i));
     return start;
 }
@@ -236,33 +240,32 @@ void Mission::compareWithLast(Plan& plan) const
     OrdersByUav before(static_cast<std::size_t>(m_simulation.uavCount()));
     OrdersByUav after = before;
     // Both orders are cut to what this sortie can fly.
-    const auto ofSortie = [this](int uav, std::vector<int> order,
-                                 std::span<const std::vector<int>> together) {
+    const auto ofSortie = [this](int uav, IcebergList order,
+                                 std::span<const IcebergList> together) {
         if (const std::optional<int> visits = thisSortie(m_simulation, uav, order, together))
             order.resize(static_cast<std::size_t>(*visits));
         return order;
     };
-    const auto isPlanned = [&plan](int iceberg) {
+    const auto isPlanned = [&plan](IcebergIndex iceberg) {
         return std::ranges::any_of(plan.uavs, [iceberg](const UavPlan& own) {
             return std::ranges::find(own.order, iceberg) != own.order.end();
         });
     };
-    std::vector<std::vector<int>> clustersBefore;
-    std::vector<std::vector<int>> clustersAfter;
-    const auto append = [](auto& all, const std::vector<std::vector<int>>& own) {
+    std::vector<IcebergList> clustersBefore;
+    std::vector<IcebergList> clustersAfter;
+    const auto append = [](auto& all, const std::vector<IcebergList>& own) {
         all.insert(all.end(), own.begin(), own.end());
     };
     for (const UavPlan& next : plan.uavs) {
         const PlanPointer last = lastPlanOf(m_plans, next.uav);
         if (last == nullptr)
             continue;
-        const std::vector<std::vector<int>>& clusters = last->of(next.uav)->clusters;
+        const std::vector<IcebergList>& clusters = last->of(next.uav)->clusters;
         append(clustersBefore, clusters);
         append(clustersAfter, next.clusters);
-        std::vector<int> rest =
-            restOfPlan(next.uav, last->interim ? PlanReason::None : next.reason);
+        IcebergList rest = restOfPlan(next.uav, last->interim ? PlanReason::None : next.reason);
         // Icebergs in view are left out, unless the new order contains them, as fixed routes do.
-        std::erase_if(rest, [&](int iceberg) {
+        std::erase_if(rest, [&](IcebergIndex iceberg) {
             return !m_simulation.available(next.uav, iceberg) && !isPlanned(iceberg);
         });
         const auto k = static_cast<std::size_t>(next.uav);
@@ -280,22 +283,22 @@ void Mission::compareWithLast(Plan& plan) const
 
 void Mission::reportIncumbent(const SolveProgress& progress, const PlanRequest& request)
 {
-    if (std::ranges::all_of(progress.plan, &std::vector<int>::empty))
+    if (std::ranges::all_of(progress.orders, &IcebergList::empty))
         return;
     Plan plan{.time_s = m_simulation.time_s(),
               .outcome = {.status = SolveStatus::Feasible,
                           .objective = progress.objective,
                           .bound = progress.bound,
                           .elapsed_s = progress.elapsed_s}};
-    for (std::size_t k = 0; k < progress.plan.size(); ++k) {
+    for (std::size_t k = 0; k < progress.orders.size(); ++k) {
         const int uav = request.uavs[k].uav;
         plan.uavs.push_back(
             {.uav = uav,
-             .order = progress.plan[k],
+             .order = progress.orders[k],
              .clusters = request.clusters,
              .legs = progress.legs.empty() ? std::vector<AimedLeg>() : progress.legs[k],
              .reason = m_simulation.planReason(uav),
-             .thisSortie = thisSortie(m_simulation, uav, progress.plan[k], request.clusters)});
+             .thisSortie = thisSortie(m_simulation, uav, progress.orders[k], request.clusters)});
     }
     m_incumbentListener(std::make_shared<const Plan>(std::move(plan)));
 }

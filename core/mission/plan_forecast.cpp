@@ -36,10 +36,10 @@ struct Growth
 };
 
 /** Returns the first icebergs of the order that are seen from one point. */
-std::span<const int> seenTogether(std::span<const int> order,
-                                  std::span<const std::vector<int>> clusters)
+std::span<const IcebergIndex> seenTogether(std::span<const IcebergIndex> order,
+                                           std::span<const IcebergList> clusters)
 {
-    const std::span<const int> members = clusterWith(clusters, order.front());
+    const std::span<const IcebergIndex> members = clusterWith(clusters, order.front());
     std::size_t count = 1;
     while (count < order.size() && std::ranges::find(members, order[count]) != members.end())
         ++count;
@@ -47,17 +47,17 @@ std::span<const int> seenTogether(std::span<const int> order,
 }
 
 /** Flies to the point from which they are seen; returns the distance of the farthest from it. */
-double flyTo(std::span<const int> icebergs, const ForecastStart& start, LegFlight& flight)
+double flyTo(std::span<const IcebergIndex> icebergs, const ForecastStart& start, LegFlight& flight)
 {
-    for (const int iceberg : icebergs)
-        require(iceberg >= 0 && static_cast<std::size_t>(iceberg) < start.world.tracks.size(),
+    for (const IcebergIndex iceberg : icebergs)
+        require(iceberg >= 0 && toIndex(iceberg) < start.world.tracks.size(),
                 "order names an iceberg that is not there");
-    const auto track = [&start](int iceberg) -> const Track& {
+    const auto track = [&start](IcebergIndex iceberg) -> const Track& {
         return start.world.tracks[toIndex(iceberg)];
     };
     const auto circleAt = [&](double after_s) {
-        return circleRound(icebergs,
-                           [&](int i) { return track(i).estimate_m(start.time_s + after_s); });
+        return circleRound(
+            icebergs, [&](IcebergIndex i) { return track(i).estimate_m(start.time_s + after_s); });
     };
     if (icebergs.size() > 1)
         return flight.flyTo(circleAt).radius_m;
@@ -65,7 +65,7 @@ double flyTo(std::span<const int> icebergs, const ForecastStart& start, LegFligh
     return 0;
 }
 
-bool startsWith(std::span<const int> order, std::span<const int> beginning)
+bool startsWith(std::span<const IcebergIndex> order, std::span<const IcebergIndex> beginning)
 {
     return std::mismatch(beginning.begin(), beginning.end(), order.begin(), order.end()).first ==
            beginning.end();
@@ -78,20 +78,20 @@ struct FlownRoute
 };
 
 /** Predicts the visits of one UAV and their times, without sigmas. */
-FlownRoute flyRoute(const ForecastStart& start, std::size_t uav, std::span<const int> order,
-                    std::span<const std::vector<int>> clusters)
+FlownRoute flyRoute(const ForecastStart& start, std::size_t uav,
+                    std::span<const IcebergIndex> order, std::span<const IcebergList> clusters)
 {
     FlownRoute flown{
         {},
         {start.world.uavs.at(uav).pose.position_m, start.airspeeds_mps.at(uav), start.wind_mps}};
     while (!order.empty()) {
-        const std::span<const int> together = seenTogether(order, clusters);
+        const std::span<const IcebergIndex> together = seenTogether(order, clusters);
         order = order.subspan(together.size());
         const Point from_m = flown.flight.position_m();
         const double spread_m = flyTo(together, start, flown.flight);
         const double leg_m = (flown.flight.position_m() - from_m).norm();
         flown.route.distance_m += leg_m;
-        for (const int iceberg : together)
+        for (const IcebergIndex iceberg : together)
             flown.route.visits.push_back({.iceberg = iceberg,
                                           .place_m = flown.flight.position_m(),
                                           .leg_m = iceberg == together.front() ? leg_m : 0,
@@ -112,9 +112,9 @@ std::vector<ForecastVisit*> inOrderOfTime(std::vector<RouteForecast>& routes)
     return visits;
 }
 
-bool isIn(const OrdersByUav& orders, int iceberg)
+bool isIn(const OrdersByUav& orders, IcebergIndex iceberg)
 {
-    return std::ranges::any_of(orders, [iceberg](const std::vector<int>& order) {
+    return std::ranges::any_of(orders, [iceberg](const IcebergList& order) {
         return std::ranges::find(order, iceberg) != order.end();
     });
 }
@@ -124,7 +124,7 @@ OrdersByUav withVisitsOf(OrdersByUav orders, const OrdersByUav& others)
 {
     const OrdersByUav own = orders;
     for (std::size_t uav = 0; uav < others.size(); ++uav)
-        for (const int iceberg : others[uav])
+        for (const IcebergIndex iceberg : others[uav])
             if (!isIn(own, iceberg))
                 orders[uav].push_back(iceberg);
     return orders;
@@ -132,14 +132,14 @@ OrdersByUav withVisitsOf(OrdersByUav orders, const OrdersByUav& others)
 
 } // namespace
 
-LegFlight flyAhead(const ForecastStart& start, std::size_t uav, std::span<const int> order,
-                   std::span<const std::vector<int>> clusters)
+LegFlight flyAhead(const ForecastStart& start, std::size_t uav, std::span<const IcebergIndex> order,
+                   std::span<const IcebergList> clusters)
 {
     return flyRoute(start, uav, order, clusters).flight;
 }
 
 PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders, double horizon_s,
-                          std::span<const std::vector<int>> clusters)
+                          std::span<const IcebergList> clusters)
 {
     const std::vector<Track>& tracks = start.world.tracks;
     require(start.active.size() == tracks.size(), "forecastPlan: one flag for each iceberg");
@@ -151,7 +151,7 @@ PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders,
     for (std::size_t uav = 0; uav < orders.size(); ++uav)
         forecast.uavs.push_back(flyRoute(start, uav, orders[uav], clusters).route);
     for (ForecastVisit* visit : inOrderOfTime(forecast.uavs)) {
-        Growth& growth = growths[static_cast<std::size_t>(visit->iceberg)];
+        Growth& growth = growths[toIndex(visit->iceberg)];
         visit->arrivalSigma_m2 = growth.sigmaAt_m2(visit->arrival_s);
         if (visit->arrival_s > horizon_s)
             continue;

@@ -21,12 +21,12 @@ struct ForecastStart
 };
 
 /** Visiting order of each UAV as iceberg indices; empty if it visits nothing. */
-using OrdersByUav = std::vector<std::vector<int>>;
+using OrdersByUav = std::vector<IcebergList>;
 
 /** Predicted visit of one iceberg. */
 struct ForecastVisit
 {
-    int iceberg = 0;               ///< index
+    IcebergIndex iceberg;          ///< index
     Point place_m = Point::Zero(); ///< meeting point
     double leg_m = 0;              ///< length over ground, from the previous visit or the UAV
     double arrival_s = 0;          ///< time since the start
@@ -67,13 +67,13 @@ struct PlanForecast
  */
 [[nodiscard]] PlanForecast forecastPlan(const ForecastStart& start, const OrdersByUav& orders,
                                         double horizon_s,
-                                        std::span<const std::vector<int>> clusters = {});
+                                        std::span<const IcebergList> clusters = {});
 
 /** Clusters before and after a change of plan. */
 struct ChangedClusters
 {
-    std::span<const std::vector<int>> before;
-    std::span<const std::vector<int>> after;
+    std::span<const IcebergList> before;
+    std::span<const IcebergList> after;
 };
 
 /**

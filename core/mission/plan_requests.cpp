@@ -38,7 +38,7 @@ double chanceSeen(const Autopilot& me, const ObserverSpec& observer)
  * Returns the likely places of a lost iceberg for the plan to search; empty if the UAV may not
  * search for it.
  */
-std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int iceberg)
+std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, IcebergIndex iceberg)
 {
     constexpr std::size_t kMost = 4;
     /** Half the spacing of places as a share of the smaller extent of the view. */
@@ -61,7 +61,7 @@ std::vector<SearchPlace> placesOf(const Simulation& simulation, int uav, int ice
     return places;
 }
 
-UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<int>& ids)
+UavRequest uavRequest(const Simulation& simulation, int uav, const IcebergList& ids)
 {
     const World& world = simulation.world();
     const Observer& observer = simulation.observer();
@@ -83,7 +83,7 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<i
     }
     UavRequest request{.uav = uav};
     std::vector<Point> places_m;
-    for (const int i : ids) {
+    for (const IcebergIndex i : ids) {
         request.available.push_back(
             simulation.available(uav, i) &&
             !simulation.trigger().isTargetOfUnplanned(i, simulation.fleet()));
@@ -102,7 +102,7 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const std::vector<i
 /** A group of icebergs planned as one point. */
 struct Cluster
 {
-    std::vector<int> members;
+    IcebergList members;
     std::vector<bool> uavs; ///< by UAV of the request: whether it may visit the cluster
 };
 
@@ -120,7 +120,7 @@ PlanRequest withClusters(const Simulation& simulation, const PlanRequest& single
         request.clusters.push_back(cluster.members);
     std::vector<Point> places_m;
     for (std::size_t k = 0; k < single.ids.size(); ++k) {
-        const int id = single.ids[k];
+        const IcebergIndex id = single.ids[k];
         const double sigma_m2 = single.sigma_m2[k + 1];
         const auto found = std::ranges::find_if(clusters, [id](const Cluster& cluster) {
             return std::ranges::find(cluster.members, id) != cluster.members.end();
@@ -157,17 +157,17 @@ ClusterRules clusterRules(const Simulation& simulation, const PlanRequest& singl
                        .motion = me.motion(),
                        .cover_m = std::min(seen_m, reach_m.value_or(seen_m)),
                        .fence = me.guard().uav().fence};
-    for (const int node : candidates)
+    for (const int k : candidates)
         rules.visitable.push_back(
-            asked.available[toIndex(node)] &&
-            simulation.fleet().clusterable(asked.uav, single.ids[toIndex(node)]));
+            asked.available[toIndex(k)] &&
+            simulation.fleet().clusterable(asked.uav, single.ids[toIndex(k)]));
     return rules;
 }
 
 /**
  * Returns true if the UAV can visit all members in this sortie; otherwise they stay single nodes.
  */
-bool isOfThisSortie(const Simulation& simulation, int uav, std::span<const int> members)
+bool isOfThisSortie(const Simulation& simulation, int uav, std::span<const IcebergIndex> members)
 {
     const std::optional<int> visits =
         thisSortie(simulation.fleet().autopilot(uav), members, simulation.observer());
@@ -184,7 +184,7 @@ PlanRequest planRequest(const Simulation& simulation)
     if (uavs.empty())
         uavs = {0};
     PlanRequest request{.sigma_m2 = {0}, .speed_mps = simulation.motion(0).airspeed_mps};
-    for (int i = 0; i < simulation.icebergCount(); ++i) {
+    for (const IcebergIndex i : simulation.icebergs()) {
         if (!simulation.active(i))
             continue;
         request.ids.push_back(i);

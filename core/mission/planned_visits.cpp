@@ -14,8 +14,8 @@ std::vector<std::vector<double>> plannedVisits(std::span<const PlanPointer> plan
             own.push_back(plans[uav]->of(static_cast<int>(uav)));
     if (std::ranges::all_of(own, [](const UavPlan* plan) { return plan->laterVisits.empty(); }))
         return visits;
-    const auto add = [&](int iceberg, double time_s) {
-        if (const auto i = static_cast<std::size_t>(iceberg); i < icebergs && time_s >= now_s)
+    const auto add = [&](IcebergIndex iceberg, double time_s) {
+        if (const std::size_t i = toIndex(iceberg); i < icebergs && time_s >= now_s)
             visits[i].push_back(time_s);
     };
     for (const UavPlan* plan : own) {
@@ -39,7 +39,7 @@ std::optional<RevisitGap> longestGap(std::span<const std::vector<double>> visits
         double before_s = tracks[i].seen_s;
         for (const double time_s : visits[i]) {
             if (!longest || time_s - before_s > longest->gap_s)
-                longest = {.iceberg = static_cast<int>(i), .gap_s = time_s - before_s};
+                longest = {.iceberg = IcebergIndex::of(i), .gap_s = time_s - before_s};
             before_s = time_s;
         }
     }

@@ -21,7 +21,7 @@ namespace berg {
 /** The longest time that a patrol leaves one iceberg unseen. */
 struct RevisitGap
 {
-    int iceberg = 0; ///< index
+    IcebergIndex iceberg; ///< index
     double gap_s = 0;
     bool operator==(const RevisitGap&) const = default;
 };

@@ -19,7 +19,7 @@ double weightedSum_m2(const Simulation& simulation)
     if (!simulation.world().asset())
         return simulation.observer().sigmaSum_m2();
     double sum_m2 = 0;
-    for (int i = 0; i < simulation.icebergCount(); ++i)
+    for (const IcebergIndex i : simulation.icebergs())
         if (simulation.active(i))
             sum_m2 += priority(simulation.observer(), i) * simulation.track(i).sigma_m2;
     return sum_m2;
@@ -40,9 +40,10 @@ PlanPointer lastPlanOf(std::span<const PlanPointer> plans, int uav)
     return nullptr;
 }
 
-std::span<const int> clusterOfTarget(const UavPlan& plan)
+std::span<const IcebergIndex> clusterOfTarget(const UavPlan& plan)
 {
-    return plan.target() ? clusterWith(plan.clusters, *plan.target()) : std::span<const int>();
+    return plan.target() ? clusterWith(plan.clusters, *plan.target())
+                         : std::span<const IcebergIndex>();
 }
 
 void startFlying(const Plan& plan, const UavPlan& own, Simulation& simulation)

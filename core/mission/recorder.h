@@ -15,7 +15,7 @@ namespace berg {
 [[nodiscard]] PlanPointer lastPlanOf(std::span<const PlanPointer> plans, int uav);
 
 /** Returns the members of the target's cluster; none for a single iceberg or without a target. */
-[[nodiscard]] std::span<const int> clusterOfTarget(const UavPlan& plan);
+[[nodiscard]] std::span<const IcebergIndex> clusterOfTarget(const UavPlan& plan);
 
 /**
  * Sends one UAV of the plan to its target. Searches by plan continue under an interim plan, and
@@ -29,8 +29,8 @@ struct UavSample
     DubinsState pose;
     double u_radps = 0;
     double crossTrack_m = 0;
-    double flown_m = 0;        ///< distance flown through the air
-    std::optional<int> target; ///< index of the target iceberg
+    double flown_m = 0;                 ///< distance flown through the air
+    std::optional<IcebergIndex> target; ///< index of the target iceberg
     bool onGround = false;
 };
 

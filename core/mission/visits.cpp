@@ -28,18 +28,19 @@ DriftModel driftOf(const Mission& mission, std::size_t iceberg)
 }
 
 /** Knowledge of the iceberg at the start. */
-Track trackOf(const Scenario& scenario, int iceberg)
+Track trackOf(const Scenario& scenario, IcebergIndex iceberg)
 {
-    return initialTrack(scenario.icebergs.at(static_cast<std::size_t>(iceberg)),
-                        scenario.observer.model, scenario.current_mps);
+    return initialTrack(scenario.icebergs.at(toIndex(iceberg)), scenario.observer.model,
+                        scenario.current_mps);
 }
 
 /** Flies on to the cluster and returns the visit. */
-Visit visitOf(std::span<const int> members, const Scenario& scenario, LegFlight& flight)
+Visit visitOf(std::span<const IcebergIndex> members, const Scenario& scenario, LegFlight& flight)
 {
     const Circle met = flight.flyTo([&](double time_s) {
-        return circleRound(
-            members, [&](int member) { return trackOf(scenario, member).estimate_m(time_s); });
+        return circleRound(members, [&](IcebergIndex member) {
+            return trackOf(scenario, member).estimate_m(time_s);
+        });
     });
     return {.iceberg = members.front(),
             .time_s = flight.time_s(),
@@ -49,20 +50,20 @@ Visit visitOf(std::span<const int> members, const Scenario& scenario, LegFlight&
 }
 
 /** Returns the cluster reached by the event; empty for a single iceberg. */
-std::span<const int> clusterReached(const Mission& mission, const MissionEvent& reached)
+std::span<const IcebergIndex> clusterReached(const Mission& mission, const MissionEvent& reached)
 {
     const std::vector<PlanPointer>& plans = mission.plans();
     const auto after = std::ranges::lower_bound(plans, reached.time_s, {}, &Plan::time_s);
     const auto before = std::span(plans).first(static_cast<std::size_t>(after - plans.begin()));
     const PlanPointer plan = lastPlanOf(before, *reached.uav);
     return plan ? clusterWith(plan->of(*reached.uav)->clusters, *reached.iceberg)
-                : std::span<const int>();
+                : std::span<const IcebergIndex>();
 }
 
 } // namespace
 
-std::vector<Visit> plannedVisits(const Scenario& scenario, const std::vector<int>& order,
-                                 const std::vector<std::vector<int>>& clusters)
+std::vector<Visit> plannedVisits(const Scenario& scenario, const IcebergList& order,
+                                 const std::vector<IcebergList>& clusters)
 {
     const Uav& uav = scenario.uavs.at(0);
     LegFlight flight(uav.position_m, uav.spec.airspeed_mps, scenario.wind_mps);
@@ -71,8 +72,8 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const std::vector<int
     const auto count =
         endures ? order.size()
                 : static_cast<std::size_t>(*thisSortie(Simulation(scenario), 0, order, clusters));
-    for (const int index : std::span(order).first(count)) {
-        const std::span<const int> members = clusterWith(clusters, index);
+    for (const IcebergIndex index : std::span(order).first(count)) {
+        const std::span<const IcebergIndex> members = clusterWith(clusters, index);
         if (!members.empty()) {
             if (index == members.front())
                 visits.push_back(visitOf(members, scenario, flight));
@@ -102,10 +103,10 @@ std::vector<Visit> flownVisits(const Mission& mission, int uav)
     for (const MissionEvent& event : mission.events()) {
         if (event.kind != EventKind::Reached || event.uav != uav)
             continue;
-        const auto truth_m = [&](int iceberg) {
-            return drift.at(static_cast<std::size_t>(iceberg)).position_m(event.time_s);
+        const auto truth_m = [&](IcebergIndex iceberg) {
+            return drift.at(toIndex(iceberg)).position_m(event.time_s);
         };
-        const std::span<const int> members = clusterReached(mission, event);
+        const std::span<const IcebergIndex> members = clusterReached(mission, event);
         const Circle circle =
             circleRound(members.empty() ? std::span(&*event.iceberg, 1) : members, truth_m);
         visits.push_back({.iceberg = event.iceberg,
@@ -117,7 +118,7 @@ std::vector<Visit> flownVisits(const Mission& mission, int uav)
     return visits;
 }
 
-std::vector<int> icebergsOf(const Visit& visit)
+IcebergList icebergsOf(const Visit& visit)
 {
     return visit.members.empty() && visit.iceberg ? std::vector{*visit.iceberg} : visit.members;
 }

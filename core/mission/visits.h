@@ -20,11 +20,11 @@ struct TrackPoint
 struct Visit
 {
     /** Index; nullopt for home and for the start at the end of a closed route. */
-    std::optional<int> iceberg = {};
+    std::optional<IcebergIndex> iceberg = {};
     double time_s = 0;
     Point position_m = Point::Zero(); ///< true or predicted position of the iceberg at `time_s`
     /** Members of the cluster, `iceberg` among them; empty for a single iceberg. */
-    std::vector<int> members = {};
+    IcebergList members = {};
     double spread_m = 0; ///< distance of the farthest member from `position_m`
 };
 
@@ -36,9 +36,8 @@ struct Visit
  * its last visit; a closed route ends with the start. Times are seconds since the start. The
  * scenario must have no errors. Throws `std::out_of_range` if an index does not exist.
  */
-[[nodiscard]] std::vector<Visit> plannedVisits(const Scenario& scenario,
-                                               const std::vector<int>& order,
-                                               const std::vector<std::vector<int>>& clusters);
+[[nodiscard]] std::vector<Visit> plannedVisits(const Scenario& scenario, const IcebergList& order,
+                                               const std::vector<IcebergList>& clusters);
 
 /**
  * Returns the targets that UAV `uav` reached, in order and at their true positions; a cluster is at
@@ -50,6 +49,6 @@ struct Visit
  * Returns the icebergs in view at the visit: the members of the cluster, or the single iceberg.
  * Returns no icebergs for home and for the start.
  */
-[[nodiscard]] std::vector<int> icebergsOf(const Visit& visit);
+[[nodiscard]] IcebergList icebergsOf(const Visit& visit);
 
 } // namespace berg

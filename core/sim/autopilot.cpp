@@ -79,7 +79,7 @@ const FlightTarget* Autopilot::flightTarget() const
     return searching != nullptr ? &searching->flightTarget : nullptr;
 }
 
-bool Autopilot::fliesTo(int iceberg) const
+bool Autopilot::fliesTo(IcebergIndex iceberg) const
 {
     const FlightTarget* now = flightTarget();
     return now != nullptr && (now->target == iceberg ||
@@ -156,13 +156,13 @@ std::optional<double> Autopilot::homeMargin_s(const Observer& observer) const
     return m_guard.homeMargin_s(m_pose, m_u_radps, observer.world().step());
 }
 
-std::optional<int> thisSortie(const Autopilot& uav, std::span<const int> order,
+std::optional<int> thisSortie(const Autopilot& uav, std::span<const IcebergIndex> order,
                               const Observer& observer)
 {
     if (!uav.guard().uav().sortie)
         return std::nullopt;
     std::vector<MovingPlace> places;
-    for (const int iceberg : order)
+    for (const IcebergIndex iceberg : order)
         places.push_back({.place_m = observer.estimate_m(iceberg),
                           .drift_mps = observer.track(iceberg).velocity_mps});
     return uav.guard().visitsInTime(uav.pose(), places);
@@ -187,7 +187,7 @@ double searchGain_m2ps(const Autopilot& uav, const Search& search, const Observe
 
 bool isWorthSearching(const Autopilot& uav, const Search& search, const Observer& observer)
 {
-    const std::optional<int> target = uav.target();
+    const std::optional<IcebergIndex> target = uav.target();
     if (!search.path.hasCorner() || !target)
         return search.path.hasCorner();
     const Point leg_m = observer.estimate_m(*target) - uav.pose().position_m;
@@ -203,8 +203,8 @@ void Autopilot::setTarget(FlightTarget flightTarget, const Observer& observer)
     m_misses = 0;
     if (!flightTarget.target) {
         if (!m_lastReached)
-            m_lastReached =
-                nearest(observer, m_pose.position_m, [&](int i) { return observer.active(i); });
+            m_lastReached = nearest(observer, m_pose.position_m,
+                                    [&](IcebergIndex i) { return observer.active(i); });
         m_mode = m_lastReached ? Mode(Circle{}) : Mode(Idle{});
         return;
     }

@@ -11,11 +11,11 @@ namespace berg {
 /** The iceberg, cluster or aimed leg that a UAV flies to. */
 struct FlightTarget
 {
-    std::optional<int> target; ///< index of the iceberg; nullopt while nothing is flown to
+    std::optional<IcebergIndex> target; ///< index of the iceberg; nullopt while nothing is flown to
     /** Leg to fly in place of the straight leg to the target's estimate. */
     std::optional<AimedLeg> aim;
-    std::vector<int> members; ///< icebergs of the cluster to fly over; empty for a single iceberg
-    double membersBy_s = 0;   ///< run time from which the cluster is overdue, s
+    IcebergList members;    ///< icebergs of the cluster to fly over; empty for a single iceberg
+    double membersBy_s = 0; ///< run time from which the cluster is overdue, s
 };
 
 /**
@@ -52,12 +52,12 @@ public:
      */
     [[nodiscard]] const FlightTarget* flightTarget() const;
     /** Returns the index of the target iceberg, or nullopt if there is none. */
-    [[nodiscard]] std::optional<int> target() const
+    [[nodiscard]] std::optional<IcebergIndex> target() const
     {
         return flightTarget() ? flightTarget()->target : std::nullopt;
     }
     /** Returns true if the iceberg is the target or a member of the target cluster. */
-    [[nodiscard]] bool fliesTo(int iceberg) const;
+    [[nodiscard]] bool fliesTo(IcebergIndex iceberg) const;
     /**
      * Returns the recorded state, except `search` and `isAlone`, which the autopilot does not know.
      */
@@ -92,7 +92,7 @@ public:
      */
     void obey(FlightOrder order, const Observer& observer);
     /** Records the iceberg reached last, which the UAV circles when it has no target. */
-    void setReached(int iceberg) { m_lastReached = iceberg; }
+    void setReached(IcebergIndex iceberg) { m_lastReached = iceberg; }
     /**
      * Takes off on a course with a safe return. The UAV must be on the ground. Returns false, and
      * stays there, if no safe return would exist after take-off.
@@ -188,7 +188,7 @@ private:
     double m_flown_m = 0; ///< distance flown through the air
     Mode m_mode;
     FlightOrder m_order = FlightOrder::None;
-    std::optional<int> m_lastReached;
+    std::optional<IcebergIndex> m_lastReached;
     LosGuidance m_guidance;
     double m_runOut_m = 0;        ///< distance left to fly straight in mode RunOut
     int m_misses = 0;             ///< number of times the target was passed without reaching it
@@ -214,8 +214,8 @@ private:
  * Returns how many icebergs of the order, from its first, can be visited before the UAV must turn
  * home, or nullopt if the endurance is unlimited.
  */
-[[nodiscard]] std::optional<int> thisSortie(const Autopilot& uav, std::span<const int> order,
-                                            const Observer& observer);
+[[nodiscard]] std::optional<int>
+thisSortie(const Autopilot& uav, std::span<const IcebergIndex> order, const Observer& observer);
 /** Lets the search begin at the corner that is best for the UAV (`LostSearch::startAtBestCorner`).
  */
 void startAtBestCorner(const Autopilot& uav, Search& search, const Observer& observer);

@@ -176,14 +176,15 @@ double longestTurn_s(const Motion& motion)
     return kTurnMargin * 2 * kPi / motion.limit_radps;
 }
 
-std::optional<int> thisSortie(const Simulation& simulation, int uav, std::span<const int> order,
-                              std::span<const std::vector<int>> clusters)
+std::optional<int> thisSortie(const Simulation& simulation, int uav,
+                              std::span<const IcebergIndex> order,
+                              std::span<const IcebergList> clusters)
 {
     std::optional<int> visits =
         thisSortie(simulation.fleet().autopilot(uav), order, simulation.observer());
     while (visits && *visits > 0 && *visits < static_cast<int>(order.size())) {
         const auto next = static_cast<std::size_t>(*visits);
-        const std::span<const int> members = clusterWith(clusters, order[next - 1]);
+        const std::span<const IcebergIndex> members = clusterWith(clusters, order[next - 1]);
         if (std::ranges::find(members, order[next]) == members.end())
             break;
         --*visits;
@@ -204,12 +205,14 @@ std::vector<std::vector<int>> clustersOf(std::span<const Track> tracks,
     return Grouping(tracks, uavs).grown();
 }
 
-std::span<const int> clusterWith(std::span<const std::vector<int>> clusters, int iceberg)
+std::span<const IcebergIndex> clusterWith(std::span<const IcebergList> clusters,
+                                          IcebergIndex iceberg)
 {
-    const auto found = std::ranges::find_if(clusters, [iceberg](const std::vector<int>& members) {
+    const auto found = std::ranges::find_if(clusters, [iceberg](const IcebergList& members) {
         return std::ranges::find(members, iceberg) != members.end();
     });
-    return found == clusters.end() ? std::span<const int>() : std::span<const int>(*found);
+    return found == clusters.end() ? std::span<const IcebergIndex>()
+                                   : std::span<const IcebergIndex>(*found);
 }
 
 } // namespace berg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/index.h"
 #include "core/tracking/observer.h"
 #include "core/vehicle/geofence.h"
 
@@ -18,8 +19,8 @@ class Simulation;
  * one by one, which is longer than the flight to the middle of their cluster.
  */
 [[nodiscard]] std::optional<int> thisSortie(const Simulation& simulation, int uav,
-                                            std::span<const int> order,
-                                            std::span<const std::vector<int>> clusters);
+                                            std::span<const IcebergIndex> order,
+                                            std::span<const IcebergList> clusters);
 
 /** A pass closer than this to the middle counts as flying over the cluster, m. */
 inline constexpr double kFlownOver_m = 10;
@@ -37,7 +38,7 @@ struct ClusterRules
     std::vector<bool> visitable;
 };
 
-/** Returns true if the UAV may visit every member. */
+/** Returns true if the UAV may visit every member; members are indices of tracks. */
 [[nodiscard]] bool mayVisit(const ClusterRules& rules, std::span<const int> members);
 
 /**
@@ -66,7 +67,7 @@ struct ClusterRules
                                                        std::span<const ClusterRules> uavs);
 
 /** Returns the members of the cluster that contains the iceberg, or an empty span if none does. */
-[[nodiscard]] std::span<const int> clusterWith(std::span<const std::vector<int>> clusters,
-                                               int iceberg);
+[[nodiscard]] std::span<const IcebergIndex> clusterWith(std::span<const IcebergList> clusters,
+                                                        IcebergIndex iceberg);
 
 } // namespace berg

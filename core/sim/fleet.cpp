@@ -66,7 +66,7 @@ Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
     }
 }
 
-bool Fleet::visitable(int uav, int iceberg) const
+bool Fleet::visitable(int uav, IcebergIndex iceberg) const
 {
     const Track& track = m_observer.track(iceberg);
     const World& world = m_observer.world();
@@ -76,23 +76,23 @@ bool Fleet::visitable(int uav, int iceberg) const
            !autopilot(uav).isShutOff(m_observer.estimate_m(iceberg));
 }
 
-bool Fleet::affordable(int uav, int iceberg) const
+bool Fleet::affordable(int uav, IcebergIndex iceberg) const
 {
     return thisSortie(autopilot(uav), std::span(&iceberg, 1), m_observer).value_or(1) == 1;
 }
 
-bool Fleet::available(int uav, int iceberg) const
+bool Fleet::available(int uav, IcebergIndex iceberg) const
 {
     return visitable(uav, iceberg) && affordable(uav, iceberg);
 }
 
-std::optional<int> Fleet::nearestAvailable(int uav) const
+std::optional<IcebergIndex> Fleet::nearestAvailable(int uav) const
 {
     return nearest(m_observer, autopilot(uav).pose().position_m,
-                   [this, uav](int iceberg) { return available(uav, iceberg); });
+                   [this, uav](IcebergIndex iceberg) { return available(uav, iceberg); });
 }
 
-bool Fleet::clusterable(int uav, int iceberg) const
+bool Fleet::clusterable(int uav, IcebergIndex iceberg) const
 {
     return available(uav, iceberg) &&
            std::ranges::find(m_unclustered, iceberg) == m_unclustered.end();
@@ -121,7 +121,8 @@ void Fleet::advance(std::span<const std::optional<ExternalPose>> poses)
     }
     watchSeparation();
     m_observer.observe(m_observer.world().dt_s(), m_report);
-    std::erase_if(m_unclustered, [this](int iceberg) { return m_observer.track(iceberg).inView; });
+    std::erase_if(m_unclustered,
+                  [this](IcebergIndex iceberg) { return m_observer.track(iceberg).inView; });
 }
 
 void Fleet::enterLayer(int uav)
@@ -162,7 +163,7 @@ void Fleet::setTarget(int uav, FlightTarget flightTarget, bool mayContinueLeg, b
     // The UAV flies home if icebergs can be visited, but not in this sortie.
     if (!me.target() && me.mode() != FlightMode::Search && me.guard().uav().sortie &&
         nearest(m_observer, me.pose().position_m,
-                [this, uav](int i) { return visitable(uav, i); }) &&
+                [this, uav](IcebergIndex i) { return visitable(uav, i); }) &&
         !nearestAvailable(uav))
         sendHome(uav);
 }
@@ -205,7 +206,7 @@ void Fleet::leaveSearch(int uav)
         m_observer.giveUp(std::move(search), uav, m_report);
 }
 
-bool Fleet::maySearch(int uav, int iceberg) const
+bool Fleet::maySearch(int uav, IcebergIndex iceberg) const
 {
     const std::optional<int>& assigned = m_observer.world().parameters(iceberg).assignedUav;
     return m_observer.active(iceberg) && (!assigned || assigned == uav) && affordable(uav, iceberg);
@@ -330,7 +331,7 @@ bool Fleet::endOverdueCluster(int uav)
     if (!flownOver && m_observer.world().time_s() < flightTarget.membersBy_s)
         return false;
     std::ranges::copy_if(flightTarget.members, std::back_inserter(m_unclustered),
-                         [&](int member) { return !isReached(m_observer, uav, member); });
+                         [&](IcebergIndex member) { return !isReached(m_observer, uav, member); });
     return true;
 }
 

@@ -35,32 +35,32 @@ public:
      * Returns the icebergs that are in no cluster until they are seen, because a pass over their
      * cluster missed them.
      */
-    [[nodiscard]] const std::vector<int>& unclustered() const { return m_unclustered; }
+    [[nodiscard]] const IcebergList& unclustered() const { return m_unclustered; }
 
     /** Returns true if the iceberg would be `available` with unlimited endurance. */
-    [[nodiscard]] bool visitable(int uav, int iceberg) const;
+    [[nodiscard]] bool visitable(int uav, IcebergIndex iceberg) const;
     /**
      * Returns true if the iceberg may be planned for the UAV: it is active, tracked, out of every
      * field of view, not assigned to another UAV, not shut off by the fence, and can be visited
      * within the endurance. With the simple observer it must also be outside the acceptance radius
      * of every UAV.
      */
-    [[nodiscard]] bool available(int uav, int iceberg) const;
+    [[nodiscard]] bool available(int uav, IcebergIndex iceberg) const;
     /**
      * Returns the available iceberg with the nearest estimate, the first among equals, or nullopt
      * if none is available.
      */
-    [[nodiscard]] std::optional<int> nearestAvailable(int uav) const;
+    [[nodiscard]] std::optional<IcebergIndex> nearestAvailable(int uav) const;
     /** Returns true if the scenario groups nearby icebergs into clusters. */
     [[nodiscard]] bool plansClusters() const { return m_clusters; }
     /** Returns true if the iceberg is available to the UAV and may be a member of a cluster. */
-    [[nodiscard]] bool clusterable(int uav, int iceberg) const;
+    [[nodiscard]] bool clusterable(int uav, IcebergIndex iceberg) const;
 
     /**
      * Returns true if the UAV may search for the iceberg: it is active, not assigned to another
      * UAV, and within the endurance.
      */
-    [[nodiscard]] bool maySearch(int uav, int iceberg) const;
+    [[nodiscard]] bool maySearch(int uav, IcebergIndex iceberg) const;
     /**
      * Returns true if the UAV has no search, may begin one that was given up, and plans do not
      * search for lost icebergs now.
@@ -117,7 +117,7 @@ public:
     void order(int uav, FlightOrder order);
 
 private:
-    [[nodiscard]] bool affordable(int uav, int iceberg) const;
+    [[nodiscard]] bool affordable(int uav, IcebergIndex iceberg) const;
     [[nodiscard]] bool hasSomethingToSearch(int uav) const;
     [[nodiscard]] bool isSearchedByPlan() const;
     void beginOrEndSearch(int uav);
@@ -141,7 +141,7 @@ private:
     Separation m_separation;
     StepReport m_report;
     /** Icebergs that a pass over their cluster missed; in no cluster until seen. */
-    std::vector<int> m_unclustered;
+    IcebergList m_unclustered;
     std::optional<double> m_closest_m;
 };
 

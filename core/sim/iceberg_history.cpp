@@ -9,7 +9,7 @@ std::vector<IcebergSample> icebergsOf(const Simulation& now)
 {
     std::vector<IcebergSample> icebergs;
     icebergs.reserve(toIndex(now.icebergCount()));
-    for (int i = 0; i < now.icebergCount(); ++i)
+    for (const IcebergIndex i : now.icebergs())
         icebergs.push_back({.sigma_m2 = now.track(i).sigma_m2,
                             .inView = now.track(i).inView,
                             .active = now.active(i),
@@ -26,7 +26,7 @@ void IcebergHistory::Snapshot::advanceTo(std::int64_t until, double dt_s)
     step = until;
 }
 
-IcebergHistory::State IcebergHistory::stateOf(const Simulation& now, int iceberg)
+IcebergHistory::State IcebergHistory::stateOf(const Simulation& now, IcebergIndex iceberg)
 {
     const Track& track = now.track(iceberg);
     const bool isExact = track.inView && now.world().observer().model == ObserverModel::Simple;
@@ -53,7 +53,7 @@ void IcebergHistory::add(const Simulation& now, bool isComplete)
         m_last.advanceTo(now.step(), now.world().dt_s());
     m_last.step = now.step();
     m_last.icebergs.resize(count);
-    for (int i = 0; i < now.icebergCount(); ++i) {
+    for (const IcebergIndex i : now.icebergs()) {
         State& predicted = m_last.icebergs[toIndex(i)];
         const State is = stateOf(now, i);
         if (!startsSnapshot && is.variances.position_m2 == predicted.variances.position_m2 &&
@@ -123,7 +123,7 @@ std::vector<IcebergSample> IcebergReader::at(std::size_t row)
         icebergs.push_back({.sigma_m2 = state.variances.position_m2,
                             .inView = state.inView,
                             .active = state.active,
-                            .truth_m = m_world->truth_m(static_cast<int>(icebergs.size()))});
+                            .truth_m = m_world->truth_m(IcebergIndex::of(icebergs.size()))});
     return icebergs;
 }
 

@@ -49,7 +49,7 @@ private:
     };
     struct Change
     {
-        int iceberg = 0;
+        IcebergIndex iceberg;
         State state;
     };
     struct Row
@@ -67,7 +67,7 @@ private:
         void advanceTo(std::int64_t until, double dt_s);
     };
 
-    [[nodiscard]] static State stateOf(const Simulation& now, int iceberg);
+    [[nodiscard]] static State stateOf(const Simulation& now, IcebergIndex iceberg);
     [[nodiscard]] std::span<const Change> changesOf(std::size_t row) const;
 
     std::vector<Row> m_rows;

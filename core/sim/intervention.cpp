@@ -2,6 +2,7 @@
 
 #include "core/scenario/text_checks.h"
 
+#include <algorithm>
 #include <array>
 
 namespace berg {
@@ -18,6 +19,19 @@ auto partsOf(const Intervention& i)
 }
 
 } // namespace
+
+std::optional<int> indexOfId(const std::vector<Uav>& uavs, const std::string& id)
+{
+    const auto it = std::ranges::find(uavs, id, &Uav::id);
+    return it == uavs.end() ? std::nullopt : std::optional(static_cast<int>(it - uavs.begin()));
+}
+
+std::optional<IcebergIndex> indexOfId(const std::vector<Iceberg>& icebergs, const std::string& id)
+{
+    const auto it = std::ranges::find(icebergs, id, &Iceberg::id);
+    return it == icebergs.end() ? std::nullopt
+                                : std::optional(IcebergIndex::of(it - icebergs.begin()));
+}
 
 std::optional<LastChange> lastChangeOf(std::span<const Intervention> interventions)
 {

@@ -2,7 +2,6 @@
 
 #include "core/sim/simulation.h"
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <span>
@@ -82,14 +81,11 @@ struct NameableIcebergs
                                               const std::vector<Uav>& uavs,
                                               const NameableIcebergs& icebergs);
 
-/** Returns the index of the entry with this id, or nullopt if there is none. */
-template <class Entry>
-[[nodiscard]] std::optional<int> indexOfId(const std::vector<Entry>& entries, const std::string& id)
-{
-    const auto it = std::ranges::find(entries, id, &Entry::id);
-    return it == entries.end() ? std::nullopt
-                               : std::optional(static_cast<int>(it - entries.begin()));
-}
+/** Returns the index of the UAV with this id, or nullopt if there is none. */
+[[nodiscard]] std::optional<int> indexOfId(const std::vector<Uav>& uavs, const std::string& id);
+/** Returns the index of the iceberg with this id, or nullopt if there is none. */
+[[nodiscard]] std::optional<IcebergIndex> indexOfId(const std::vector<Iceberg>& icebergs,
+                                                    const std::string& id);
 
 /**
  * Applies the intervention to the simulation, in flight and when an earlier instant is restored; no

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/index.h"
 #include "core/geometry/enclosing_circle.h"
 #include "core/tracking/observer.h"
 #include "core/vehicle/dubins.h"
@@ -92,7 +93,7 @@ struct ForecastStart;
  * end.
  */
 [[nodiscard]] LegFlight flyAhead(const ForecastStart& start, std::size_t uav,
-                                 std::span<const int> order,
-                                 std::span<const std::vector<int>> clusters);
+                                 std::span<const IcebergIndex> order,
+                                 std::span<const IcebergList> clusters);
 
 } // namespace berg

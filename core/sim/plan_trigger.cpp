@@ -15,21 +15,22 @@ bool targetReached(int uav, const FlightTarget& flightTarget, const Fleet& fleet
 {
     if (flightTarget.members.empty())
         return isReached(fleet.observer(), uav, *flightTarget.target);
-    return std::ranges::all_of(
-        flightTarget.members, [&](int member) { return isReached(fleet.observer(), uav, member); });
+    return std::ranges::all_of(flightTarget.members, [&](IcebergIndex member) {
+        return isReached(fleet.observer(), uav, member);
+    });
 }
 
 /** Returns true if another UAV has reached one of the target's icebergs. */
 bool isSeenByOther(int uav, const FlightTarget& flightTarget, const Fleet& fleet)
 {
-    const auto isSeen = [&](int iceberg) {
+    const auto isSeen = [&](IcebergIndex iceberg) {
         return isReachedByOther(fleet.observer(), uav, iceberg);
     };
     return isSeen(*flightTarget.target) || std::ranges::any_of(flightTarget.members, isSeen);
 }
 
 /** Returns true if any UAV flies to the iceberg. */
-bool isTarget(int iceberg, const Fleet& fleet)
+bool isTarget(IcebergIndex iceberg, const Fleet& fleet)
 {
     return std::ranges::any_of(fleet.autopilots(),
                                [iceberg](const Autopilot& uav) { return uav.fliesTo(iceberg); });
@@ -87,7 +88,7 @@ std::vector<int> PlanTrigger::plannedUavs(const Fleet& fleet) const
     return needing.empty() ? uavs : needing;
 }
 
-bool PlanTrigger::isTargetOfUnplanned(int iceberg, const Fleet& fleet) const
+bool PlanTrigger::isTargetOfUnplanned(IcebergIndex iceberg, const Fleet& fleet) const
 {
     if (reason() == PlanReason::None)
         return false; // between replanning all UAVs are planned
@@ -194,7 +195,7 @@ bool PlanTrigger::somethingForIdle(int uav, const Fleet& fleet) const
     // Icebergs beside its circle come into view again by themselves.
     const Autopilot& me = fleet.autopilot(uav);
     const double round_s = 2 * kPi * circleRadius_m(me.motion()) / me.motion().airspeed_mps;
-    const auto isForIt = [&](int i) {
+    const auto isForIt = [&](IcebergIndex i) {
         if (!isOneOfFleet)
             return fleet.visitable(uav, i);
         const bool isForAny =
@@ -202,7 +203,7 @@ bool PlanTrigger::somethingForIdle(int uav, const Fleet& fleet) const
         return (isForAny || world.parameters(i).assignedUav == uav) && !isTarget(i, fleet) &&
                fleet.available(uav, i);
     };
-    for (int i = 0; i < world.icebergCount(); ++i)
+    for (const IcebergIndex i : world.icebergs())
         if (isForIt(i))
             return true;
     return false;

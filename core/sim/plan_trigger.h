@@ -28,7 +28,7 @@ public:
      */
     [[nodiscard]] std::vector<int> plannedUavs(const Fleet& fleet) const;
     /** Returns true if the iceberg is the target of a UAV that the plan now due leaves out. */
-    [[nodiscard]] bool isTargetOfUnplanned(int iceberg, const Fleet& fleet) const;
+    [[nodiscard]] bool isTargetOfUnplanned(IcebergIndex iceberg, const Fleet& fleet) const;
 
     /**
      * Sets the policy of plans from now on. Policies that repeat a fixed route are planned for all

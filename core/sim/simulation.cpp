@@ -29,8 +29,9 @@ UavState Simulation::uav(int uav) const
     return state;
 }
 
-void Simulation::setTarget(int uav, std::optional<int> iceberg, const std::optional<AimedLeg>& aim,
-                           std::span<const int> members, bool keepsSearch)
+void Simulation::setTarget(int uav, std::optional<IcebergIndex> iceberg,
+                           const std::optional<AimedLeg>& aim,
+                           std::span<const IcebergIndex> members, bool keepsSearch)
 {
     // Another UAV requested the plan; a UAV that keeps its target continues its leg.
     const bool mayContinueLeg = planReason(uav) == PlanReason::Fleet;
@@ -63,9 +64,10 @@ void Simulation::setAsset(const Asset& asset)
     requestPlan();
 }
 
-void Simulation::assign(int iceberg, std::optional<int> uav)
+void Simulation::assign(IcebergIndex iceberg, std::optional<int> uav)
 {
-    require(iceberg >= 0 && iceberg < icebergCount() && (!uav || (*uav >= 0 && *uav < uavCount())),
+    require(iceberg >= 0 && iceberg < IcebergIndex::of(icebergCount()) &&
+                (!uav || (*uav >= 0 && *uav < uavCount())),
             "assign: no such iceberg or UAV");
     m_fleet.observer().world().assign(iceberg, uav);
     requestPlan();
@@ -84,13 +86,13 @@ void Simulation::setHome(int uav, const Point& home_m)
     m_fleet.setHome(uav, home_m);
 }
 
-void Simulation::reportSighting(int iceberg, double age_s)
+void Simulation::reportSighting(IcebergIndex iceberg, double age_s)
 {
     m_fleet.observer().reportSighting(iceberg, age_s, m_fleet.report());
     requestPlan();
 }
 
-void Simulation::removeIceberg(int iceberg)
+void Simulation::removeIceberg(IcebergIndex iceberg)
 {
     m_fleet.observer().removeIceberg(iceberg);
     requestPlan();

@@ -38,16 +38,21 @@ public:
     [[nodiscard]] double zeta_m2s() const { return m_zeta_m2s; }
 
     [[nodiscard]] int icebergCount() const { return world().icebergCount(); }
+    /** Returns all icebergs, with those that have yet to appear or have left. */
+    [[nodiscard]] IcebergRange icebergs() const { return world().icebergs(); }
     /** Returns true if the iceberg is monitored: it has appeared and has not left the area. */
-    [[nodiscard]] bool active(int iceberg) const { return observer().active(iceberg); }
+    [[nodiscard]] bool active(IcebergIndex iceberg) const { return observer().active(iceberg); }
     /** Returns true if the iceberg may be planned for the UAV: `Fleet::available`. */
-    [[nodiscard]] bool available(int uav, int iceberg) const
+    [[nodiscard]] bool available(int uav, IcebergIndex iceberg) const
     {
         return m_fleet.available(uav, iceberg);
     }
     /** Returns the true position now, or at its start before the iceberg has appeared, m. */
-    [[nodiscard]] Point truth_m(int iceberg) const { return world().truth_m(iceberg); }
-    [[nodiscard]] const Track& track(int iceberg) const { return observer().track(iceberg); }
+    [[nodiscard]] Point truth_m(IcebergIndex iceberg) const { return world().truth_m(iceberg); }
+    [[nodiscard]] const Track& track(IcebergIndex iceberg) const
+    {
+        return observer().track(iceberg);
+    }
 
     [[nodiscard]] int uavCount() const { return m_fleet.count(); }
     /** Returns the recorded state of one UAV, as `state` does. */
@@ -68,9 +73,9 @@ public:
      * estimates and has reached it when all of them are reached at once. For `keepsSearch` see
      * `startFlying`.
      */
-    void setTarget(int uav, std::optional<int> iceberg,
+    void setTarget(int uav, std::optional<IcebergIndex> iceberg,
                    const std::optional<AimedLeg>& aim = std::nullopt,
-                   std::span<const int> members = {}, bool keepsSearch = false);
+                   std::span<const IcebergIndex> members = {}, bool keepsSearch = false);
 
     /**
      * Advances one time step. Must not be called while a plan is needed or after the end. `poses`
@@ -99,7 +104,7 @@ public:
      * plan.
      * Throws `std::logic_error` if an index does not exist.
      */
-    void assign(int iceberg, std::optional<int> uav);
+    void assign(IcebergIndex iceberg, std::optional<int> uav);
     /**
      * Gives the UAV an operator's order and requests a plan. `FlightOrder::None` returns it to its
      * plan. Throws `std::logic_error` if there is no such UAV.
@@ -110,11 +115,11 @@ public:
      * the position is known as if it had been in view then. Throws `std::logic_error` unless the
      * iceberg is active and `age_s` is at least 0.
      */
-    void reportSighting(int iceberg, double age_s = 0);
+    void reportSighting(IcebergIndex iceberg, double age_s = 0);
     /** Adds an iceberg that appears now; its index is the new last one. */
     void addIceberg(const Iceberg& iceberg);
     /** Stops monitoring the iceberg and requests a plan. */
-    void removeIceberg(int iceberg);
+    void removeIceberg(IcebergIndex iceberg);
 
     /**
      * Returns and clears the events since the last call, without times. Does not affect the flight.

@@ -40,7 +40,7 @@ void setPlanner(Scenario& scenario, const StudySetting& setting)
 
 bool isStuck(const Mission& mission)
 {
-    std::set<int> targets;
+    std::set<IcebergIndex> targets;
     for (const PlanPointer& plan : mission.plans())
         for (const UavPlan& own : plan->uavs)
             // Without a target the UAV circles.

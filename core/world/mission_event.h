@@ -50,14 +50,14 @@ struct MissionEvent
 {
     double time_s = 0;
     EventKind kind = EventKind::Planned;
-    std::optional<int> iceberg;  ///< index; nullopt if no iceberg is concerned
-    std::optional<int> uav;      ///< index; nullopt if no UAV is concerned
-    std::optional<int> otherUav; ///< Close: index of the other UAV
-    double distance_m = 0;       ///< Close: distance between the two
-    double entry_s = 0;          ///< Alarm: time until it enters the ring
+    std::optional<IcebergIndex> iceberg; ///< index; nullopt if no iceberg is concerned
+    std::optional<int> uav;              ///< index; nullopt if no UAV is concerned
+    std::optional<int> otherUav;         ///< Close: index of the other UAV
+    double distance_m = 0;               ///< Close: distance between the two
+    double entry_s = 0;                  ///< Alarm: time until it enters the ring
     /** Sighted: reported by somebody other than a UAV; Appeared: added in flight. */
     bool reported = false;
-    std::vector<int> together;                ///< Reached: other members of the cluster
+    IcebergList together;                     ///< Reached: other members of the cluster
     AnswerSource source = AnswerSource::None; ///< Planned: origin of the answer
     bool fellBack = false;                    ///< Planned: the previous plan is continued
     std::string failure;                      ///< PlannerFailed: reason, in English

@@ -52,27 +52,29 @@ Observer::Observer(const Scenario& scenario, std::span<const DriftNoise> noise)
     m_newlyAppeared.clear();
 }
 
-void Observer::insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
-                      std::int64_t appearsStep)
+IcebergIndex Observer::insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
+                              std::int64_t appearsStep)
 {
-    m_world.add(iceberg, std::move(noise), start_s, appearsStep);
+    const IcebergIndex added = m_world.add(iceberg, std::move(noise), start_s, appearsStep);
     m_checkStep.push_back(appearsStep);
     m_nextCheckStep = std::min(m_nextCheckStep, appearsStep);
-    Track track = m_world.parameters(m_world.icebergCount() - 1).start;
+    Track track = m_world.parameters(added).start;
     // An iceberg that appears later has drifted unseen until then.
     track.grow(std::max(0.0, static_cast<double>(appearsStep) * m_world.dt_s() - start_s));
     m_tracks.push_back(std::move(track));
+    return added;
 }
 
 void Observer::addIceberg(const Iceberg& iceberg)
 {
-    insert(iceberg, DriftNoise(m_world.seed(), iceberg.id), m_world.time_s(), m_world.step());
-    const Point truth_m = m_world.truth_m(m_world.icebergCount() - 1);
+    const IcebergIndex added =
+        insert(iceberg, DriftNoise(m_world.seed(), iceberg.id), m_world.time_s(), m_world.step());
+    const Point truth_m = m_world.truth_m(added);
     if (m_world.observer().model == ObserverModel::Simple && m_cameras.viewer(truth_m))
         m_tracks.back().seen(truth_m, m_world.time_s());
 }
 
-void Observer::reportSighting(int iceberg, double age_s, StepReport& report)
+void Observer::reportSighting(IcebergIndex iceberg, double age_s, StepReport& report)
 {
     require(active(iceberg), "reportSighting: the iceberg has not appeared");
     require(age_s >= 0, "reportSighting: a sighting in the future");
@@ -104,9 +106,8 @@ void Observer::setWind(const Point& wind_mps)
     m_cameras.setWind(wind_mps);
     // UAVs may reach icebergs earlier in the new wind.
     m_nextCheckStep = m_world.step() + 1;
-    for (std::size_t i = 0; i < m_checkStep.size(); ++i)
-        m_checkStep[i] =
-            std::max(m_world.step() - m_world.age(static_cast<int>(i)), m_nextCheckStep);
+    for (const IcebergIndex i : m_world.icebergs())
+        m_checkStep[toIndex(i)] = std::max(m_world.step() - m_world.age(i), m_nextCheckStep);
 }
 
 void Observer::observe(double dt_s, StepReport& report)
@@ -128,9 +129,9 @@ void Observer::observe(double dt_s, StepReport& report)
     if (!m_area_m.empty() && isSecond)
         watchArea(report);
     double sigmaSum_m2 = 0;
-    int iceberg = 0;
-    for (Track& track : m_tracks) {
-        const std::int64_t age = m_world.age(iceberg++);
+    for (const IcebergIndex i : m_world.icebergs()) {
+        Track& track = m_tracks[toIndex(i)];
+        const std::int64_t age = m_world.age(i);
         if (age < 0)
             continue;
         if (!isFiltered && !track.inView && age > 0)
@@ -146,15 +147,16 @@ void Observer::sampleAllInReach(StepReport& report)
     if (m_nextCheckStep > m_world.step())
         return;
     m_nextCheckStep = m_world.lastStep() + 1;
-    for (std::size_t i = 0; i < m_checkStep.size(); ++i) {
-        if (m_checkStep[i] <= m_world.step())
-            sampleIceberg(static_cast<int>(i), report);
-        m_nextCheckStep = std::min(m_nextCheckStep, m_checkStep[i]);
+    for (const IcebergIndex i : m_world.icebergs()) {
+        const std::int64_t& checkStep = m_checkStep[toIndex(i)];
+        if (checkStep <= m_world.step())
+            sampleIceberg(i, report);
+        m_nextCheckStep = std::min(m_nextCheckStep, checkStep);
     }
 }
 
 /** Tests whether the iceberg is in view now, and if not, when it can be next. */
-void Observer::sampleIceberg(int iceberg, StepReport& report)
+void Observer::sampleIceberg(IcebergIndex iceberg, StepReport& report)
 {
     if (m_world.age(iceberg) == 0)
         m_newlyAppeared.push_back(iceberg);
@@ -176,7 +178,7 @@ void Observer::sampleIceberg(int iceberg, StepReport& report)
         found(iceberg, uav, report);
 }
 
-void Observer::found(int iceberg, std::optional<int> seenBy, StepReport& report)
+void Observer::found(IcebergIndex iceberg, std::optional<int> seenBy, StepReport& report)
 {
     m_tracks[toIndex(iceberg)].status = TrackStatus::Tracked;
     m_searches.end(iceberg);
@@ -193,7 +195,7 @@ void Observer::watchEstimates(StepReport& report)
     const auto seenNow = [&]() -> const std::vector<FieldOfView>& {
         return views.empty() ? views = m_cameras.views() : views;
     };
-    for (int i = 0; i < m_world.icebergCount(); ++i) {
+    for (const IcebergIndex i : m_world.icebergs()) {
         if (!active(i) || track(i).inView)
             continue;
         const Point estimate_m = this->estimate_m(i);
@@ -209,7 +211,7 @@ void Observer::watchEstimates(StepReport& report)
 
 void Observer::sampleMeasurements(double dt_s, StepReport& report)
 {
-    for (int i = 0; i < m_world.icebergCount(); ++i) {
+    for (const IcebergIndex i : m_world.icebergs()) {
         const std::int64_t age = m_world.age(i);
         if (age == 0)
             m_newlyAppeared.push_back(i);
@@ -224,7 +226,7 @@ void Observer::sampleMeasurements(double dt_s, StepReport& report)
         return;
     const std::vector<FieldOfView> views = m_cameras.views();
     const std::vector<FieldOfView> middles = m_cameras.middles();
-    for (int i = 0; i < m_world.icebergCount(); ++i) {
+    for (const IcebergIndex i : m_world.icebergs()) {
         if (m_world.age(i) < 0)
             continue;
         const Point truth_m = m_world.position_m(i);
@@ -243,7 +245,7 @@ void Observer::sampleMeasurements(double dt_s, StepReport& report)
     }
 }
 
-void Observer::measure(int iceberg, const Point& measured_m, double variance_m2,
+void Observer::measure(IcebergIndex iceberg, const Point& measured_m, double variance_m2,
                        std::optional<int> seenBy, StepReport& report)
 {
     Track& track = m_tracks[toIndex(iceberg)];
@@ -280,7 +282,7 @@ void Observer::measure(int iceberg, const Point& measured_m, double variance_m2,
 }
 
 /** Takes up a camera sample that did not show the iceberg. */
-void Observer::miss(int iceberg, std::span<const FieldOfView> views,
+void Observer::miss(IcebergIndex iceberg, std::span<const FieldOfView> views,
                     std::span<const FieldOfView> middles, StepReport& report)
 {
     Track& track = m_tracks[toIndex(iceberg)];
@@ -304,7 +306,8 @@ void Observer::miss(int iceberg, std::span<const FieldOfView> views,
  * Marks the iceberg as lost. The UAV that missed it searches for it, unless it already searches for
  * another.
  */
-void Observer::lose(int iceberg, int uav, std::span<const FieldOfView> views, StepReport& report)
+void Observer::lose(IcebergIndex iceberg, int uav, std::span<const FieldOfView> views,
+                    StepReport& report)
 {
     const Camera& camera = m_cameras.of(uav);
     Track& track = m_tracks[toIndex(iceberg)];
@@ -334,7 +337,7 @@ void Observer::giveUp(Search search, int uav, StepReport& report)
     m_searches.giveUp(std::move(search));
 }
 
-void Observer::noteGivenUp(int iceberg, int uav, StepReport& report)
+void Observer::noteGivenUp(IcebergIndex iceberg, int uav, StepReport& report)
 {
     m_tracks[toIndex(iceberg)].status = TrackStatus::GivenUp;
     report.add({.kind = EventKind::GivenUp, .iceberg = iceberg, .uav = uav}, PlanReason::GivenUp);
@@ -370,7 +373,7 @@ void Observer::beginSearch(int uav, Search search)
  */
 void Observer::watchArea(StepReport& report)
 {
-    for (int i = 0; i < m_world.icebergCount(); ++i) {
+    for (const IcebergIndex i : m_world.icebergs()) {
         if (m_world.age(i) < 0)
             continue;
         Track& track = m_tracks[toIndex(i)];
@@ -394,7 +397,7 @@ void Observer::watchArea(StepReport& report)
     }
 }
 
-void Observer::removeIceberg(int iceberg)
+void Observer::removeIceberg(IcebergIndex iceberg)
 {
     m_world.remove(iceberg);
     m_checkStep[toIndex(iceberg)] = m_world.lastStep() + 1;
@@ -405,17 +408,17 @@ void Observer::removeIceberg(int iceberg)
     m_searches.end(iceberg);
 }
 
-Point middle_m(const Observer& observer, std::span<const int> icebergs)
+Point middle_m(const Observer& observer, std::span<const IcebergIndex> icebergs)
 {
-    return circleRound(icebergs, [&](int i) { return observer.estimate_m(i); }).centre_m;
+    return circleRound(icebergs, [&](IcebergIndex i) { return observer.estimate_m(i); }).centre_m;
 }
 
-std::optional<int> nearest(const Observer& observer, const Point& from_m,
-                           const std::function<bool(int)>& counts)
+std::optional<IcebergIndex> nearest(const Observer& observer, const Point& from_m,
+                                    const std::function<bool(IcebergIndex)>& counts)
 {
-    std::optional<int> nearest;
+    std::optional<IcebergIndex> nearest;
     double nearest_m = 0;
-    for (int i = 0; i < observer.world().icebergCount(); ++i) {
+    for (const IcebergIndex i : observer.world().icebergs()) {
         const double distance_m = (observer.estimate_m(i) - from_m).norm();
         if ((!nearest || distance_m < nearest_m) && counts(i)) {
             nearest = i;
@@ -425,7 +428,7 @@ std::optional<int> nearest(const Observer& observer, const Point& from_m,
     return nearest;
 }
 
-std::optional<RelativeMotion> relativeToAsset(const Observer& observer, int iceberg)
+std::optional<RelativeMotion> relativeToAsset(const Observer& observer, IcebergIndex iceberg)
 {
     const std::optional<Asset>& asset = observer.world().asset();
     if (!asset)
@@ -434,20 +437,20 @@ std::optional<RelativeMotion> relativeToAsset(const Observer& observer, int iceb
                            observer.track(iceberg).velocity_mps);
 }
 
-double priority(const Observer& observer, int iceberg)
+double priority(const Observer& observer, IcebergIndex iceberg)
 {
     const std::optional<RelativeMotion> motion = relativeToAsset(observer, iceberg);
     return motion ? priority(*observer.world().asset(), *motion) : 1;
 }
 
-bool isInOwnView(const Observer& observer, int uav, int iceberg)
+bool isInOwnView(const Observer& observer, int uav, IcebergIndex iceberg)
 {
     return observer.track(iceberg).inView &&
            (observer.cameras().count() == 1 ||
             observer.cameras().of(uav).view().contains(observer.world().truth_m(iceberg)));
 }
 
-bool isReached(const Observer& observer, int uav, int iceberg)
+bool isReached(const Observer& observer, int uav, IcebergIndex iceberg)
 {
     if (!observer.cameras().reachRadius_m())
         return isInOwnView(observer, uav, iceberg);
@@ -457,13 +460,13 @@ bool isReached(const Observer& observer, int uav, int iceberg)
            observer.cameras().isWithinReach(uav, observer.estimate_m(iceberg));
 }
 
-bool isReachedUnseen(const Observer& observer, int iceberg)
+bool isReachedUnseen(const Observer& observer, IcebergIndex iceberg)
 {
     return observer.world().observer().model == ObserverModel::Simple &&
            observer.cameras().isWithinReachOfAny(observer.world().truth_m(iceberg));
 }
 
-bool isReachedByOther(const Observer& observer, int uav, int iceberg)
+bool isReachedByOther(const Observer& observer, int uav, IcebergIndex iceberg)
 {
     for (int other = 0; other < observer.cameras().count(); ++other)
         if (other != uav && isReached(observer, other, iceberg))

@@ -32,13 +32,16 @@ public:
     [[nodiscard]] Searches& searches() { return m_searches; }
 
     [[nodiscard]] const std::vector<Track>& tracks() const { return m_tracks; }
-    [[nodiscard]] const Track& track(int iceberg) const { return m_tracks[toIndex(iceberg)]; }
-    [[nodiscard]] Point estimate_m(int iceberg) const
+    [[nodiscard]] const Track& track(IcebergIndex iceberg) const
+    {
+        return m_tracks[toIndex(iceberg)];
+    }
+    [[nodiscard]] Point estimate_m(IcebergIndex iceberg) const
     {
         return track(iceberg).estimate_m(m_world.time_s());
     }
     /** Returns true if the iceberg is monitored: it has appeared and has not left the area. */
-    [[nodiscard]] bool active(int iceberg) const
+    [[nodiscard]] bool active(IcebergIndex iceberg) const
     {
         return m_world.age(iceberg) >= 0 && !track(iceberg).left;
     }
@@ -48,7 +51,7 @@ public:
     /** Returns the icebergs that came into view in the last step, ascending by index. */
     [[nodiscard]] std::span<const SeenIceberg> newlySeen() const { return m_newlySeen; }
     /** Returns the icebergs that appeared, or came back into the area, in the last step. */
-    [[nodiscard]] std::span<const int> newlyAppeared() const { return m_newlyAppeared; }
+    [[nodiscard]] std::span<const IcebergIndex> newlyAppeared() const { return m_newlyAppeared; }
 
     /**
      * Updates all tracks after the UAVs have moved for `dt_s` seconds, and reports what happened.
@@ -60,13 +63,13 @@ public:
     /** Adds an iceberg that appears now with the next index. */
     void addIceberg(const Iceberg& iceberg);
     /** Stops monitoring the iceberg for good. */
-    void removeIceberg(int iceberg);
+    void removeIceberg(IcebergIndex iceberg);
     /**
      * Takes up a sighting by somebody else `age_s` seconds ago: the position is known as if it had
      * been in view then and the uncertainty had grown since. A better estimate stays. Throws
      * `std::logic_error` unless the iceberg is active and `age_s` is at least 0.
      */
-    void reportSighting(int iceberg, double age_s, StepReport& report);
+    void reportSighting(IcebergIndex iceberg, double age_s, StepReport& report);
 
     /** Starts a search by the UAV for an iceberg, which becomes lost; its other searches end. */
     void beginSearch(int uav, Search search);
@@ -87,20 +90,22 @@ public:
     void giveUp(Search search, int uav, StepReport& report);
 
 private:
-    void insert(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep);
+    IcebergIndex insert(const Iceberg& iceberg, DriftNoise noise, double start_s,
+                        std::int64_t appearsStep);
     void sampleAllInReach(StepReport& report);
-    void sampleIceberg(int iceberg, StepReport& report);
+    void sampleIceberg(IcebergIndex iceberg, StepReport& report);
     /** Variance of a measured position along one axis, m^2. */
     [[nodiscard]] double measurementVariance_m2() const;
     void sampleMeasurements(double dt_s, StepReport& report);
-    void measure(int iceberg, const Point& measured_m, double variance_m2,
+    void measure(IcebergIndex iceberg, const Point& measured_m, double variance_m2,
                  std::optional<int> seenBy, StepReport& report);
-    void miss(int iceberg, std::span<const FieldOfView> views, std::span<const FieldOfView> middles,
-              StepReport& report);
+    void miss(IcebergIndex iceberg, std::span<const FieldOfView> views,
+              std::span<const FieldOfView> middles, StepReport& report);
     void watchEstimates(StepReport& report);
-    void lose(int iceberg, int uav, std::span<const FieldOfView> views, StepReport& report);
-    void noteGivenUp(int iceberg, int uav, StepReport& report);
-    void found(int iceberg, std::optional<int> seenBy, StepReport& report);
+    void lose(IcebergIndex iceberg, int uav, std::span<const FieldOfView> views,
+              StepReport& report);
+    void noteGivenUp(IcebergIndex iceberg, int uav, StepReport& report);
+    void found(IcebergIndex iceberg, std::optional<int> seenBy, StepReport& report);
     void watchArea(StepReport& report);
 
     World m_world;
@@ -115,37 +120,38 @@ private:
     std::int64_t m_nextCheckStep = 0; ///< least element of the list above
     double m_sigmaSum_m2 = 0;
     std::vector<SeenIceberg> m_newlySeen;
-    std::vector<int> m_newlyAppeared;
+    IcebergList m_newlyAppeared;
 };
 
 /**
  * Returns the iceberg with the nearest estimate among those for which `counts` returns true, the
  * first among equals, or nullopt if there is none.
  */
-[[nodiscard]] std::optional<int> nearest(const Observer& observer, const Point& from_m,
-                                         const std::function<bool(int)>& counts);
+[[nodiscard]] std::optional<IcebergIndex> nearest(const Observer& observer, const Point& from_m,
+                                                  const std::function<bool(IcebergIndex)>& counts);
 /** Returns the centre of the smallest circle around the estimates, m. */
-[[nodiscard]] Point middle_m(const Observer& observer, std::span<const int> icebergs);
+[[nodiscard]] Point middle_m(const Observer& observer, std::span<const IcebergIndex> icebergs);
 
 /** Returns the planning weight of the iceberg's sigma: 1 without an asset, above 1 near one. */
-[[nodiscard]] double priority(const Observer& observer, int iceberg);
+[[nodiscard]] double priority(const Observer& observer, IcebergIndex iceberg);
 /** Returns the estimated motion relative to the asset, or nullopt if there is no asset. */
-[[nodiscard]] std::optional<RelativeMotion> relativeToAsset(const Observer& observer, int iceberg);
+[[nodiscard]] std::optional<RelativeMotion> relativeToAsset(const Observer& observer,
+                                                            IcebergIndex iceberg);
 
 /** Returns true if the iceberg is in view of this UAV. */
-[[nodiscard]] bool isInOwnView(const Observer& observer, int uav, int iceberg);
+[[nodiscard]] bool isInOwnView(const Observer& observer, int uav, IcebergIndex iceberg);
 /**
  * Returns true if the UAV has reached the iceberg: it is in its view or, with a reach radius,
  * within that radius. The simple model compares the true position; otherwise the estimate counts,
  * for an iceberg that the last sample has shown.
  */
-[[nodiscard]] bool isReached(const Observer& observer, int uav, int iceberg);
+[[nodiscard]] bool isReached(const Observer& observer, int uav, IcebergIndex iceberg);
 /**
  * Returns true if the iceberg is within the reach radius of any UAV. Simple model only, where this
  * can hold for an iceberg out of view.
  */
-[[nodiscard]] bool isReachedUnseen(const Observer& observer, int iceberg);
+[[nodiscard]] bool isReachedUnseen(const Observer& observer, IcebergIndex iceberg);
 /** Returns true if a UAV other than `uav` has reached the iceberg. */
-[[nodiscard]] bool isReachedByOther(const Observer& observer, int uav, int iceberg);
+[[nodiscard]] bool isReachedByOther(const Observer& observer, int uav, IcebergIndex iceberg);
 
 } // namespace berg

@@ -17,7 +17,7 @@ Search Searches::take(int uav)
     return std::move(*std::exchange(m_byUav[toIndex(uav)], std::nullopt));
 }
 
-void Searches::end(int iceberg)
+void Searches::end(IcebergIndex iceberg)
 {
     for (std::optional<Search>& search : m_byUav)
         if (search && search->iceberg == iceberg)
@@ -25,7 +25,7 @@ void Searches::end(int iceberg)
     std::erase_if(m_givenUp, [iceberg](const Search& search) { return search.iceberg == iceberg; });
 }
 
-void Searches::grow(int iceberg, double added_m2)
+void Searches::grow(IcebergIndex iceberg, double added_m2)
 {
     for (std::optional<Search>& search : m_byUav)
         if (search && search->iceberg == iceberg)
@@ -35,8 +35,8 @@ void Searches::grow(int iceberg, double added_m2)
             search.path.grow(added_m2);
 }
 
-void Searches::miss(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
-                    double detection)
+void Searches::miss(IcebergIndex iceberg, std::span<const FieldOfView> views,
+                    const Point& estimate_m, double detection)
 {
     for (std::optional<Search>& search : m_byUav)
         if (search && search->iceberg == iceberg)
@@ -44,8 +44,8 @@ void Searches::miss(int iceberg, std::span<const FieldOfView> views, const Point
                 search->path.miss(view, estimate_m, detection);
 }
 
-void Searches::missOfPlan(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
-                          double detection)
+void Searches::missOfPlan(IcebergIndex iceberg, std::span<const FieldOfView> views,
+                          const Point& estimate_m, double detection)
 {
     for (Search& search : m_givenUp)
         if (search.iceberg == iceberg)
@@ -53,7 +53,7 @@ void Searches::missOfPlan(int iceberg, std::span<const FieldOfView> views, const
                 search.path.miss(view, estimate_m, detection);
 }
 
-const Search* Searches::ofIceberg(int iceberg) const
+const Search* Searches::ofIceberg(IcebergIndex iceberg) const
 {
     for (const std::optional<Search>& search : m_byUav)
         if (search && search->iceberg == iceberg)

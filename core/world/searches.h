@@ -27,25 +27,25 @@ public:
     /** Adds a search to those given up for now. */
     void giveUp(Search search) { m_givenUp.push_back(std::move(search)); }
     /** Ends all searches for the iceberg, which is found or no longer monitored. */
-    void end(int iceberg);
+    void end(IcebergIndex iceberg);
 
     /** Moves the UAV's search, which must exist, on to the next corner of its pattern. */
     void nextCorner(int uav) { m_byUav[toIndex(uav)]->path.nextCorner(); }
     /** Adds growth of the position variance to every search for the iceberg. */
-    void grow(int iceberg, double added_m2);
+    void grow(IcebergIndex iceberg, double added_m2);
     /**
      * Updates active searches for the iceberg with one camera sample that did not show it.
      * `views` are the fields of view, `estimate_m` its estimate, and `detection` the detection
      * probability.
      */
-    void miss(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
+    void miss(IcebergIndex iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
               double detection);
 
     /** Updates searches given up or left to plans with one such camera sample (see `miss`). */
-    void missOfPlan(int iceberg, std::span<const FieldOfView> views, const Point& estimate_m,
-                    double detection);
+    void missOfPlan(IcebergIndex iceberg, std::span<const FieldOfView> views,
+                    const Point& estimate_m, double detection);
     /** Returns the search for the iceberg, active or given up, or null if there is none. */
-    [[nodiscard]] const Search* ofIceberg(int iceberg) const;
+    [[nodiscard]] const Search* ofIceberg(IcebergIndex iceberg) const;
 
 private:
     std::vector<std::optional<Search>> m_byUav;

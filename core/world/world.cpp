@@ -40,7 +40,8 @@ World::World(const Scenario& scenario)
         m_uavs.push_back(uav.id);
 }
 
-void World::add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep)
+IcebergIndex World::add(const Iceberg& iceberg, DriftNoise noise, double start_s,
+                        std::int64_t appearsStep)
 {
     m_drift.emplace_back(trueDrift(iceberg, m_observer, m_seed, m_noise, m_current_mps, start_s),
                          std::move(noise), m_noise);
@@ -56,9 +57,10 @@ void World::add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::i
          .assignedUav = iceberg.uav.empty() || assigned == m_uavs.end()
                             ? std::nullopt
                             : std::optional(static_cast<int>(assigned - m_uavs.begin()))});
+    return IcebergIndex::of(m_parameters.size() - 1);
 }
 
-Point World::truth_m(int iceberg) const
+Point World::truth_m(IcebergIndex iceberg) const
 {
     const DriftModel& drift = m_drift[toIndex(iceberg)];
     return drift.at(age(iceberg) >= 0 ? time_s() : drift.start_s());
@@ -78,7 +80,7 @@ void World::goTo(std::int64_t step)
     advanceDrift();
 }
 
-SampleDraw World::sampleDraw(int iceberg, std::int64_t sample) const
+SampleDraw World::sampleDraw(IcebergIndex iceberg, std::int64_t sample) const
 {
     return m_noise ? berg::sampleDraw(m_seed, parameters(iceberg).stream, sample) : SampleDraw{};
 }

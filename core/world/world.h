@@ -55,50 +55,52 @@ public:
 
     /**
      * Adds an iceberg that is at its `position_m` at `start_s` and is monitored from `appearsStep`
-     * on.
+     * on. Returns its index, the next one.
      */
-    void add(const Iceberg& iceberg, DriftNoise noise, double start_s, std::int64_t appearsStep);
+    IcebergIndex add(const Iceberg& iceberg, DriftNoise noise, double start_s,
+                     std::int64_t appearsStep);
     [[nodiscard]] int icebergCount() const { return static_cast<int>(m_parameters.size()); }
-    [[nodiscard]] const IcebergParameters& parameters(int iceberg) const
+    [[nodiscard]] IcebergRange icebergs() const { return IcebergRange(m_parameters.size()); }
+    [[nodiscard]] const IcebergParameters& parameters(IcebergIndex iceberg) const
     {
         return m_parameters[toIndex(iceberg)];
     }
     /** Treats the iceberg as if it had never appeared. */
-    void remove(int iceberg)
+    void remove(IcebergIndex iceberg)
     {
         m_appearsStep[toIndex(iceberg)] = std::numeric_limits<std::int64_t>::max();
     }
     /** Assigns the iceberg to a UAV, or to every UAV if `uav` is nullopt. */
-    void assign(int iceberg, std::optional<int> uav)
+    void assign(IcebergIndex iceberg, std::optional<int> uav)
     {
         m_parameters[toIndex(iceberg)].assignedUav = uav;
     }
     /** Returns the number of steps since the iceberg appeared; negative before. */
-    [[nodiscard]] std::int64_t age(int iceberg) const
+    [[nodiscard]] std::int64_t age(IcebergIndex iceberg) const
     {
         return m_step - m_appearsStep[toIndex(iceberg)];
     }
 
     /** Returns the true position now, or at its start before the iceberg has appeared, m. */
-    [[nodiscard]] Point truth_m(int iceberg) const;
+    [[nodiscard]] Point truth_m(IcebergIndex iceberg) const;
     /**
      * Returns the true position of an iceberg that has appeared, m. Draws its noise up to now, so
      * later calls are cheap.
      */
-    [[nodiscard]] Point position_m(int iceberg)
+    [[nodiscard]] Point position_m(IcebergIndex iceberg)
     {
         return m_drift[toIndex(iceberg)].position_m(time_s());
     }
     /** Draws the noise of all icebergs up to now, so that `truth_m` has little left to draw. */
     void advanceDrift();
     /** Returns a speed that the iceberg does not exceed, m/s. */
-    [[nodiscard]] double speedLimit_mps(int iceberg) const
+    [[nodiscard]] double speedLimit_mps(IcebergIndex iceberg) const
     {
         return m_drift[toIndex(iceberg)].speedLimit_mps();
     }
     /** Returns the random draw for camera sample `sample` of the iceberg; the default without
      * noise. */
-    [[nodiscard]] SampleDraw sampleDraw(int iceberg, std::int64_t sample) const;
+    [[nodiscard]] SampleDraw sampleDraw(IcebergIndex iceberg, std::int64_t sample) const;
 
 private:
     double m_dt_s;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/index.h"
 #include "core/coverage/prediction_input.h"
 #include "core/plan/policy/policy.h"
 #include "core/tracking/lost_search.h"
@@ -15,7 +16,7 @@ namespace berg {
 /** An iceberg that has come into view. */
 struct SeenIceberg
 {
-    int iceberg = 0;
+    IcebergIndex iceberg;
     /** First UAV that has it in view; nullopt if somebody else reported it. */
     std::optional<int> uav;
 };
@@ -52,7 +53,7 @@ inline constexpr std::array<Named<FlightOrder>, 3> kFlightOrderNames{
 /** The search for a lost iceberg. */
 struct Search
 {
-    int iceberg = 0;
+    IcebergIndex iceberg;
     LostSearch path;
     bool operator==(const Search&) const = default;
 };
@@ -65,16 +66,16 @@ struct UavState
     double crossTrack_m = 0;
     double flown_m = 0; ///< distance flown through the air
     FlightMode mode = FlightMode::Idle;
-    std::optional<int> target;      ///< index of the target iceberg; nullopt without a target
-    std::optional<int> lastReached; ///< index of the last iceberg reached; nullopt before
+    std::optional<IcebergIndex> target; ///< index of the target iceberg; nullopt without a target
+    std::optional<IcebergIndex> lastReached; ///< index of the last iceberg reached; nullopt before
     bool isAlone = false; ///< planned separately until the next plan for all: see `PlanTrigger`
     LosGuidance guidance;
     double runOut_m = 0; ///< distance left to fly straight in mode RunOut
     int misses = 0;      ///< number of times the target was passed without reaching it
     /** Leg to fly in mode Leg in place of the straight leg to the target's estimate. */
     std::optional<AimedLeg> aim;
-    std::vector<int> members; ///< icebergs of the target cluster; empty for a single iceberg
-    double membersBy_s = 0;   ///< run time from which the cluster is overdue, s
+    IcebergList members;    ///< icebergs of the target cluster; empty for a single iceberg
+    double membersBy_s = 0; ///< run time from which the cluster is overdue, s
     std::optional<Search> search;
     double aloft_s = 0;         ///< time since take-off
     double ground_s = 0;        ///< time left on the ground
@@ -106,7 +107,7 @@ struct WorldState
     double sigmaSum_m2 = 0;
     double zeta_m2s = 0;
     /** Icebergs that a pass over their cluster missed; in no cluster until seen. */
-    std::vector<int> unclustered;
+    IcebergList unclustered;
     /** Searches given up, with the remaining probabilities, for later plans. */
     std::vector<Search> givenUp;
     /** Least horizontal distance so far of two UAVs aloft in one altitude layer. */
@@ -122,11 +123,5 @@ struct WorldState
     }
     bool operator==(const WorldState&) const = default;
 };
-
-/** Converts an index of an iceberg or UAV, at least 0, for use with containers. */
-[[nodiscard]] inline std::size_t toIndex(int i)
-{
-    return static_cast<std::size_t>(i);
-}
 
 } // namespace berg

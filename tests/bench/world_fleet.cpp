@@ -18,8 +18,8 @@ Scenario partitioned(Scenario scenario)
     start.planner.policy = PolicyKind::Latency;
     const Plan plan = planFromStart(start);
     for (std::size_t uav = 0; uav < plan.uavs.size(); ++uav)
-        for (const int iceberg : plan.uavs[uav].order)
-            scenario.icebergs[static_cast<std::size_t>(iceberg)].uav = scenario.uavs[uav].id;
+        for (const IcebergIndex iceberg : plan.uavs[uav].order)
+            scenario.icebergs[toIndex(iceberg)].uav = scenario.uavs[uav].id;
     return scenario;
 }
 

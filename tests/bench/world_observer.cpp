@@ -45,8 +45,10 @@ Row flown(const Scenario& scenario)
     for (double time_s = 10; time_s <= scenario.duration_s; time_s += 10) {
         mission.advance(time_s);
         const Simulation& now = mission.simulation();
-        for (int i = 0; i < now.icebergCount(); ++i, ++samples)
+        for (const IcebergIndex i : now.icebergs()) {
             error_m2 += (now.observer().estimate_m(i) - now.truth_m(i)).squaredNorm();
+            ++samples;
+        }
     }
     return {mission.metrics().zeta_m2s, std::sqrt(error_m2 / samples),
             static_cast<double>(countOf(mission, EventKind::Lost)),

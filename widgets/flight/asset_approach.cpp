@@ -35,10 +35,10 @@ std::optional<AssetApproach> approachOf(const Scenario& scenario, const Iceberg&
                       iceberg.velocity_mps + scenario.current_mps);
 }
 
-std::optional<AssetApproach> approachOf(const MissionSnapshot& snapshot, std::size_t iceberg)
+std::optional<AssetApproach> approachOf(const MissionSnapshot& snapshot, IcebergIndex iceberg)
 {
-    const Track& track = snapshot.world.tracks[iceberg];
-    if (!snapshot.asset || !snapshot.active[iceberg] || track.left)
+    const Track& track = snapshot.world.tracks[toIndex(iceberg)];
+    if (!snapshot.asset || !snapshot.active[toIndex(iceberg)] || track.left)
         return std::nullopt;
     return approachOf(*snapshot.asset, snapshot.time_s, track.estimate_m(snapshot.time_s),
                       track.velocity_mps);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/index.h"
 #include "core/scenario/priority.h"
 #include "widgets/theme/mission_clock.h"
 
@@ -34,7 +35,7 @@ struct AssetApproach
  * asset, or if the iceberg has not appeared yet or has left the area.
  */
 [[nodiscard]] std::optional<AssetApproach> approachOf(const MissionSnapshot& snapshot,
-                                                      std::size_t iceberg);
+                                                      IcebergIndex iceberg);
 
 /**
  * Returns "berg-3 enters the inner ring in 12 min (12:40Z)" or "berg-3 is inside the inner ring".

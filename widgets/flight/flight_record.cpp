@@ -156,9 +156,8 @@ std::optional<ShownChange> FlightRecord::changeShown(int uav) const
         return std::nullopt;
     const Plan& plan = *backwards[k];
     const PlanChange& change = *plan.of(uav)->change;
-    const std::vector<int>& before = change.before;
-    const bool isLeft = std::any_of(before.begin(), before.end(), [&](int iceberg) {
-        const Track& track = shown().world.tracks[static_cast<std::size_t>(iceberg)];
+    const bool isLeft = std::ranges::any_of(change.before, [&](IcebergIndex iceberg) {
+        const Track& track = shown().world.tracks[toIndex(iceberg)];
         return !track.inView && track.seen_s <= plan.time_s;
     });
     if (!isLeft)
@@ -202,9 +201,9 @@ bool FlightRecord::isOver() const
     return inFlight() && shown().time_s > scenario.duration_s - scenario.dt_s / 2;
 }
 
-Point FlightRecord::estimate_m(std::size_t iceberg) const
+Point FlightRecord::estimate_m(IcebergIndex iceberg) const
 {
-    return shown().world.tracks[iceberg].estimate_m(shown().time_s);
+    return shown().world.tracks[toIndex(iceberg)].estimate_m(shown().time_s);
 }
 
 std::size_t FlightRecord::eventsShown() const
@@ -236,18 +235,18 @@ namespace {
  * Returns the length of an order of the request, m. A leg counts as the mean of both directions, as
  * in `visitationTask`.
  */
-double weighedLength_m(const PlanRequest& request, const UavRequest& uav,
-                       const std::vector<int>& order, Route route)
+double weighedLength_m(const PlanRequest& request, const UavRequest& uav, const IcebergList& order,
+                       Route route)
 {
     const auto leg_m = [&uav](int from, int to) {
         return (uav.distance_m(from, to) + uav.distance_m(to, from)) / 2;
     };
     double length_m = 0;
     int at = 0;
-    for (const int iceberg : order)
+    for (const IcebergIndex iceberg : order)
         // Only one iceberg of each cluster is a node.
         if (std::ranges::find(request.ids, iceberg) != request.ids.end()) {
-            const int next = nodeOfId(request, iceberg);
+            const int next = nodeOf(request, iceberg);
             length_m += leg_m(std::exchange(at, next), next);
         }
     return route == Route::Closed ? length_m + leg_m(at, 0) : length_m;

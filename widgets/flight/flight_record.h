@@ -74,7 +74,7 @@ struct FlightRecord
      */
     [[nodiscard]] KnownBound boundOfFlight() const;
     /** Returns the estimated position of an iceberg at the time shown. */
-    [[nodiscard]] Point estimate_m(std::size_t iceberg) const;
+    [[nodiscard]] Point estimate_m(IcebergIndex iceberg) const;
     /**
      * Returns the change of the UAV's order. In flight that of the last plan at the time shown, or
      * of an earlier one if only changes of the planner that kept the order followed; before

@@ -42,7 +42,7 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
     }
     // At an earlier instant some icebergs have not been added yet.
     snapshot.icebergs.resize(static_cast<std::size_t>(simulation.icebergCount()));
-    for (int i = 0; i < simulation.icebergCount(); ++i) {
+    for (const IcebergIndex i : simulation.icebergs()) {
         snapshot.truth_m.push_back(simulation.truth_m(i));
         snapshot.active.push_back(simulation.active(i));
         const std::optional<int>& assigned = simulation.world().parameters(i).assignedUav;

@@ -67,8 +67,8 @@ void setPlace(BriefCells& cells, const ExportContent& content, const Point& posi
 double sigmaAt_m2(const ExportContent& content, const Visit& visit)
 {
     double most_m2 = 0;
-    for (const int index : icebergsOf(visit)) {
-        const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(index));
+    for (const IcebergIndex index : icebergsOf(visit)) {
+        const ExportIceberg& now = content.icebergs.at(toIndex(index));
         const double ahead_s =
             content.what == ExportScope::Track ? 0 : visit.time_s - content.now_s;
         most_m2 = std::max(most_m2, now.sigmaAfter_m2(ahead_s));

@@ -152,7 +152,7 @@ QStringList missLines(const ExportContent& content, const QLocale& locale)
             if (!visit.iceberg)
                 continue;
             double chance = 1;
-            for (const int iceberg : icebergsOf(visit))
+            for (const IcebergIndex iceberg : icebergsOf(visit))
                 chance = std::min(chance, chanceInView(content, uav, visit, iceberg).value_or(1));
             if (chance < kReportedBelow && names.size() < kMostNames)
                 names << printable(titleOf(content, visit)) + u' ' + chanceText(chance, locale);
@@ -287,8 +287,8 @@ std::vector<bool> visitedIcebergs(const ExportContent& content)
     for (const ExportUav& uav : content.uavs)
         for (const Visit& visit : uav.visits)
             if (visit.iceberg)
-                for (const int index : icebergsOf(visit))
-                    visited.at(static_cast<std::size_t>(index)) = true;
+                for (const IcebergIndex index : icebergsOf(visit))
+                    visited.at(toIndex(index)) = true;
     return visited;
 }
 

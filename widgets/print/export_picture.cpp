@@ -59,7 +59,7 @@ MapRoute plannedRoute(const ExportUav& uav, const ShownPlaces& places)
     double from_s = uav.start_s;
     for (const Visit& visit : uav.visits) {
         if (visit.iceberg) {
-            const std::optional<int>& place = places[static_cast<std::size_t>(*visit.iceberg)];
+            const std::optional<MapPlace>& place = places[toIndex(*visit.iceberg)];
             if (!place)
                 continue;
             route.plan.push_back(*place);
@@ -110,10 +110,10 @@ ShownPlaces addIcebergs(MapPicture& picture, const ExportContent& content)
 {
     ShownPlaces places;
     for (const ExportIceberg& iceberg : content.icebergs) {
-        std::optional<int>& place = places.emplace_back();
+        std::optional<MapPlace>& place = places.emplace_back();
         if (!iceberg.isListed)
             continue;
-        place = static_cast<int>(picture.icebergs.size());
+        place = MapPlace::of(picture.icebergs.size());
         picture.icebergs.push_back(mapIcebergOf(iceberg, content));
     }
     picture.sigmaFull_m2 = sigmaEnd_m2(*content.scenario);

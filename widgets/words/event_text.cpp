@@ -40,7 +40,7 @@ public:
 // All reasons except None.
 static_assert(std::size(EventText::kReasons) == std::size_t(PlanReason::Fleet));
 
-QString icebergName(const std::optional<int>& index, const std::vector<Iceberg>& icebergs)
+QString icebergName(const std::optional<IcebergIndex>& index, const std::vector<Iceberg>& icebergs)
 {
     if (!index || toIndex(*index) >= icebergs.size())
         return {};
@@ -80,7 +80,7 @@ QString planReasonText(PlanReason reason)
 QString planOrderText(const UavPlan& plan, const std::vector<Iceberg>& icebergs)
 {
     QStringList names;
-    for (const int iceberg : plan.order)
+    for (const IcebergIndex iceberg : plan.order)
         names << icebergName(iceberg, icebergs);
     return names.join(u", "_s);
 }

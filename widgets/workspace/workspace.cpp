@@ -97,11 +97,10 @@ std::string Workspace::assignedUavOf(const std::string& iceberg) const
         return found == nullptr ? std::string() : found->uav;
     }
     const MissionSnapshot& shown = m_record.shown();
-    const auto it = std::ranges::find(shown.icebergs, iceberg, &Iceberg::id);
-    if (it == shown.icebergs.end())
+    const std::optional<IcebergIndex> index = indexOfId(shown.icebergs, iceberg);
+    if (!index)
         return {};
-    const std::optional<int>& uav =
-        shown.assigned[static_cast<std::size_t>(it - shown.icebergs.begin())];
+    const std::optional<int>& uav = shown.assigned[toIndex(*index)];
     return uav ? m_record.scenario.uavs[toIndex(*uav)].id : std::string();
 }
 

@@ -63,7 +63,7 @@ int Workspace::remove(const std::vector<std::string>& ids)
     const MissionSnapshot& now = m_record.now;
     int count = 0;
     for (const std::string& id : icebergsInFlight(ids))
-        if (now.active.at(static_cast<std::size_t>(*indexOfId(now.icebergs, id)))) {
+        if (now.active.at(toIndex(*indexOfId(now.icebergs, id)))) {
             m_runner.intervene({.removed = id});
             ++count;
         }

@@ -103,7 +103,7 @@ public:
         for (std::size_t i = 0; i < m_icebergs.size(); ++i)
             if (m_icebergs[i].wasThere) {
                 close(m_icebergs[i], m_log.flown_s);
-                m_icebergs[i].log.iceberg = i;
+                m_icebergs[i].log.iceberg = IcebergIndex::of(i);
                 m_log.icebergs.push_back(m_icebergs[i].log);
             }
     }
@@ -148,7 +148,7 @@ private:
         const std::vector<Iceberg>& icebergs = m_content.mission->icebergs();
         const std::optional<std::string> id =
             change.appears ? std::optional(change.appears->id) : change.seen;
-        const std::optional<int> index = id ? indexOfId(icebergs, *id) : std::nullopt;
+        const std::optional<IcebergIndex> index = id ? indexOfId(icebergs, *id) : std::nullopt;
         if (index && toIndex(*index) < m_icebergs.size())
             see(m_icebergs[toIndex(*index)], change.time_s - (change.seen ? change.seenAge_s : 0));
     }
@@ -208,9 +208,8 @@ FlightLog flightLog(const ExportContent& content)
     for (const MissionEvent& event : mission.events()) {
         if (event.kind == EventKind::Reached)
             for (LogIceberg& iceberg : log.icebergs)
-                if (event.iceberg == static_cast<int>(iceberg.iceberg) ||
-                    std::ranges::find(event.together, static_cast<int>(iceberg.iceberg)) !=
-                        event.together.end())
+                if (event.iceberg == iceberg.iceberg ||
+                    std::ranges::find(event.together, iceberg.iceberg) != event.together.end())
                     ++iceberg.visits;
         if (isDeviation(event))
             addDeviation(log.deviations, event);

@@ -29,7 +29,7 @@ struct LogUav
 /** Log of one iceberg: sightings by UAVs and by reports of others. */
 struct LogIceberg
 {
-    std::size_t iceberg = 0;       ///< index
+    IcebergIndex iceberg;
     std::optional<double> first_s; ///< first sighting; nullopt if it was never seen
     /** last sighting */
     std::optional<double> last_s;

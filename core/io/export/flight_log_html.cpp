@@ -149,7 +149,7 @@ public:
                  QT_TRANSLATE_NOOP("Report", "95 % within")}));
         const std::string never = m_words.html(QT_TRANSLATE_NOOP("Report", "never"));
         for (const LogIceberg& iceberg : m_log.icebergs)
-            table.addRow({htmlName(titleOf(m_mission.icebergs()[iceberg.iceberg])),
+            table.addRow({htmlName(titleOf(m_mission.icebergs()[toIndex(iceberg.iceberg)])),
                           timeOr(iceberg.first_s, never), timeOr(iceberg.last_s, never),
                           std::to_string(iceberg.visits),
                           m_format.duration(iceberg.longestUnseen_s),
@@ -273,7 +273,7 @@ private:
 
     [[nodiscard]] std::string sentenceOf(const MissionEvent& event) const
     {
-        const auto name = [](const auto& all, const std::optional<int>& index) {
+        const auto name = [](const auto& all, const auto& index) {
             return index && toIndex(*index) < all.size() ? htmlName(titleOf(all[toIndex(*index)]))
                                                          : std::string();
         };

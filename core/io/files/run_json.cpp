@@ -87,10 +87,10 @@ std::string planText(const PlanPointer& plan)
         JsonObject object;
         object.add("time_s", plan->time_s);
         object.addUnless("uav", own.uav, 0);
-        object.add("target", own.target().value_or(kNoIcebergInFile));
+        object.add("target", numberInFile(own.target()));
         object.addText("order", jsonArrayOf(own.order));
         if (!own.clusters.empty())
-            object.addText("clusters", jsonArray(textsOf(own.clusters, jsonArrayOf<int>)));
+            object.addText("clusters", jsonArray(textsOf(own.clusters, jsonArrayOf<IcebergIndex>)));
         if (!own.legs.empty())
             object.addText("legs", jsonArray(textsOf(own.legs, legText)));
         return object.inLine();
@@ -229,11 +229,11 @@ void checkAppearing(const RunFile& file, Faults& faults)
 }
 
 /** Reads groups of at least two icebergs; no iceberg may be in two groups. */
-std::vector<std::vector<int>> readClusters(ObjectReader& object, const RunContext& context)
+std::vector<IcebergList> readClusters(ObjectReader& object, const RunContext& context)
 {
     std::vector<bool> seen(context.icebergs, false);
     return readEach(object, "clusters", [&](const Json& value, const std::string& path) {
-        std::vector<int> members = readIcebergs(value, path, object.faults(), context, seen);
+        IcebergList members = readIcebergs(value, path, object.faults(), context, seen);
         if (members.size() < 2)
             object.faults().add(path, {IssueId::LeastEntries, {2}});
         return members;
@@ -241,9 +241,9 @@ std::vector<std::vector<int>> readClusters(ObjectReader& object, const RunContex
 }
 
 /** Makes the order begin with the target, as in every file that Bergwatch writes. */
-void startWith(std::vector<int>& order, std::optional<int> target)
+void startWith(IcebergList& order, std::optional<IcebergIndex> target)
 {
-    std::erase_if(order, [target](int iceberg) { return !target || iceberg == *target; });
+    std::erase_if(order, [target](IcebergIndex iceberg) { return !target || iceberg == *target; });
     if (target)
         order.insert(order.begin(), *target);
 }
@@ -258,7 +258,7 @@ std::vector<PlanPointer> readPlans(ObjectReader& run, const RunContext& context)
         before_s = readTime(object, context.flownUntil_s, before_s);
         own.uav = asInt(object.whole(
             "uav", 0, {.low = 0, .high = static_cast<std::int64_t>(context.uavs) - 1}));
-        const std::optional<int> target = icebergOrNone(object, "target", context);
+        const std::optional<IcebergIndex> target = icebergOrNone(object, "target", context);
         std::vector<bool> seen(context.icebergs, false);
         if (const Json* order = object.find("order"))
             own.order = readIcebergs(*order, object.path("order"), run.faults(), context, seen);

@@ -49,13 +49,13 @@ struct NumberReader
         faults.add(entryPath(path, at++), {IssueId::NotOneOf, {"0, 1, 2"}});
     }
     /** Reads an iceberg index of the run; anything else is a fault. */
-    void operator()(int& iceberg)
+    void operator()(IcebergIndex& iceberg)
     {
         const double number = numbers[at];
         const std::string entry = entryPath(path, at++);
         if (number >= 0 && number < static_cast<double>(context.icebergs) &&
             number == std::floor(number))
-            iceberg = static_cast<int>(number);
+            iceberg = IcebergIndex::of(static_cast<int>(number));
         else if (context.icebergs == 0)
             faults.add(entry, {IssueId::NoIcebergInRun});
         else
@@ -155,12 +155,12 @@ std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
 }
 
 /** Reads the icebergs of a member that may be missing. */
-std::vector<int> readGroup(ObjectReader& object, const char* member, const RunContext& context)
+IcebergList readGroup(ObjectReader& object, const char* member, const RunContext& context)
 {
     std::vector<bool> seen(context.icebergs, false);
     const Json* list = object.find(member);
     return list == nullptr
-               ? std::vector<int>()
+               ? IcebergList()
                : readIcebergs(*list, object.path(member), object.faults(), context, seen);
 }
 
@@ -192,7 +192,7 @@ Search readSearch(const Json& value, const std::string& path, Faults& faults,
                   const RunContext& context)
 {
     ObjectReader object(value, path, faults);
-    Search search{.iceberg = asInt(object.whole("iceberg", 0, context.indices()))};
+    Search search{.iceberg = IcebergIndex::of(object.whole("iceberg", 0, context.indices()))};
     std::vector<Point> corners_m;
     const Json* list = object.array("corners_m");
     makeRoom(corners_m, list, faults);
@@ -268,14 +268,14 @@ struct UavWriter : MemberWriter
         if (path)
             object.addText(name, returnPathText(*path));
     }
-    void operator()(const char* name, const std::vector<int>& icebergs)
+    void operator()(const char* name, const IcebergList& icebergs)
     {
         if (!icebergs.empty())
             object.addText(name, jsonArrayOf(icebergs));
     }
-    void iceberg(const char* name, const std::optional<int>& index)
+    void operator()(const char* name, const std::optional<IcebergIndex>& iceberg)
     {
-        object.add(name, index.value_or(kNoIcebergInFile));
+        object.add(name, numberInFile(iceberg));
     }
 };
 
@@ -312,13 +312,13 @@ struct UavReader : MemberReader
         if (const Json* value = object.find(name))
             path = readReturnPath(*value, object.path(name), object.faults());
     }
-    void operator()(const char* name, std::vector<int>& icebergs)
+    void operator()(const char* name, IcebergList& icebergs)
     {
         icebergs = readGroup(object, name, context);
     }
-    void iceberg(const char* name, std::optional<int>& index)
+    void operator()(const char* name, std::optional<IcebergIndex>& iceberg)
     {
-        index = icebergOrNone(object, name, context);
+        iceberg = icebergOrNone(object, name, context);
     }
 };
 
@@ -352,16 +352,16 @@ std::vector<UavState> readOtherUavs(ObjectReader& keyframe, const RunContext& co
 
 } // namespace
 
-std::optional<int> icebergOrNone(ObjectReader& object, const char* member,
-                                 const RunContext& context)
+std::optional<IcebergIndex> icebergOrNone(ObjectReader& object, const char* member,
+                                          const RunContext& context)
 {
     const Json* const value = object.find(member);
     if (context.icebergs == 0 && value != nullptr && *value != kNoIcebergInFile) {
         object.faults().add(object.path(member), {IssueId::NoIcebergInRun});
         return std::nullopt;
     }
-    const int index = asInt(object.whole(member, kNoIcebergInFile, context.indices()));
-    return index == kNoIcebergInFile ? std::nullopt : std::optional(index);
+    const std::int64_t index = object.whole(member, kNoIcebergInFile, context.indices());
+    return index == kNoIcebergInFile ? std::nullopt : std::optional(IcebergIndex::of(index));
 }
 
 std::string legText(const AimedLeg& leg)
@@ -387,10 +387,10 @@ AimedLeg readLeg(const Json& value, const std::string& path, Faults& faults,
     return leg;
 }
 
-std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults& faults,
-                              const RunContext& context, std::vector<bool>& seen)
+IcebergList readIcebergs(const Json& value, const std::string& path, Faults& faults,
+                         const RunContext& context, std::vector<bool>& seen)
 {
-    std::vector<int> icebergs;
+    IcebergList icebergs;
     if (!value.is_array()) {
         faults.add(path, {IssueId::WrongType, {ValueKind::Array, kindOf(value)}});
         return icebergs;
@@ -403,14 +403,14 @@ std::vector<int> readIcebergs(const Json& value, const std::string& path, Faults
     }
     for (std::size_t k = 0; k < value.size(); ++k) {
         const std::string entry = entryPath(path, k);
-        const std::optional<std::int64_t> iceberg = wholeOf(value[k], entry, faults, indices);
-        if (!iceberg)
+        const std::optional<std::int64_t> number = wholeOf(value[k], entry, faults, indices);
+        if (!number)
             continue;
-        const auto i = static_cast<std::size_t>(*iceberg);
-        if (seen[i])
+        const IcebergIndex iceberg = IcebergIndex::of(*number);
+        if (seen[toIndex(iceberg)])
             faults.add(entry, {IssueId::IcebergTwice});
-        seen[i] = true;
-        icebergs.push_back(asInt(*iceberg));
+        seen[toIndex(iceberg)] = true;
+        icebergs.push_back(iceberg);
     }
     return icebergs;
 }

@@ -21,6 +21,11 @@ inline constexpr Limits kAmount{.low = 0, .high = 1e300};
 
 /** Iceberg index in a run file that stands for no iceberg. */
 inline constexpr int kNoIcebergInFile = -1;
+/** Returns the number in a run file of an iceberg or of no iceberg. */
+[[nodiscard]] inline int numberInFile(const std::optional<IcebergIndex>& iceberg)
+{
+    return iceberg ? iceberg->number() : kNoIcebergInFile;
+}
 
 inline constexpr std::array<Named<FlightMode>, 8> kModeNames{{
     {FlightMode::Idle, "idle"},
@@ -62,8 +67,8 @@ struct RunContext
  * Returns a member that is an iceberg index, or nullopt if it is `kNoIcebergInFile` or missing.
  * Adds a fault and returns nullopt for any other value.
  */
-[[nodiscard]] std::optional<int> icebergOrNone(ObjectReader& object, const char* member,
-                                               const RunContext& context);
+[[nodiscard]] std::optional<IcebergIndex> icebergOrNone(ObjectReader& object, const char* member,
+                                                        const RunContext& context);
 
 /** Appends the values that a function names. */
 struct NumberWriter
@@ -75,6 +80,7 @@ struct NumberWriter
         numbers.push_back(value.x());
         numbers.push_back(value.y());
     }
+    void operator()(IcebergIndex value) { numbers.push_back(value.number()); }
     template <class Value>
     void operator()(const Value& value)
     {
@@ -137,8 +143,8 @@ void uavMembers(Io& io, U& uav)
     io("cross_track_m", uav.crossTrack_m);
     io("flown_m", uav.flown_m, {.limits = kAmount});
     io("mode", uav.mode);
-    io.iceberg("target", uav.target);
-    io.iceberg("last_reached", uav.lastReached);
+    io("target", uav.target);
+    io("last_reached", uav.lastReached);
     io("alone", uav.isAlone, {.isWritten = uav.isAlone});
     io("guidance", uav.guidance);
     io("run_out_m", uav.runOut_m);
@@ -170,9 +176,8 @@ void uavMembers(Io& io, U& uav)
  * Reads an array of iceberg indices and marks them in `seen`, which has `context.icebergs` entries;
  * an iceberg marked already is a fault.
  */
-[[nodiscard]] std::vector<int> readIcebergs(const Json& value, const std::string& path,
-                                            Faults& faults, const RunContext& context,
-                                            std::vector<bool>& seen);
+[[nodiscard]] IcebergList readIcebergs(const Json& value, const std::string& path, Faults& faults,
+                                       const RunContext& context, std::vector<bool>& seen);
 
 /**
  * Returns the JSON text of a keyframe, which has at least one UAV, on one line, its tracks below

@@ -26,8 +26,7 @@ struct ReplayNumbers
     std::vector<ReplayField>& fields;
 
     void add(const std::string& name, double value) { fields.emplace_back(at + name, value); }
-    template <class Number>
-    void addList(const std::string& name, const std::vector<Number>& numbers)
+    void addList(const std::string& name, const std::vector<double>& numbers)
     {
         for (std::size_t i = 0; i < numbers.size(); ++i)
             add(entry(name, i), numbers[i]);
@@ -67,14 +66,17 @@ struct ReplayNumbers
         guidanceNumbers(io, guidance);
         addList(name, io.numbers);
     }
-    void operator()(const char* name, const std::vector<int>& icebergs)
+    void operator()(const char* name, const IcebergList& icebergs)
     {
         add(name, static_cast<double>(icebergs.size()));
-        addList(name, icebergs);
+        NumberWriter io;
+        for (const IcebergIndex iceberg : icebergs)
+            io(iceberg);
+        addList(name, io.numbers);
     }
-    void iceberg(const char* name, const std::optional<int>& index)
+    void operator()(const char* name, const std::optional<IcebergIndex>& iceberg)
     {
-        add(name, index.value_or(kNoIcebergInFile));
+        add(name, numberInFile(iceberg));
     }
     void whole(const char* name, int value, const WholeLimits& /*limits*/) { add(name, value); }
 };
@@ -197,8 +199,7 @@ void comparePlans(const RunFile& recorded, const RunFile& replayed, std::vector<
     else if (before.uav != now.uav)
         number(".uav", before.uav, now.uav);
     else if (before.target() != now.target())
-        number(".target", before.target().value_or(kNoIcebergInFile),
-               now.target().value_or(kNoIcebergInFile));
+        number(".target", numberInFile(before.target()), numberInFile(now.target()));
     else if (before.clusters != now.clusters)
         other(".clusters");
     else

@@ -29,10 +29,10 @@ std::vector<int> icebergNumbers(const CurveReport& report, const VisitOrder& ord
 {
     std::vector<int> numbers;
     for (const int node : order) {
-        const int first = report.ids[static_cast<std::size_t>(node - 1)];
-        const std::span<const int> members = clusterWith(report.clusters, first);
-        for (const int iceberg : members.empty() ? std::span(&first, 1) : members)
-            numbers.push_back(iceberg + 1);
+        const IcebergIndex first = report.ids[toIndex(node - 1)];
+        const std::span<const IcebergIndex> members = clusterWith(report.clusters, first);
+        for (const IcebergIndex iceberg : members.empty() ? std::span(&first, 1) : members)
+            numbers.push_back(iceberg.number() + 1);
     }
     return numbers;
 }

@@ -13,10 +13,10 @@ struct CurveReport
 {
     const TauCurve& curve;
     const Scenario& scenario;
-    const std::vector<int>& ids;  ///< iceberg index of node k + 1 of the curve's orders
-    const std::vector<int>& uavs; ///< index of the UAV of each order of a plan
-    std::span<const std::vector<int>> clusters = {}; ///< groups of icebergs; the first of a group
-                                                     ///< is the node of all its members
+    const IcebergList& ids;                     ///< iceberg of node k + 1 of the curve's orders
+    const std::vector<int>& uavs;               ///< index of the UAV of each order of a plan
+    std::span<const IcebergList> clusters = {}; ///< groups of icebergs; the first of a group
+                                                ///< is the node of all its members
 };
 
 /**

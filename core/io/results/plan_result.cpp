@@ -22,16 +22,15 @@ using Json = ResultJson;
  * are converted to the UAV's own airspeed.
  */
 double ownDistance_m(const PlanRequest& request, const UavRequest& uav, const Scenario& scenario,
-                     const std::vector<int>& order)
+                     const IcebergList& order)
 {
-    const double ownUnit =
-        scenario.uavs[static_cast<std::size_t>(uav.uav)].spec.airspeed_mps / request.speed_mps;
+    const double ownUnit = scenario.uavs[toIndex(uav.uav)].spec.airspeed_mps / request.speed_mps;
     double distance_m = 0;
     int from = 0;
-    for (const int id : order) {
-        if (std::ranges::find(request.ids, id) == request.ids.end())
+    for (const IcebergIndex iceberg : order) {
+        if (std::ranges::find(request.ids, iceberg) == request.ids.end())
             continue; // reached together with the first member of its cluster
-        const int to = nodeOfId(request, id);
+        const int to = nodeOf(request, iceberg);
         distance_m += uav.distance_m(from, to) * ownUnit;
         from = to;
     }
@@ -97,22 +96,20 @@ PlanReport planReport(const Scenario& scenario, const Plan& answer)
     const Simulation start(scenario);
     const PlanRequest request = requestFor(start, scenario.planner.policy);
     require(answer.uavs.size() == request.uavs.size(), "planReport: an answer for each UAV");
-    const auto idOf = [&](int iceberg) {
-        return scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
-    };
+    const auto idOf = [&](IcebergIndex iceberg) { return scenario.icebergs[toIndex(iceberg)].id; };
     PlanReport report{.problem = answer.problem, .outcome = answer.outcome, .uavs = {}};
     for (std::size_t k = 0; k < answer.uavs.size(); ++k) {
-        const std::vector<int>& order = answer.uavs[k].order;
+        const IcebergList& order = answer.uavs[k].order;
         const UavRequest& asked = request.uavs[k];
-        UavReport uav{.id = scenario.uavs[static_cast<std::size_t>(asked.uav)].id,
+        UavReport uav{.id = scenario.uavs[toIndex(asked.uav)].id,
                       .order = {},
                       .ids = {},
                       .distance_m = ownDistance_m(request, asked, scenario, order),
                       .thisSortie = thisSortie(start, asked.uav, order, answer.uavs[k].clusters),
-                      .slot_s = slotOfSortie_s(scenario, static_cast<std::size_t>(asked.uav),
+                      .slot_s = slotOfSortie_s(scenario, toIndex(asked.uav),
                                                start.uav(asked.uav).withheld_s)};
-        for (const int iceberg : order) {
-            uav.order.push_back(iceberg + 1);
+        for (const IcebergIndex iceberg : order) {
+            uav.order.push_back(iceberg.number() + 1);
             uav.ids.push_back(idOf(iceberg));
         }
         report.distance_m += uav.distance_m;
@@ -125,11 +122,11 @@ PlanReport planReport(const Scenario& scenario, const Plan& answer)
         report.path = LengthKind::Flight;
     if (report.path != LengthKind::Order)
         report.uavs.front().distance_m = report.distance_m = answer.distance_m;
-    std::vector<std::vector<int>> clusters;
+    std::vector<IcebergList> clusters;
     for (const UavPlan& own : answer.uavs)
         clusters.insert(clusters.end(), own.clusters.begin(), own.clusters.end());
     std::ranges::sort(clusters);
-    for (const std::vector<int>& members : clusters)
+    for (const IcebergList& members : clusters)
         std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
     return report;
 }

@@ -63,15 +63,13 @@ bool isControl(std::string_view character)
 
 std::string eventDetail(const MissionEvent& event, const Mission& mission)
 {
-    const auto idOf = [](const auto& entries, int index) {
-        return entries.at(static_cast<std::size_t>(index)).id;
-    };
+    const auto idOf = [](const auto& entries, auto index) { return entries.at(toIndex(index)).id; };
     std::string text;
     switch (event.kind) {
     case EventKind::Planned:
         return event.fellBack ? "last plan kept" : nameOf(kSourceNames, event.source);
     case EventKind::Reached:
-        for (const int other : event.together)
+        for (const IcebergIndex other : event.together)
             text += (text.empty() ? "with " : ", ") + idOf(mission.icebergs(), other);
         return text;
     case EventKind::Sighted:
@@ -267,7 +265,7 @@ void writeEvents(const Mission& mission, const TextSink& put)
             text += uavs.at(static_cast<std::size_t>(event.uav.value_or(0)));
         text += ',';
         if (event.iceberg)
-            text += ids.at(static_cast<std::size_t>(*event.iceberg));
+            text += ids.at(toIndex(*event.iceberg));
         text += ',' + csvField(eventDetail(event, mission)) + '\n';
         put(text);
     }

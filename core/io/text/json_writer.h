@@ -3,6 +3,7 @@
 // Private to core/io: all JSON output. Objects with members known in advance are built from texts,
 // others as trees of the library; numbers and texts are written by the same functions.
 
+#include "core/base/index.h"
 #include "core/geometry/geometry.h"
 #include "core/io/text/text_sink.h"
 
@@ -26,6 +27,11 @@ template <std::integral Whole>
 }
 /** Returns the JSON text of a boolean. */
 [[nodiscard]] std::string jsonText(bool value);
+template <class Kind>
+[[nodiscard]] std::string jsonText(Index<Kind> value)
+{
+    return jsonText(value.number());
+}
 /**
  * Returns the JSON text of a string: quoted and escaped, including terminal control characters;
  * bytes that are not UTF-8 become U+FFFD.

@@ -7,12 +7,12 @@ namespace berg {
 
 namespace {
 
-double distanceOf(const PlanRequest& request, const UavRequest& uav, const std::vector<int>& order,
+double distanceOf(const PlanRequest& request, const UavRequest& uav, const IcebergList& order,
                   Route route)
 {
     std::vector<int> nodes;
-    for (const int id : order)
-        nodes.push_back(nodeOfId(request, id));
+    for (const IcebergIndex iceberg : order)
+        nodes.push_back(nodeOf(request, iceberg));
     return follow(uav.distance_m, route, nodes, [](int, double) {});
 }
 
@@ -24,8 +24,7 @@ std::vector<std::vector<bool>> allowedOf(const PlanRequest& request, const Fleet
     for (const int uav : task.uavs) {
         std::vector<bool>& row = allowed.emplace_back(1, false);
         for (const int node : nodes) {
-            row.push_back(request.uavs[static_cast<std::size_t>(uav)]
-                              .available[static_cast<std::size_t>(node - 1)]);
+            row.push_back(request.uavs[toIndex(uav)].available[toIndex(node - 1)]);
             all = all && row.back();
         }
     }
@@ -34,16 +33,16 @@ std::vector<std::vector<bool>> allowedOf(const PlanRequest& request, const Fleet
 
 } // namespace
 
-int nodeOfId(const PlanRequest& request, int id)
+int nodeOf(const PlanRequest& request, IcebergIndex iceberg)
 {
-    const auto it = std::find(request.ids.begin(), request.ids.end(), id);
-    require(it != request.ids.end(), "nodeOfId: not in the request");
+    const auto it = std::ranges::find(request.ids, iceberg);
+    require(it != request.ids.end(), "nodeOf: not in the request");
     return static_cast<int>(it - request.ids.begin()) + 1;
 }
 
-bool isAvailable(const PlanRequest& request, const UavRequest& uav, int id)
+bool isAvailable(const PlanRequest& request, const UavRequest& uav, IcebergIndex iceberg)
 {
-    return uav.available[static_cast<std::size_t>(nodeOfId(request, id) - 1)];
+    return uav.available[toIndex(nodeOf(request, iceberg) - 1)];
 }
 
 FleetTask fleetTask(const PlanRequest& request)
@@ -68,10 +67,9 @@ FleetTask fleetTask(const PlanRequest& request)
     std::vector<int> all{0};
     all.insert(all.end(), nodes.begin(), nodes.end());
     for (const int uav : task.uavs)
-        task.problem.distance_m.emplace_back(
-            request.uavs[static_cast<std::size_t>(uav)].distance_m(all, all));
+        task.problem.distance_m.emplace_back(request.uavs[toIndex(uav)].distance_m(all, all));
     for (const int node : all)
-        task.problem.sigma_m2.push_back(request.sigma_m2[static_cast<std::size_t>(node)]);
+        task.problem.sigma_m2.push_back(request.sigma_m2[toIndex(node)]);
     task.problem.allowed = allowedOf(request, task, nodes);
     if (request.betweenUavs_m.rows() == static_cast<Eigen::Index>(request.uavs.size()))
         task.betweenStarts_m = request.betweenUavs_m(task.uavs, task.uavs);
@@ -91,14 +89,13 @@ FleetTask visitationTask(const PlanRequest& request, Route route)
     return task;
 }
 
-std::vector<std::vector<int>> ordersInIds(const PlanRequest& request, const FleetTask& task,
-                                          const FleetPlan& plan)
+std::vector<IcebergList> ordersInIds(const PlanRequest& request, const FleetTask& task,
+                                     const FleetPlan& plan)
 {
-    std::vector<std::vector<int>> orders(request.uavs.size());
+    std::vector<IcebergList> orders(request.uavs.size());
     for (std::size_t k = 0; k < plan.size(); ++k)
         for (const int node : plan[k])
-            orders[static_cast<std::size_t>(task.uavs[k])].push_back(
-                task.ids[static_cast<std::size_t>(node - 1)]);
+            orders[toIndex(task.uavs[k])].push_back(task.ids[toIndex(node - 1)]);
     return orders;
 }
 
@@ -106,13 +103,13 @@ FleetPlan lastRests(const PlanRequest& request, const FleetTask& task)
 {
     FleetPlan plan(task.uavs.size());
     for (std::size_t k = 0; k < plan.size(); ++k)
-        for (const int id : request.uavs[static_cast<std::size_t>(task.uavs[k])].lastRest)
+        for (const IcebergIndex id : request.uavs[toIndex(task.uavs[k])].lastRest)
             if (const auto it = std::ranges::find(task.ids, id); it != task.ids.end())
                 plan[k].push_back(static_cast<int>(it - task.ids.begin()) + 1);
     return validPart(task.problem, std::move(plan));
 }
 
-Plan answerOf(const PlanRequest& request, const std::vector<std::vector<int>>& orders, Route route)
+Plan answerOf(const PlanRequest& request, std::span<const IcebergList> orders, Route route)
 {
     Plan answer;
     for (std::size_t uav = 0; uav < orders.size(); ++uav) {

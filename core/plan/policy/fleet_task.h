@@ -9,13 +9,14 @@ namespace berg {
 
 /**
  * The plannable part of a request: the UAVs that have an iceberg to visit, and the icebergs that at
- * least one of them may visit.
+ * least one of them may visit. This is the door to the solvers: behind it nodes and the rows of
+ * matrices are plain ints (`VisitOrder`), before it icebergs are `IcebergIndex`.
  */
 struct FleetTask
 {
     FleetProblem problem;  ///< `mu` is 0
     std::vector<int> uavs; ///< by UAV of `problem`: its index in `PlanRequest::uavs`
-    std::vector<int> ids;  ///< id of iceberg node k + 1
+    IcebergList ids;       ///< iceberg of node k + 1
     /** Distances between these UAVs for Eq. (14), m; empty if the request has none. */
     Eigen::MatrixXd betweenStarts_m;
 };
@@ -35,11 +36,11 @@ struct FleetTask
 [[nodiscard]] FleetTask visitationTask(const PlanRequest& request, Route route);
 
 /**
- * Returns for each UAV of the request the order in ids, from a plan of the task's problem; empty
- * orders for an empty plan.
+ * Returns for each UAV of the request the order of icebergs, from a plan of the task's problem;
+ * empty orders for an empty plan.
  */
-[[nodiscard]] std::vector<std::vector<int>>
-ordersInIds(const PlanRequest& request, const FleetTask& task, const FleetPlan& plan);
+[[nodiscard]] std::vector<IcebergList> ordersInIds(const PlanRequest& request,
+                                                   const FleetTask& task, const FleetPlan& plan);
 
 /**
  * Returns `UavRequest::lastRest` of each UAV in nodes of the task's problem, without icebergs that
@@ -50,21 +51,21 @@ ordersInIds(const PlanRequest& request, const FleetTask& task, const FleetPlan& 
 /**
  * Returns an answer with these orders, one for each UAV of the request, and their distance by the
  * legs of the request, with the return legs of closed routes. Throws `std::logic_error` if the
- * request does not hold one of the ids.
+ * request does not hold one of the icebergs.
  */
-[[nodiscard]] Plan answerOf(const PlanRequest& request, const std::vector<std::vector<int>>& orders,
+[[nodiscard]] Plan answerOf(const PlanRequest& request, std::span<const IcebergList> orders,
                             Route route = Route::Open);
 
 /**
- * Returns whether the UAV may visit the iceberg with this id now; throws `std::logic_error` if the
- * request does not hold it.
+ * Returns whether the UAV may visit the iceberg now; throws `std::logic_error` if the request does
+ * not hold it.
  */
-[[nodiscard]] bool isAvailable(const PlanRequest& request, const UavRequest& uav, int id);
+[[nodiscard]] bool isAvailable(const PlanRequest& request, const UavRequest& uav,
+                               IcebergIndex iceberg);
 
 /**
- * Returns the node number (1 ..) of an id; throws `std::logic_error` if the request does not hold
- * it.
+ * Returns the node (1 ..) of an iceberg; throws `std::logic_error` if the request does not hold it.
  */
-[[nodiscard]] int nodeOfId(const PlanRequest& request, int id);
+[[nodiscard]] int nodeOf(const PlanRequest& request, IcebergIndex iceberg);
 
 } // namespace berg

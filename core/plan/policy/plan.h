@@ -15,7 +15,7 @@ namespace berg {
 /** One visit of a patrol, which comes back to icebergs. */
 struct PlannedVisit
 {
-    int iceberg = 0;   ///< id
+    IcebergIndex iceberg;
     double time_s = 0; ///< predicted, since the start of the mission
     bool operator==(const PlannedVisit&) const = default;
 };
@@ -23,23 +23,23 @@ struct PlannedVisit
 /** Replacement of the rest of one order by another. */
 struct PlanChange
 {
-    std::vector<int> before; ///< rest of the previous order, iceberg indices
-    double distance_m = 0;   ///< length of the new order minus that of the previous one
+    IcebergList before;    ///< rest of the previous order
+    double distance_m = 0; ///< length of the new order minus that of the previous one
     /** Predicted zeta of the new orders minus that of the previous ones, all UAVs. */
     double zeta_m2s = 0;
     bool operator==(const PlanChange&) const = default;
 };
 
-/** The part of a plan that one UAV flies. In missions ids are indices of icebergs. */
+/** The part of a plan that one UAV flies. */
 struct UavPlan
 {
-    int uav = 0;                 ///< the caller's number of the UAV, `UavRequest::uav`
-    std::vector<int> order = {}; ///< ids in visiting order; the first one is available
+    int uav = 0;            ///< the caller's number of the UAV, `UavRequest::uav`
+    IcebergList order = {}; ///< in visiting order; the first one is available
     /**
      * Groups of two or more icebergs of the order that are visited as one point; their members
      * follow one another.
      */
-    std::vector<std::vector<int>> clusters = {};
+    std::vector<IcebergList> clusters = {};
     std::vector<AimedLeg> legs = {}; ///< aimed legs; empty means straight to the first iceberg
     std::optional<AimedOutlook> outlook = {}; ///< prediction for `legs`
     /**
@@ -61,7 +61,7 @@ struct UavPlan
     std::optional<PlanChange> change = {};
 
     /** Returns the iceberg to fly to; nullopt to circle. */
-    [[nodiscard]] std::optional<int> target() const
+    [[nodiscard]] std::optional<IcebergIndex> target() const
     {
         return order.empty() ? std::nullopt : std::optional(order.front());
     }
@@ -90,7 +90,7 @@ struct Plan
      * criterion and mu alone.
      */
     FleetProblem problem = {};
-    std::vector<int> solvedIds = {}; ///< id of node k+1 of `problem`
+    IcebergList solvedIds = {}; ///< iceberg of node k+1 of `problem`
     /**
      * Whether the policy gave no order, so that each UAV flies the rest of its last order, or to
      * the nearest iceberg if there is no rest.

@@ -10,17 +10,17 @@ namespace berg {
 
 namespace {
 
-bool contains(std::span<const int> ids, int id)
+bool contains(std::span<const IcebergIndex> ids, IcebergIndex id)
 {
     return std::ranges::find(ids, id) != ids.end();
 }
 
 /** Returns the members of `order` that may be planned now. */
-std::vector<int> stillAvailable(const std::vector<int>& order, const PlanRequest& request,
-                                const std::vector<bool>& available)
+IcebergList stillAvailable(const IcebergList& order, const PlanRequest& request,
+                           const std::vector<bool>& available)
 {
-    std::vector<int> rest;
-    for (const int id : order) {
+    IcebergList rest;
+    for (const IcebergIndex id : order) {
         const auto it = std::find(request.ids.begin(), request.ids.end(), id);
         if (it == request.ids.end())
             continue;
@@ -31,12 +31,12 @@ std::vector<int> stillAvailable(const std::vector<int>& order, const PlanRequest
 }
 
 /** Inserts after the first member of each cluster its other members. */
-std::vector<int> withMembers(std::span<const int> order, std::span<const std::vector<int>> clusters)
+IcebergList withMembers(std::span<const IcebergIndex> order, std::span<const IcebergList> clusters)
 {
-    std::vector<int> ids;
-    for (const int id : order) {
+    IcebergList ids;
+    for (const IcebergIndex id : order) {
         const auto cluster = std::ranges::find_if(
-            clusters, [id](const std::vector<int>& members) { return members.front() == id; });
+            clusters, [id](const IcebergList& members) { return members.front() == id; });
         if (cluster == clusters.end())
             ids.push_back(id);
         else
@@ -46,10 +46,10 @@ std::vector<int> withMembers(std::span<const int> order, std::span<const std::ve
 }
 
 /** Returns the clusters whose first member is in the order. */
-std::vector<std::vector<int>> clustersIn(std::span<const int> order,
-                                         std::vector<std::vector<int>> clusters)
+std::vector<IcebergList> clustersIn(std::span<const IcebergIndex> order,
+                                    std::vector<IcebergList> clusters)
 {
-    std::erase_if(clusters, [order](const std::vector<int>& members) {
+    std::erase_if(clusters, [order](const IcebergList& members) {
         return std::ranges::find(order, members.front()) == order.end();
     });
     return clusters;
@@ -59,15 +59,15 @@ std::vector<std::vector<int>> clustersIn(std::span<const int> order,
  * Returns the nearest available iceberg, the smallest node among equals: the fallback without a
  * plan.
  */
-std::vector<int> nearestAvailable(const std::vector<int>& ids, const std::vector<bool>& available,
-                                  const Eigen::MatrixXd& distance_m)
+IcebergList nearestAvailable(const IcebergList& ids, const std::vector<bool>& available,
+                             const Eigen::MatrixXd& distance_m)
 {
     std::optional<int> best;
     for (int k = 0; k < static_cast<int>(ids.size()); ++k)
         if (available[static_cast<std::size_t>(k)] &&
             (!best || distance_m(0, k + 1) < distance_m(0, *best + 1)))
             best = k;
-    return best ? std::vector<int>{ids[static_cast<std::size_t>(*best)]} : std::vector<int>{};
+    return best ? IcebergList{ids[static_cast<std::size_t>(*best)]} : IcebergList{};
 }
 
 /**
@@ -76,10 +76,10 @@ std::vector<int> nearestAvailable(const std::vector<int>& ids, const std::vector
  */
 void separateFirsts(const PlanRequest& request, std::vector<UavPlan>& answers)
 {
-    std::vector<int> firsts;
+    IcebergList firsts;
     for (std::size_t k = 0; k < answers.size(); ++k) {
-        std::vector<int>& order = answers[k].order;
-        const auto first = std::ranges::find_if(order, [&](int id) {
+        IcebergList& order = answers[k].order;
+        const auto first = std::ranges::find_if(order, [&](IcebergIndex id) {
             return !contains(firsts, id) &&
                    !stillAvailable({id}, request, request.uavs[k].available).empty();
         });
@@ -123,14 +123,14 @@ Plan Planner::plan(const PlanRequest& request, const SolveOptions& options, bool
     SolveOptions solveOptions = options;
     if (options.onProgress && !request.clusters.empty())
         solveOptions.onProgress = [&](SolveProgress progress) {
-            for (std::vector<int>& order : progress.plan)
+            for (IcebergList& order : progress.orders)
                 order = withMembers(order, request.clusters);
             options.onProgress(progress);
         };
     PlanRequest withRests = request;
     for (UavRequest& uav : withRests.uavs)
         uav.lastRest = warmStart ? stillAvailable(m_lastOrders[uav.uav], request, uav.available)
-                                 : std::vector<int>{};
+                                 : IcebergList{};
     Plan answer;
     try {
         answer = m_policy->plan(withRests, solveOptions);
@@ -156,14 +156,14 @@ Plan Planner::plan(const PlanRequest& request, const SolveOptions& options, bool
 
 bool Planner::fallBack(const PlanRequest& request, std::vector<UavPlan>& answers) const
 {
-    std::vector<int> taken;
+    IcebergList taken;
     for (std::size_t k = 0; k < answers.size(); ++k) {
         const UavRequest& uav = request.uavs[k];
         const auto last = m_lastOrders.find(uav.uav);
         if (last == m_lastOrders.end())
             continue;
         answers[k].order = stillAvailable(last->second, request, uav.available);
-        std::erase_if(answers[k].order, [&](int id) { return contains(taken, id); });
+        std::erase_if(answers[k].order, [&](IcebergIndex id) { return contains(taken, id); });
         taken.insert(taken.end(), answers[k].order.begin(), answers[k].order.end());
     }
     for (std::size_t k = 0; k < answers.size(); ++k) {

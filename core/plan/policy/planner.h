@@ -55,7 +55,7 @@ private:
     bool m_hasGivenSolver = false;
     std::unique_ptr<TvpSolver> m_solver;
     std::unique_ptr<Policy> m_policy;
-    std::map<int, std::vector<int>> m_lastOrders; ///< by `UavRequest::uav`
+    std::map<int, IcebergList> m_lastOrders; ///< by `UavRequest::uav`
 };
 
 } // namespace berg

@@ -42,7 +42,7 @@ public:
             options.multipliers = multipliersOf(task.ids);
         if (options.onProgress)
             options.onProgress = [&, report = options.onProgress](SolveProgress progress) {
-                progress.plan = ordersInIds(request, task, progress.plan);
+                progress.orders = ordersInIds(request, task, progress.plan);
                 report(progress);
             };
         SolveOutcome outcome = berg::solve(task.problem, m_backend, m_alone, options);
@@ -59,7 +59,7 @@ public:
 
 private:
     /** Returns multipliers by node; 0 for icebergs that have not been solved for before. */
-    [[nodiscard]] std::vector<double> multipliersOf(const std::vector<int>& ids) const
+    [[nodiscard]] std::vector<double> multipliersOf(const IcebergList& ids) const
     {
         std::vector<double> multipliers(ids.size() + 1, 0.0);
         for (std::size_t k = 0; k < ids.size(); ++k)
@@ -71,7 +71,7 @@ private:
      * Stores the multipliers. Those of icebergs not in this solve stay: icebergs return after a
      * time in view.
      */
-    void remember(const std::vector<int>& ids, const SolveOutcome& outcome)
+    void remember(const IcebergList& ids, const SolveOutcome& outcome)
     {
         if (outcome.reason == StopReason::Cancelled)
             return; // the caller repeats the request
@@ -81,7 +81,7 @@ private:
 
     Backend m_backend;
     const TvpSolver& m_alone;
-    std::map<int, double> m_multipliers; ///< multipliers of the last solves, by id
+    std::map<IcebergIndex, double> m_multipliers; ///< multipliers of the last solves
 };
 
 /** The paper's policy. */
@@ -147,8 +147,8 @@ public:
         std::vector<bool> done(task.ids.size() + 1, false);
         for (std::size_t k = 0; k < task.ids.size(); ++k) {
             const Next next = bestNext(task.problem, plan, done);
-            plan[static_cast<std::size_t>(next.uav)].push_back(next.node);
-            done[static_cast<std::size_t>(next.node)] = true;
+            plan[toIndex(next.uav)].push_back(next.node);
+            done[toIndex(next.node)] = true;
         }
         Plan answer = answerOf(request, ordersInIds(request, task, plan));
         answer.outcome = {.status = SolveStatus::Feasible, .source = AnswerSource::OneByOne};
@@ -179,11 +179,11 @@ private:
         std::optional<Next> best;
         for (int node = 1; node < problem.nodeCount(); ++node)
             for (int uav = 0; uav < problem.uavCount(); ++uav) {
-                const auto k = static_cast<std::size_t>(uav);
-                if (done[static_cast<std::size_t>(node)] || !problem.allows(uav, node))
+                const auto k = toIndex(uav);
+                if (done[toIndex(node)] || !problem.allows(uav, node))
                     continue;
                 const Next next{
-                    .sigma_m2 = problem.sigma_m2[static_cast<std::size_t>(node)],
+                    .sigma_m2 = problem.sigma_m2[toIndex(node)],
                     .distance_m = problem.distance_m[k](plan[k].empty() ? 0 : plan[k].back(), node),
                     .uav = uav,
                     .node = node,
@@ -217,8 +217,8 @@ public:
     Plan plan(const PlanRequest& request, const SolveOptions& options) override
     {
         if (request.ids == m_known) {
-            const std::vector<std::vector<int>> orders = remainingOrders(request);
-            if (!std::ranges::all_of(orders, &std::vector<int>::empty)) {
+            const std::vector<IcebergList> orders = remainingOrders(request);
+            if (!std::ranges::all_of(orders, &IcebergList::empty)) {
                 Plan answer = answerOf(request, orders);
                 answer.outcome = {.status = SolveStatus::Feasible,
                                   .source = AnswerSource::KeptRoute};
@@ -246,23 +246,23 @@ private:
      * keeps its place; one that has flown its part before others gets the icebergs that only it may
      * visit.
      */
-    [[nodiscard]] std::vector<std::vector<int>> remainingOrders(const PlanRequest& request)
+    [[nodiscard]] std::vector<IcebergList> remainingOrders(const PlanRequest& request)
     {
-        std::vector<std::vector<int>> orders;
+        std::vector<IcebergList> orders;
         for (const UavRequest& uav : request.uavs) {
-            std::vector<int>& order = orders.emplace_back();
+            IcebergList& order = orders.emplace_back();
             if (std::ranges::find(uav.available, true) == uav.available.end())
                 continue;
-            std::vector<int>& rest = m_rests[uav.uav];
-            const auto available = [&](int id) { return isAvailable(request, uav, id); };
+            IcebergList& rest = m_rests[uav.uav];
+            const auto available = [&](IcebergIndex id) { return isAvailable(request, uav, id); };
             rest.erase(rest.begin(), std::ranges::find_if(rest, available));
             const bool isAlone = m_rests.size() == 1;
             std::ranges::copy_if(rest, std::back_inserter(order),
-                                 [&](int id) { return isAlone || available(id); });
+                                 [&](IcebergIndex id) { return isAlone || available(id); });
         }
-        if (!std::ranges::all_of(orders, &std::vector<int>::empty))
+        if (!std::ranges::all_of(orders, &IcebergList::empty))
             for (std::size_t k = 0; k < orders.size(); ++k)
-                if (std::vector<int>& rest = m_rests[request.uavs[k].uav]; rest.empty())
+                if (IcebergList& rest = m_rests[request.uavs[k].uav]; rest.empty())
                     rest = orders[k] = exclusiveIcebergs(request, request.uavs[k]);
         return orders;
     }
@@ -272,11 +272,11 @@ private:
      * a UAV that is absent from the request. Icebergs assigned since that order was made are
      * included, because it is out of date.
      */
-    [[nodiscard]] std::vector<int> exclusiveIcebergs(const PlanRequest& request,
-                                                     const UavRequest& uav) const
+    [[nodiscard]] IcebergList exclusiveIcebergs(const PlanRequest& request,
+                                                const UavRequest& uav) const
     {
-        std::vector<int> exclusive;
-        std::ranges::copy_if(request.ids, std::back_inserter(exclusive), [&](int id) {
+        IcebergList exclusive;
+        std::ranges::copy_if(request.ids, std::back_inserter(exclusive), [&](IcebergIndex id) {
             const auto isOthers = [&](const UavRequest& other) {
                 return other.uav != uav.uav && isAvailable(request, other, id);
             };
@@ -294,8 +294,8 @@ private:
     }
 
     TaskSolver m_solver;
-    std::map<int, std::vector<int>> m_rests; ///< by `UavRequest::uav`
-    std::vector<int> m_known;
+    std::map<int, IcebergList> m_rests; ///< by `UavRequest::uav`
+    IcebergList m_known;
 };
 
 } // namespace

@@ -38,25 +38,25 @@ struct UavRequest
      * reached nor assigned to another UAV.
      */
     std::vector<bool> available;
-    std::vector<int> assigned = {}; ///< ids of the icebergs assigned to this UAV alone
+    IcebergList assigned = {}; ///< icebergs assigned to this UAV alone
     /** Input of policies that predict the flight themselves; may be null for the others. */
     std::shared_ptr<const PredictionInput> prediction;
-    /** Available ids that remain of the last answer: the warm start, set by `Planner`. */
-    std::vector<int> lastRest = {};
+    /** Available icebergs that remain of the last answer: the warm start, set by `Planner`. */
+    IcebergList lastRest = {};
 };
 
-/** Input of a plan, at the instant of planning. Ids are the caller's numbers of icebergs. */
+/** Input of a plan, at the instant of planning. */
 struct PlanRequest
 {
     std::vector<UavRequest> uavs; ///< at least one UAV; all are planned together
-    std::vector<int> ids;         ///< N-1: id of node k+1, for all icebergs
+    IcebergList ids;              ///< N-1: iceberg of node k+1, for all icebergs
     std::vector<double> sigma_m2; ///< N values, as in `TvpProblem::sigma_m2`
     double speed_mps = 0;         ///< airspeed of the first UAV of the scenario
     /**
-     * Clusters, icebergs that are planned as one node: two or more ascending ids each, of which
-     * `ids` holds the first.
+     * Clusters, icebergs that are planned as one node: two or more icebergs each, ascending, of
+     * which `ids` holds the first.
      */
-    std::vector<std::vector<int>> clusters;
+    std::vector<IcebergList> clusters;
     /**
      * Distances between the UAVs, in the unit of `UavRequest::distance_m`, for Eq. (14). Not read
      * for a single UAV.
@@ -76,7 +76,8 @@ public:
     /**
      * Returns the orders to fly now. An answer without orders means that a limit was reached before
      * any plan, that the request was cancelled (`StopReason::Cancelled`), or that no iceberg is
-     * available. `options.onProgress` receives orders in ids, one for each UAV of the request.
+     * available. `options.onProgress` receives `SolveProgress::orders`, one for each UAV of the
+     * request.
      * Throws as `solveFleet` and `TvpSolver::solve` do, and `std::logic_error` for an invalid
      * request; the policy latency needs a `speed_mps` above 0.
      */
@@ -93,8 +94,8 @@ public:
  * - latency: least sum sigma_i t_i, t_i the predicted arrival times; neither tau nor the route has
  *   an effect, and if all sigma are 0 it plans by distance alone, as does Eq. (14). Solved again at
  *   every iceberg reached.
- * - path: least total distance; the plan is kept until every UAV has flown its part or the ids of
- *   the request change.
+ * - path: least total distance; the plan is kept until every UAV has flown its part or the
+ *   icebergs of the request change.
  * - nearest: repeatedly adds the iceberg with the least distance from the end of any order. Ties go
  *   to the smallest node, then to the first UAV. Each UAV gets a first iceberg before any UAV gets
  *   a second one.

@@ -52,7 +52,7 @@ public:
 private:
     [[nodiscard]] const UavRequest& uav(std::size_t k) const
     {
-        return m_request.uavs[static_cast<std::size_t>(m_uavs[k])];
+        return m_request.uavs[toIndex(m_uavs[k])];
     }
 
     /**
@@ -126,7 +126,7 @@ private:
         for (std::size_t k = 0; k < steps; ++k) {
             const int node = cycle[(begin + k) % cycle.size()];
             distance_m += uav.distance_m(from, node);
-            sum += m_request.sigma_m2[static_cast<std::size_t>(node)] * distance_m;
+            sum += m_request.sigma_m2[toIndex(node)] * distance_m;
             from = node;
         }
         return sum;
@@ -172,10 +172,10 @@ MadeCycle makeCycle(const PlanRequest& request, const Eigen::MatrixXd& distance_
 }
 
 /** Returns the answer about the cycle with these orders. */
-Plan withOrders(Plan answer, std::vector<std::vector<int>> orders)
+Plan withOrders(Plan answer, std::vector<IcebergList> orders)
 {
     answer.uavs.clear();
-    for (std::vector<int>& order : orders)
+    for (IcebergList& order : orders)
         answer.uavs.emplace_back().order = std::move(order);
     return answer;
 }
@@ -189,13 +189,13 @@ class TourOfOne
 public:
     Plan plan(const PlanRequest& request, const TvpSolver& solver, const SolveOptions& options)
     {
-        const std::vector<std::vector<int>> none(1);
+        const std::vector<IcebergList> none(1);
         if (request.ids.empty())
             return withOrders({.outcome = {.status = SolveStatus::Optimal}}, none);
-        m_rest = request.ids == m_known ? fromFirstAvailable(request, m_rest) : std::vector<int>();
+        m_rest = request.ids == m_known ? fromFirstAvailable(request, m_rest) : IcebergList();
         m_known = request.ids;
         if (!m_rest.empty()) {
-            Plan answer = answerOf(request, {m_rest});
+            Plan answer = answerOf(request, std::span(&m_rest, 1));
             answer.outcome = {.status = SolveStatus::Feasible, .source = AnswerSource::KeptRoute};
             return answer;
         }
@@ -218,9 +218,12 @@ private:
     {
         if (options.onProgress)
             options.onProgress = [&request, report = options.onProgress](SolveProgress progress) {
-                for (VisitOrder& order : progress.plan)
-                    for (int& node : order)
-                        node = request.ids[static_cast<std::size_t>(node)];
+                progress.orders.clear();
+                for (const VisitOrder& order : progress.plan) {
+                    IcebergList& icebergs = progress.orders.emplace_back();
+                    for (const int node : order)
+                        icebergs.push_back(request.ids[toIndex(node)]);
+                }
                 report(progress);
             };
         return options;
@@ -233,23 +236,23 @@ private:
         m_cycle.clear();
         for (std::size_t step = 0; step < entries.cycle.size(); ++step) {
             const std::size_t at = (entries.places.front() + step) % entries.cycle.size();
-            m_cycle.push_back(request.ids[static_cast<std::size_t>(entries.cycle[at] - 1)]);
+            m_cycle.push_back(request.ids[toIndex(entries.cycle[at] - 1)]);
         }
     }
 
-    [[nodiscard]] static std::vector<int> fromFirstAvailable(const PlanRequest& request,
-                                                             const std::vector<int>& ids)
+    [[nodiscard]] static IcebergList fromFirstAvailable(const PlanRequest& request,
+                                                        const IcebergList& ids)
     {
         const auto first = std::ranges::find_if(
-            ids, [&](int id) { return isAvailable(request, request.uavs.front(), id); });
+            ids, [&](IcebergIndex id) { return isAvailable(request, request.uavs.front(), id); });
         return {first, ids.end()};
     }
 
-    std::vector<int> m_cycle;    ///< ids, from the entry on
-    std::vector<int> m_cycleIds; ///< ids of the request that the cycle was made for
+    IcebergList m_cycle;    ///< from the entry on
+    IcebergList m_cycleIds; ///< icebergs of the request that the cycle was made for
     Plan m_made;
-    std::vector<int> m_rest; ///< rest of the present round
-    std::vector<int> m_known;
+    IcebergList m_rest; ///< rest of the present round
+    IcebergList m_known;
 };
 
 class TourOfSeveral
@@ -258,7 +261,7 @@ public:
     Plan plan(const PlanRequest& request, const TvpSolver& solver, SolveOptions options)
     {
         const FleetTask task = fleetTask(request);
-        const std::vector<std::vector<int>> none(request.uavs.size());
+        const std::vector<IcebergList> none(request.uavs.size());
         if (task.uavs.empty())
             return withOrders({.outcome = {.status = SolveStatus::Optimal,
                                            .bound = 0.0,
@@ -275,9 +278,8 @@ public:
             m_ids = request.ids;
             m_places.clear();
         }
-        const bool allIn = std::ranges::all_of(task.uavs, [&](int k) {
-            return m_places.contains(request.uavs[static_cast<std::size_t>(k)].uav);
-        });
+        const bool allIn = std::ranges::all_of(
+            task.uavs, [&](int k) { return m_places.contains(request.uavs[toIndex(k)].uav); });
         if (!allIn)
             enter(request, distance_m, task.uavs);
         return withOrders(m_made, rounds(request, task.uavs));
@@ -288,9 +290,9 @@ private:
     [[nodiscard]] static Eigen::MatrixXd meanDistances(const PlanRequest& request,
                                                        const std::vector<int>& uavs)
     {
-        Eigen::MatrixXd sum_m = request.uavs[static_cast<std::size_t>(uavs.front())].distance_m;
+        Eigen::MatrixXd sum_m = request.uavs[toIndex(uavs.front())].distance_m;
         for (std::size_t k = 1; k < uavs.size(); ++k)
-            sum_m += request.uavs[static_cast<std::size_t>(uavs[k])].distance_m;
+            sum_m += request.uavs[toIndex(uavs[k])].distance_m;
         return sum_m / static_cast<double>(uavs.size());
     }
 
@@ -301,22 +303,22 @@ private:
         m_cycle = std::move(entries.cycle);
         m_places.clear();
         for (std::size_t k = 0; k < uavs.size(); ++k)
-            m_places[request.uavs[static_cast<std::size_t>(uavs[k])].uav] = entries.places[k];
+            m_places[request.uavs[toIndex(uavs[k])].uav] = entries.places[k];
     }
 
     /**
      * Returns for each UAV one round of the cycle from its present place. UAVs whose iceberg has
      * still to be visited keep that place.
      */
-    [[nodiscard]] std::vector<std::vector<int>> rounds(const PlanRequest& request,
-                                                       const std::vector<int>& uavs)
+    [[nodiscard]] std::vector<IcebergList> rounds(const PlanRequest& request,
+                                                  const std::vector<int>& uavs)
     {
-        std::vector<std::vector<int>> rounds(request.uavs.size());
+        std::vector<IcebergList> rounds(request.uavs.size());
         std::set<std::size_t> firsts;
         for (const bool keeping : {true, false})
             for (const int k : uavs) {
-                const UavRequest& uav = request.uavs[static_cast<std::size_t>(k)];
-                std::vector<int>& round = rounds[static_cast<std::size_t>(k)];
+                const UavRequest& uav = request.uavs[toIndex(k)];
+                IcebergList& round = rounds[toIndex(k)];
                 std::size_t& place = m_places.at(uav.uav);
                 if (!round.empty() ||
                     (keeping && (firsts.contains(place) || !isAvailableAt(uav, place))))
@@ -330,19 +332,19 @@ private:
                         place = at;
                         firsts.insert(at);
                     }
-                    round.push_back(request.ids[static_cast<std::size_t>(m_cycle[at] - 1)]);
+                    round.push_back(request.ids[toIndex(m_cycle[at] - 1)]);
                 }
             }
         return rounds;
     }
     [[nodiscard]] bool isAvailableAt(const UavRequest& uav, std::size_t place) const
     {
-        return uav.available[static_cast<std::size_t>(m_cycle[place] - 1)];
+        return uav.available[toIndex(m_cycle[place] - 1)];
     }
 
     Cycle m_cycle;
-    std::vector<int> m_ids; ///< ids of the request that the cycle was made for
-    Plan m_made;            ///< answer about the cycle, without orders
+    IcebergList m_ids; ///< icebergs of the request that the cycle was made for
+    Plan m_made;       ///< answer about the cycle, without orders
     /** By `UavRequest::uav`: place of its next iceberg in the cycle. */
     std::map<int, std::size_t> m_places;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/index.h"
 #include "core/geometry/geometry.h"
 
 #include <optional>
@@ -13,7 +14,7 @@ namespace berg {
  */
 struct AimedLeg
 {
-    int iceberg = 0; ///< id of the iceberg that the line passes, or that is flown to after a hold
+    IcebergIndex iceberg;          ///< the line passes it, or it is flown to after a hold
     double turn_rad = 0;           ///< positive to the left
     Point from_m = Point::Zero();  ///< start of the line, over ground
     Point abeam_m = Point::Zero(); ///< place where the line passes the iceberg
@@ -25,7 +26,7 @@ struct AimedLeg
 /** A planned view of a place where a lost iceberg may be. */
 struct PlannedSearch
 {
-    int iceberg = 0; ///< id
+    IcebergIndex iceberg;
     Point place_m = Point::Zero();
     double time_s = 0;
     double chance = 0; ///< probability, at the time of planning, of finding it there

@@ -57,6 +57,7 @@ struct SolveProgress
     std::optional<double> bound; ///< valid lower bound on the optimum
     double elapsed_s = 0;
     std::vector<std::vector<AimedLeg>> legs = {}; ///< legs of the flight, for plans with aim points
+    std::vector<IcebergList> orders = {};         ///< `plan` as orders of icebergs; set by policies
 };
 
 /** Limits, inputs and callbacks of a solve. */

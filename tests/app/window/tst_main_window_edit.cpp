@@ -175,7 +175,7 @@ private slots:
         auto& plan = test::child<QTableView>(w.window(), u"planTable"_s);
         QTest::mouseClick(plan.viewport(), Qt::LeftButton, {},
                           plan.visualRect(plan.model()->index(1, 1)).center());
-        const auto second = static_cast<std::size_t>(w.record().now.plan->uavs[0].order[1]);
+        const std::size_t second = toIndex(w.record().now.plan->uavs[0].order[1]);
         const std::string id = w.scenario().icebergs[second].id;
         QCOMPARE(w.workspace.selection().ids(), std::vector<std::string>{id});
         QCOMPARE(test::child<QLineEdit>(w.window(), u"icebergId"_s).text(),

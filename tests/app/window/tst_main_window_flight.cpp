@@ -263,14 +263,13 @@ private slots:
         QCOMPARE(w.record().now.active, (std::vector<bool>{true, false, true, true}));
         QVERIFY(w.scenario() == before);
         QVERIFY(w.until([&] {
-            return std::ranges::none_of(ordersOf(w.record().now),
-                                        [](const std::vector<int>& order) {
-                                            return std::ranges::find(order, 1) != order.end();
-                                        });
+            return std::ranges::none_of(ordersOf(w.record().now), [](const IcebergList& order) {
+                return std::ranges::find(order, IcebergIndex(1)) != order.end();
+            });
         }));
         const MissionEvent& last = *std::ranges::find_if(
             w.record().history.events, [](auto& e) { return e.kind == EventKind::Intervention; });
-        QCOMPARE(last.iceberg, std::optional(1));
+        QCOMPARE(last.iceberg, std::optional(IcebergIndex(1)));
         w.trigger(u"resetAction"_s);
         QVERIFY(w.untilReady());
         QVERIFY(w.record().now.active.at(1));
@@ -331,7 +330,7 @@ private slots:
         QTRY_VERIFY(firstEvent(w).endsWith(u"berg-1"_s));
         w.dragTau(0.9, 0.0);
         QVERIFY(w.untilReady());
-        QCOMPARE(w.record().now.plan->uavs[0].target(), std::optional(1));
+        QCOMPARE(w.record().now.plan->uavs[0].target(), std::optional(IcebergIndex(1)));
         QTRY_VERIFY(firstEvent(w).endsWith(u"berg-2"_s));
     }
 

@@ -197,9 +197,8 @@ private slots:
 
         // Without the iceberg after the next one the order ahead is another.
         const auto removeSecond = [&] {
-            const std::vector<int>& order = planOf(w.record().now, 0)->order;
-            const std::string id =
-                w.record().now.icebergs[static_cast<std::size_t>(order.at(1))].id;
+            const IcebergList& order = planOf(w.record().now, 0)->order;
+            const std::string id = w.record().now.icebergs[toIndex(order.at(1))].id;
             QCOMPARE(w.workspace.remove({id}), 1);
         };
         int revision = aircraft.missionRevision();

@@ -76,15 +76,9 @@ void dragTo(WindowFixture& w, const std::string& iceberg, const std::string& uav
     QCoreApplication::sendEvent(table.viewport(), &drop);
 }
 
-bool isInOrderOf(const UavPlan& plan, int iceberg)
+bool isInOrderOf(const UavPlan& plan, IcebergIndex iceberg)
 {
     return std::ranges::find(plan.order, iceberg) != plan.order.end();
-}
-
-int indexOf(const Scenario& scenario, const std::string& iceberg)
-{
-    const auto it = std::ranges::find(scenario.icebergs, iceberg, &Iceberg::id);
-    return static_cast<int>(it - scenario.icebergs.begin());
 }
 
 } // namespace
@@ -184,7 +178,7 @@ private slots:
         w.trigger(u"stepAction"_s);
         QVERIFY(w.until(RunPhase::Paused));
         const std::string iceberg = firstOf(w, "uav-1");
-        const int index = indexOf(w.scenario(), iceberg);
+        const IcebergIndex index = indexOfId(w.scenario().icebergs, iceberg).value();
         dragTo(w, iceberg, "uav-2");
         QVERIFY(w.until([&] { return w.workspace.assignedUavOf(iceberg) == "uav-2"; }));
         QVERIFY(w.until([&] { return rowOf(w, iceberg) > rowOf(w, "uav-2"); }));

@@ -101,7 +101,7 @@ public:
     DubinsState next(const Simulation& now)
     {
         if (now.time_s() >= m_until_s) {
-            m_iceberg = static_cast<int>(m_random.below(m_scenario.icebergs.size()));
+            m_iceberg = IcebergIndex::of(m_random.below(m_scenario.icebergs.size()));
             const double angle_rad = m_random.uniform(-3, 3);
             m_beside_m = m_random.uniform(0, 290) * Point(std::cos(angle_rad), std::sin(angle_rad));
             const double stay_s = m_random.below(2) == 0 ? 3 : m_random.uniform(0, 200);
@@ -124,7 +124,7 @@ private:
 
     const Scenario& m_scenario;
     Random m_random;
-    int m_iceberg = 0;
+    IcebergIndex m_iceberg;
     Point m_beside_m = Point::Zero();
     double m_until_s = 0;
 };

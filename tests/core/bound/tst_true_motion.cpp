@@ -58,7 +58,8 @@ void TestTrueMotion::holdsWhatIsFlown()
             const double since_s = mission.simulation().time_s() - motion.edge_s(edge);
             for (int i = 0; i < 3; ++i) {
                 const Circle e = motion.enclosure(i, edge, edge + 100, velocity_mps);
-                const Point inFrame_m = mission.simulation().truth_m(i) - velocity_mps * since_s;
+                const Point inFrame_m =
+                    mission.simulation().truth_m(IcebergIndex::of(i)) - velocity_mps * since_s;
                 QVERIFY((inFrame_m - e.centre_m).norm() <= e.radius_m + 1e-6);
             }
         }

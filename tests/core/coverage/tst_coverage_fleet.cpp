@@ -98,17 +98,15 @@ void verifyAnswer(const Plan& answer, const PlanRequest& request)
 {
     QCOMPARE(answer.uavs.size(), request.uavs.size());
     QVERIFY(answer.outcome.status == SolveStatus::Feasible);
-    std::multiset<int> planned;
-    std::multiset<int> first;
-    std::set<int> available;
+    std::multiset<IcebergIndex> planned;
+    std::multiset<IcebergIndex> first;
+    std::set<IcebergIndex> available;
     for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
         const UavPlan& uav = answer.uavs[u];
-        const auto may = [&](int id) {
-            return request.uavs[u].available[static_cast<std::size_t>(id)];
-        };
+        const auto may = [&](IcebergIndex id) { return request.uavs[u].available[toIndex(id)]; };
         QVERIFY(std::all_of(uav.order.begin(), uav.order.end(), may));
         planned.insert(uav.order.begin(), uav.order.end());
-        for (const int id : request.ids)
+        for (const IcebergIndex id : request.ids)
             if (may(id))
                 available.insert(id);
         if (uav.legs.empty())
@@ -122,8 +120,8 @@ void verifyAnswer(const Plan& answer, const PlanRequest& request)
         QVERIFY(std::is_sorted(sightings_s.begin(), sightings_s.end()));
         QVERIFY(sightings_s.empty() || uav.legs.front().sighting_s <= sightings_s.front());
     }
-    QVERIFY(std::set<int>(first.begin(), first.end()).size() == first.size());
-    QVERIFY(std::multiset<int>(available.begin(), available.end()) == planned);
+    QVERIFY(std::set<IcebergIndex>(first.begin(), first.end()).size() == first.size());
+    QVERIFY(std::multiset<IcebergIndex>(available.begin(), available.end()) == planned);
 }
 
 /** Flies the policy to the end of the run and verifies each answer. */
@@ -138,7 +136,7 @@ FlownFleet fly(FleetFlight& flight, const Scenario& scenario)
 {
     FlownFleet flown;
     const std::unique_ptr<Policy> policy = coverage();
-    std::vector<std::vector<int>> rests;
+    std::vector<IcebergList> rests;
     for (bool needsPlan = true; flight.time_s() < scenario.duration_s - 1e-6;
          needsPlan = flight.advance()) {
         if (!needsPlan)
@@ -151,7 +149,7 @@ FlownFleet fly(FleetFlight& flight, const Scenario& scenario)
         for (std::size_t u = 0; u < answer.uavs.size(); ++u) {
             const UavPlan& uav = answer.uavs[u];
             rests.push_back(uav.order);
-            flight.setLeg(static_cast<int>(u), uav.order.empty() ? -1 : uav.order.front(),
+            flight.setLeg(static_cast<int>(u), uav.order.empty() ? -1 : uav.order.front().number(),
                           uav.legs.empty() ? std::nullopt : std::optional(uav.legs.front()));
         }
         if (isFirst)

@@ -83,13 +83,13 @@ private slots:
         for (const int uavs : {1, 3}) {
             const Scenario scenario = sparseField(2, 20, 4 * 3600, uavs);
             const Plan answer = firstPlan(scenario);
-            std::map<int, int> visits;
+            std::map<IcebergIndex, int> visits;
             for (const UavPlan& uav : answer.uavs) {
                 QVERIFY(!uav.legs.empty());
                 QVERIFY(!uav.laterVisits.empty());
                 QCOMPARE(uav.outlook->sightings_s.size(), uav.order.size());
                 QVERIFY(std::ranges::is_sorted(uav.outlook->sightings_s));
-                for (const int id : uav.order)
+                for (const IcebergIndex id : uav.order)
                     ++visits[id];
                 double before_s = uav.legs.back().sighting_s;
                 for (const PlannedVisit& visit : uav.laterVisits) {
@@ -141,7 +141,7 @@ private slots:
             Mission mission(scenario, {.workLimit = 200'000, .record = false});
             mission.advance(scenario.duration_s);
             double time_s = -1;
-            std::set<int> targets;
+            std::set<IcebergIndex> targets;
             for (const test::FlownPlan& plan : test::flownPlans(mission)) {
                 if (plan.time_s > time_s)
                     targets.clear();
@@ -232,7 +232,7 @@ private slots:
     void inputsMayChange()
     {
         const std::unique_ptr<Policy> policy = coverage();
-        std::vector<int> rest;
+        IcebergList rest;
         for (const int icebergs : {10, 14, 5, 1, 12}) {
             PlanRequest request = planRequest(Simulation(sparseField(11, icebergs, 7200)));
             request.uavs.front().lastRest = rest;
@@ -240,7 +240,7 @@ private slots:
             rest = answer.uavs.front().order;
             QCOMPARE(rest.size(), static_cast<std::size_t>(icebergs));
             for (const PlannedVisit& visit : answer.uavs.front().laterVisits)
-                QVERIFY(visit.iceberg < icebergs);
+                QVERIFY(visit.iceberg.number() < icebergs);
         }
     }
 };

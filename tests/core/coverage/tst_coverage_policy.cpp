@@ -28,7 +28,7 @@ std::unique_ptr<Policy> coverage()
 }
 
 /** Returns the request of a planner with this rest of its last plan. */
-PlanRequest withRest(PlanRequest request, const std::vector<int>& rest)
+PlanRequest withRest(PlanRequest request, const IcebergList& rest)
 {
     request.uavs[0].lastRest = rest;
     return request;
@@ -45,11 +45,11 @@ PlanRequest requestOf(const Scenario& scenario)
  */
 void verifyAnswer(const Plan& answer, const PlanRequest& request)
 {
-    std::multiset<int> available;
+    std::multiset<IcebergIndex> available;
     for (std::size_t k = 0; k < request.ids.size(); ++k)
         if (request.uavs[0].available[k])
             available.insert(request.ids[k]);
-    QVERIFY(std::multiset<int>(answer.uavs[0].order.begin(), answer.uavs[0].order.end()) ==
+    QVERIFY(std::multiset<IcebergIndex>(answer.uavs[0].order.begin(), answer.uavs[0].order.end()) ==
             available);
     QVERIFY(isFleetPlan(answer.problem, answer.outcome.plan));
     QVERIFY(answer.solvedIds == answer.uavs[0].order);
@@ -127,7 +127,7 @@ private slots:
     {
         Simulation simulation(randomScenario(3));
         const std::unique_ptr<Policy> policy = coverage();
-        std::vector<int> last;
+        IcebergList last;
         for (int k = 0; k < 15; ++k) {
             const PlanRequest request = planRequest(simulation);
             const Plan answer = policy->plan(withRest(request, last), {.workLimit = kWork});
@@ -199,7 +199,7 @@ private slots:
         const std::unique_ptr<Policy> policy = coverage();
         const SolveOptions options{.workLimit = kWork};
         PlanRequest request = requestOf(randomScenario(7, {.icebergs = 8}));
-        const std::vector<int> order = policy->plan(request, options).uavs[0].order;
+        const IcebergList order = policy->plan(request, options).uavs[0].order;
         const PlanRequest more = requestOf(randomScenario(7, {.icebergs = 10}));
         verifyAnswer(policy->plan(withRest(more, order), options), more);
         const PlanRequest fewer = requestOf(randomScenario(7, {.icebergs = 3}));

@@ -166,8 +166,9 @@ private slots:
         QCOMPARE(described.legs.size(), std::size_t{2});
         QVERIFY(described.legs[0].end_s && !described.legs[1].end_s);
         QVERIFY(std::abs(*described.legs[0].end_s - 7.3) < 1e-9);
-        QCOMPARE(described.legs[0].iceberg, 1); // The iceberg is that of the leg after the hold.
-        simulation.setTarget(0, 0, described.legs[0]);
+        QCOMPARE(described.legs[0].iceberg,
+                 IcebergIndex(1)); // The iceberg is that of the leg after the hold.
+        simulation.setTarget(0, IcebergIndex(0), described.legs[0]);
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::HoldFlown);
@@ -263,7 +264,7 @@ private slots:
         QCOMPARE(alone.searches[0].chance, 0.25);
         QCOMPARE(alone.searches[1].chance, 0.5);
         for (const PlannedSearch& search : alone.searches) {
-            QCOMPARE(search.iceberg, 0);
+            QCOMPARE(search.iceberg, IcebergIndex(0));
             const double offset_m = search.chance > 0.3 ? 600 : -600;
             const Point there_m = input.tracks[0].estimate_m(search.time_s);
             QVERIFY((search.place_m - there_m - Point(0, offset_m)).norm() < 1e-9);
@@ -319,7 +320,7 @@ private slots:
         const SearchPlace south{.offset_m = {0, -600}, .chance = 0.25};
         input.places = {{north, south}, {}};
         const CoverageModel before(input, {.length_s = 300});
-        const std::vector<int> ids{7, 9};
+        const IcebergList ids{7, 9};
         const KeptPlan kept =
             keptPlan({{.iceberg = 2}, {.iceberg = 1}, {.iceberg = 0}}, before, ids);
         const auto placesNow = [&](std::vector<SearchPlace> places) {

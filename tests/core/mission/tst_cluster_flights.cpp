@@ -74,10 +74,10 @@ private slots:
         const std::vector<MissionEvent>& events = mission.events();
         const auto reached = std::ranges::find(events, EventKind::Reached, &MissionEvent::kind);
         QVERIFY(reached != events.end());
-        QCOMPARE(reached->iceberg, 0);
-        QCOMPARE(reached->together, std::vector{2});
+        QCOMPARE(reached->iceberg, IcebergIndex(0));
+        QCOMPARE(reached->together, IcebergList{2});
         const Simulation then = instantAt(mission, reached->time_s).simulation;
-        for (const int member : {0, 2})
+        for (const IcebergIndex member : IcebergList{0, 2})
             QVERIFY((then.truth_m(member) - then.uav(0).pose.position_m).norm() <= 250);
     }
 
@@ -95,15 +95,15 @@ private slots:
             scenario.uavs[0].position_m = {random.uniform(0, 2500), random.uniform(0, 2000)};
             scenario.uavs[0].heading_deg = random.uniform(0, 360);
             scenario.wind_mps = {wind_mps, 0};
-            const Groups clusters = clusteredRequest(Simulation(scenario)).clusters;
-            for (const std::vector<int>& members : clusters) {
+            const Clusters clusters = clusteredRequest(Simulation(scenario)).clusters;
+            for (const IcebergList& members : clusters) {
                 Simulation simulation(scenario);
                 simulation.setTarget(0, members.front(), {}, members);
                 while (simulation.planReason() == PlanReason::None)
                     simulation.advanceStep();
                 QVERIFY2(simulation.planReason() == PlanReason::TargetReached,
                          qPrintable(QString("seed %1").arg(seed)));
-                for (const int member : members)
+                for (const IcebergIndex member : members)
                     QVERIFY(simulation.track(member).inView);
                 ++flown;
             }
@@ -130,7 +130,7 @@ private slots:
             const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
             for (std::size_t k = 0; k < plans.size(); ++k) {
                 QVERIFY(plans[k].reason != PlanReason::Overdue);
-                for (const std::vector<int>& members : plans[k].clusters) {
+                for (const IcebergList& members : plans[k].clusters) {
                     const auto first = std::ranges::find(plans[k].order, members.front());
                     QVERIFY(std::ranges::equal(
                         members, std::span(first, plans[k].order.end()).first(members.size())));
@@ -140,7 +140,7 @@ private slots:
                     plans[k + 1].reason != PlanReason::TargetReached)
                     continue;
                 const Simulation then = instantAt(mission, plans[k + 1].time_s).simulation;
-                for (const int member : members)
+                for (const IcebergIndex member : members)
                     QVERIFY(then.track(member).inView);
                 ++reached;
             }
@@ -158,7 +158,7 @@ private slots:
         const PlanRequest single = planRequest(Simulation(scenario));
         const PlanRequest both = clusteredRequest(Simulation(scenario));
         QCOMPARE(both.clusters, (Groups{{0, 2}}));
-        QCOMPARE(both.ids, (std::vector{0, 1}));
+        QCOMPARE(both.ids, (IcebergList{0, 1}));
         QCOMPARE(both.sigma_m2[1], single.sigma_m2[1] + single.sigma_m2[3]);
         for (const UavRequest& uav : both.uavs) {
             QCOMPARE(uav.available, std::vector<bool>(2, true));
@@ -186,15 +186,15 @@ private slots:
         for (int seed = 1; seed <= 10; ++seed) {
             Mission mission(calmFleet(seed, 2 + seed % 2));
             mission.advance(mission.scenario().duration_s);
-            std::set<int> planned;
+            std::set<IcebergIndex> planned;
             PlanPointer last;
             for (const test::FlownPlan& plan : test::flownPlans(mission)) {
                 QVERIFY(plan.reason != PlanReason::Overdue);
                 if (std::exchange(last, plan.plan) != plan.plan)
                     planned.clear();
-                for (const int iceberg : plan.order)
+                for (const IcebergIndex iceberg : plan.order)
                     QVERIFY(planned.insert(iceberg).second);
-                for (const std::vector<int>& members : plan.clusters) {
+                for (const IcebergList& members : plan.clusters) {
                     const auto first = std::ranges::find(plan.order, members.front());
                     QVERIFY(std::ranges::equal(
                         members, std::span(first, plan.order.end()).first(members.size())));
@@ -204,7 +204,7 @@ private slots:
                 if (event.kind != EventKind::Reached || event.together.empty())
                     continue;
                 const Simulation then = instantAt(mission, event.time_s).simulation;
-                for (const int member : event.together)
+                for (const IcebergIndex member : event.together)
                     QVERIFY(isInOwnView(then.observer(), event.uav.value(), member));
                 ++reached;
             }
@@ -218,22 +218,22 @@ private slots:
         Scenario scenario = pairAhead();
         putElsewhere(scenario.icebergs[2], {2000, -700});
         Simulation simulation(scenario);
-        simulation.setTarget(0, 0, {}, std::vector{0, 2});
+        simulation.setTarget(0, IcebergIndex(0), {}, IcebergList{0, 2});
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Overdue);
         COMPARE_NEAR(simulation.uav(0).pose.position_m.x(), 2000, kFlownOver_m);
         QVERIFY(simulation.track(0).inView);
-        QCOMPARE(simulation.state().unclustered, std::vector<int>{2});
+        QCOMPARE(simulation.state().unclustered, IcebergList{2});
         QVERIFY(simulation.available(0, 2) && !simulation.fleet().clusterable(0, 2));
 
-        simulation.setTarget(0, 1);
+        simulation.setTarget(0, IcebergIndex(1));
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QVERIFY(simulation.available(0, 0) && simulation.available(0, 2));
         QVERIFY(clusteredRequest(simulation).clusters.empty());
         simulation.reportSighting(2);
-        simulation.setTarget(0, 2);
+        simulation.setTarget(0, IcebergIndex(2));
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QVERIFY(simulation.track(2).inView);
@@ -256,7 +256,7 @@ private slots:
         Simulation simulation(scenario);
         QCOMPARE(clusteredRequest(simulation).clusters, (Groups{{0, 1}}));
         QVERIFY(clusteredRequest(simulation).uavs[0].distance_m(0, 1) > 7500);
-        simulation.setTarget(0, 0, {}, std::vector{0, 1});
+        simulation.setTarget(0, IcebergIndex(0), {}, IcebergList{0, 1});
         while (simulation.planReason() == PlanReason::None) {
             simulation.advanceStep();
             QVERIFY(insidePolygon(scenario.area_m, simulation.uav(0).pose.position_m));
@@ -272,7 +272,7 @@ private slots:
         scenario.uavs[0].heading_deg = 180;
         putElsewhere(scenario.icebergs[2], {2000, -7000});
         Simulation simulation(scenario);
-        simulation.setTarget(0, 0, {}, std::vector{0, 2});
+        simulation.setTarget(0, IcebergIndex(0), {}, IcebergList{0, 2});
         while (simulation.planReason() == PlanReason::None && !simulation.finished())
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Overdue);
@@ -308,9 +308,9 @@ private slots:
             mission.advance(500);
             for (const test::FlownPlan& plan : test::flownPlans(mission)) {
                 const Simulation then = instantAt(mission, plan.time_s).simulation;
-                for (const std::vector<int>& members : plan.clusters) {
+                for (const IcebergList& members : plan.clusters) {
                     QVERIFY(members.size() >= 2);
-                    for (const int member : members)
+                    for (const IcebergIndex member : members)
                         QVERIFY(then.available(0, member));
                 }
             }

@@ -210,12 +210,13 @@ private slots:
                 iceberg.velocitySd_mps = 1;
             Mission mission(s, {.workLimit = 20'000, .sampleInterval_s = 0.1});
             int searching_s = 0;
-            int searched = -1;
+            std::optional<IcebergIndex> searched;
             for (double t_s = 1; t_s <= s.duration_s; ++t_s) {
                 mission.advance(t_s);
                 const UavState& uav = mission.simulation().uav(0);
                 const bool searches = uav.mode == FlightMode::Search && uav.search;
-                const int iceberg = searches ? uav.search->iceberg : -1;
+                const std::optional<IcebergIndex> iceberg =
+                    searches ? std::optional(uav.search->iceberg) : std::nullopt;
                 searching_s = searches && iceberg == searched ? searching_s + 1 : 0;
                 searched = iceberg; // the search for the next one may follow at once
                 QVERIFY2(searching_s < 1200,

@@ -78,7 +78,7 @@ private slots:
         for (double t_s = 1; t_s <= s.duration_s; ++t_s) {
             mission.advance(t_s);
             bool isBeside = false;
-            for (int i = 0; i < 3; ++i)
+            for (const IcebergIndex i : world.icebergs())
                 isBeside = isBeside || (world.available(1, i) && world.uav(0).target != i);
             idle_s = !world.uav(1).target && isBeside ? idle_s + 1 : 0;
             longest_s = std::max(longest_s, idle_s);

@@ -2,6 +2,7 @@
 #include "core/mission/mission_instant.h"
 #include "core/mission/plan_requests.h"
 #include "core/mission/policy_forecast.h"
+#include "core/plan/policy/fleet_task.h"
 #include "core/plan/policy/policy.h"
 #include "core/presets/presets.h"
 #include "core/scenario/limits.h"
@@ -80,9 +81,9 @@ private slots:
         Mission mission(scenario, {.workLimit = 300'000});
         for (double until_s = 0; until_s <= scenario.duration_s; until_s += 0.5) {
             mission.advance(until_s);
-            std::set<int> targets;
+            std::set<IcebergIndex> targets;
             for (int uav = 0; uav < uavs; ++uav)
-                if (const std::optional<int> target =
+                if (const std::optional<IcebergIndex> target =
                         mission.simulation().fleet().autopilot(uav).target())
                     QVERIFY2(targets.insert(*target).second, qPrintable(QString::number(until_s)));
         }
@@ -123,7 +124,7 @@ private slots:
     {
         const Mission mission = flownToEnd(fleetScenario(1, 2));
         int unchanged = 0;
-        std::map<int, std::optional<int>> targets;
+        std::map<int, std::optional<IcebergIndex>> targets;
         for (const test::FlownPlan& plan : test::flownPlans(mission)) {
             const auto last = targets.find(plan.uav);
             const bool isSame = last != targets.end() && last->second == plan.target();
@@ -180,7 +181,7 @@ private slots:
                      std::string(nameOf(kPolicyNames, policy)).c_str());
             for (const test::FlownPlan& plan : test::flownPlans(mission))
                 if (plan.target())
-                    QCOMPARE(*plan.target() % 2, plan.uav);
+                    QCOMPARE(plan.target()->number() % 2, plan.uav);
         }
     }
 
@@ -191,8 +192,8 @@ private slots:
         mission.advance(60);
         const PlanPointer first = lastPlanOf(mission.plans(), 0);
         QVERIFY(first->uavs[0].order.size() > 2);
-        const int handed = first->uavs[0].order[1];
-        const std::string& id = scenario.icebergs[static_cast<std::size_t>(handed)].id;
+        const IcebergIndex handed = first->uavs[0].order[1];
+        const std::string& id = scenario.icebergs[toIndex(handed)].id;
         mission.intervene({.assigned = Assignment{.iceberg = id, .uav = "uav-2"}});
         QCOMPARE(mission.simulation().world().parameters(handed).assignedUav, 1);
         mission.advance(scenario.duration_s);
@@ -320,10 +321,10 @@ private slots:
         // This does not count as a visit of the first UAV, which was far away.
         const std::vector<MissionEvent> reached = eventsOf(mission, EventKind::Reached);
         QVERIFY(std::ranges::none_of(reached, [&](const MissionEvent& event) {
-            return event.iceberg == 0 && event.time_s <= given->time_s;
+            return event.iceberg == IcebergIndex(0) && event.time_s <= given->time_s;
         }));
         const std::vector<MissionEvent> sighted = eventsOf(mission, EventKind::Sighted);
-        QVERIFY(!sighted.empty() && sighted[0].iceberg == 0 && sighted[0].uav == 1);
+        QVERIFY(!sighted.empty() && sighted[0].iceberg == IcebergIndex(0) && sighted[0].uav == 1);
     }
 
     void drawnFlightsFlyTheFleet()
@@ -358,11 +359,10 @@ private slots:
             const auto k = static_cast<std::size_t>(own.uav);
             int from = 0;
             double t = 2;
-            for (const int iceberg : own.order) {
-                distance_m += request.uavs[k].distance_m(from, iceberg + 1);
-                reward_m2 += initialSigma_m2(scenario.icebergs[static_cast<std::size_t>(iceberg)]) *
-                             (41 - t++);
-                from = iceberg + 1;
+            for (const IcebergIndex iceberg : own.order) {
+                distance_m += request.uavs[k].distance_m(from, nodeOf(request, iceberg));
+                reward_m2 += initialSigma_m2(scenario.icebergs[toIndex(iceberg)]) * (41 - t++);
+                from = nodeOf(request, iceberg);
             }
         }
         COMPARE_NEAR(plan.distance_m, distance_m, 1e-6);

@@ -94,7 +94,7 @@ private slots:
         s.uavs[0].home_m = Point(0, 0);
         Mission mission(s);
         mission.advance(60);
-        const std::optional<int> target = mission.simulation().uav(0).target;
+        const std::optional<IcebergIndex> target = mission.simulation().uav(0).target;
         QVERIFY(target);
         mission.intervene(command("u1", FlightOrder::ReturnNow));
         QCOMPARE(mission.simulation().uav(0).mode, FlightMode::Home);
@@ -139,7 +139,7 @@ private slots:
         Mission mission(s);
         mission.advance(80);
         const Point here_m = mission.simulation().uav(0).pose.position_m;
-        const int target = mission.simulation().uav(0).target.value();
+        const IcebergIndex target = mission.simulation().uav(0).target.value();
         mission.intervene(command("u1", FlightOrder::HoldHere));
         for (double time_s = 81; time_s <= 300; time_s += 1) {
             mission.advance(time_s);

@@ -27,7 +27,7 @@ FlyablePath pathOf(const ExportSource& source, const UavPlan& order)
 }
 
 /** Compares the first sightings with the times predicted by the plan, `now_s` after take-off. */
-void compareSightings(const FlyablePath& path, const std::vector<int>& order,
+void compareSightings(const FlyablePath& path, const IcebergList& order,
                       const std::vector<double>& sightings_s, std::size_t count, double now_s)
 {
     QVERIFY(sightings_s.size() >= count);
@@ -104,11 +104,11 @@ private slots:
         scenario.uavs[0].heading_deg = 90;
         const FlyablePath path =
             flyOrder(scenario, {.order = {0, 1, 2}, .clusters = {{1, 2}}}, false);
-        std::multiset<int> seen;
+        std::multiset<IcebergIndex> seen;
         for (const Visit& visit : path.visits)
-            for (const int iceberg : icebergsOf(visit))
+            for (const IcebergIndex iceberg : icebergsOf(visit))
                 seen.insert(iceberg);
-        QVERIFY((seen == std::multiset<int>{0, 1, 2}));
+        QVERIFY((seen == std::multiset<IcebergIndex>{0, 1, 2}));
     }
 
     /** Aimed legs for another airspeed are not used. */

@@ -118,7 +118,7 @@ Scenario fewAndElsewhere(std::uint64_t seed)
 /** Returns true if an iceberg is lost while no UAV and no plan searches for it. */
 bool hasUnsearched(const Simulation& world)
 {
-    for (int i = 0; i < world.icebergCount(); ++i) {
+    for (const IcebergIndex i : world.icebergs()) {
         bool isSearched = world.observer().isLeftToPlan();
         for (int uav = 0; uav < world.uavCount(); ++uav)
             if (const std::optional<Search>& search = world.observer().searches().of(uav))
@@ -218,8 +218,8 @@ private slots:
             std::vector<int> searchedBy(static_cast<std::size_t>(world.icebergCount()), -1);
             for (double t_s = 1; t_s <= 1500; ++t_s) {
                 mission.advance(t_s);
-                for (int i = 0; i < world.icebergCount(); ++i) {
-                    int& before = searchedBy[static_cast<std::size_t>(i)];
+                for (const IcebergIndex i : world.icebergs()) {
+                    int& before = searchedBy[toIndex(i)];
                     int searching = -1;
                     for (int uav = 0; uav < world.uavCount(); ++uav)
                         if (world.uav(uav).search && world.uav(uav).search->iceberg == i &&
@@ -259,7 +259,7 @@ private slots:
             for (double t_s = 1; t_s <= s.duration_s; ++t_s) {
                 mission.advance(t_s);
                 for (std::size_t i = 0; i < before.size(); ++i) {
-                    const TrackStatus now = world.track(static_cast<int>(i)).status;
+                    const TrackStatus now = world.track(IcebergIndex::of(i)).status;
                     again += before[i] == TrackStatus::GivenUp && now == TrackStatus::Lost ? 1 : 0;
                     before[i] = now;
                 }

@@ -146,7 +146,7 @@ private slots:
         while (mission.advance(until_s) != AdvanceStatus::Finished) {
             until_s += 0.1;
             for (; checked < mission.plans().size(); ++checked)
-                for (const int iceberg : mission.plans()[checked]->uavs[0].order)
+                for (const IcebergIndex iceberg : mission.plans()[checked]->uavs[0].order)
                     QVERIFY(!mission.simulation().track(iceberg).inView);
         }
         QVERIFY(checked > 10);
@@ -160,7 +160,7 @@ private slots:
         const auto plans = test::flownPlans(mission);
         QVERIFY(plans.size() > 8);
         QVERIFY(!plans[0].fellBack);
-        const std::vector<int>& first = plans[0].order;
+        const IcebergList& first = plans[0].order;
         for (std::size_t i = 1; i < 5; ++i) {
             QVERIFY(plans[i].fellBack);
             QCOMPARE(plans[i].plan->outcome.status, SolveStatus::None);
@@ -168,7 +168,7 @@ private slots:
             QVERIFY(plans[i].target());
             // The rest of the first plan, in its order.
             auto place = first.begin();
-            for (const int iceberg : plans[i].order) {
+            for (const IcebergIndex iceberg : plans[i].order) {
                 place = std::find(place, first.end(), iceberg);
                 QVERIFY(place != first.end());
             }
@@ -216,7 +216,7 @@ private slots:
         Mission mission(scenario);
         flyToEnd(mission);
         QVERIFY(mission.metrics().visits >= 5);
-        std::set<std::optional<int>> targets;
+        std::set<std::optional<IcebergIndex>> targets;
         for (const test::FlownPlan& plan : test::flownPlans(mission))
             targets.insert(plan.target());
         // `nearest` may get stuck between a few icebergs; every other policy visits all of them.
@@ -233,10 +233,10 @@ private slots:
         // After two laps the successor of an iceberg in the cycle never changes, except for
         // icebergs in view, which are skipped.
         const std::vector<test::FlownPlan> plans = test::flownPlans(mission);
-        const std::vector<int>& cycle = plans[0].order;
+        const IcebergList& cycle = plans[0].order;
         int backward = 0;
         for (std::size_t i = 1; i < plans.size(); ++i) {
-            const auto placeOf = [&](std::optional<int> iceberg) {
+            const auto placeOf = [&](std::optional<IcebergIndex> iceberg) {
                 return std::find(cycle.begin(), cycle.end(), iceberg) - cycle.begin();
             };
             const auto from = placeOf(plans[i - 1].target());
@@ -285,9 +285,9 @@ private slots:
         const Scenario scenario = randomScenario(3, {.icebergs = 6});
         Mission mission(scenario);
         mission.advance(50);
-        const int target = test::flownPlans(mission).back().target().value();
+        const IcebergIndex target = test::flownPlans(mission).back().target().value();
         const std::size_t plans = mission.plans().size();
-        const std::string id = scenario.icebergs[static_cast<std::size_t>(target)].id;
+        const std::string id = scenario.icebergs[toIndex(target)].id;
         QVERIFY(mission.simulation().track(target).sigma_m2 > 0);
         mission.intervene({.seen = id});
         QCOMPARE(mission.simulation().track(target).sigma_m2, 0.0);
@@ -339,8 +339,8 @@ private slots:
         scenario.area_m = {{-9000, -9000}, {9000, -9000}, {9000, 9000}, {-9000, 9000}};
         Mission mission(scenario);
         mission.advance(100);
-        const int target = test::flownPlans(mission).back().target().value();
-        const std::string id = mission.icebergs()[static_cast<std::size_t>(target)].id;
+        const IcebergIndex target = test::flownPlans(mission).back().target().value();
+        const std::string id = mission.icebergs()[toIndex(target)].id;
         const double before_m2 = mission.simulation().observer().sigmaSum_m2();
         mission.intervene({.removed = id});
         mission.advance(100.1);
@@ -377,9 +377,9 @@ private slots:
         while (lost() == mission.events().end() && !mission.simulation().finished())
             mission.advance(mission.simulation().time_s() + 5);
         QVERIFY(lost() != mission.events().end());
-        const int iceberg = lost()->iceberg.value();
+        const IcebergIndex iceberg = lost()->iceberg.value();
         const double removed_s = mission.simulation().time_s();
-        mission.intervene({.removed = mission.icebergs()[static_cast<std::size_t>(iceberg)].id});
+        mission.intervene({.removed = mission.icebergs()[toIndex(iceberg)].id});
         QCOMPARE(mission.interventions().size(), std::size_t{1});
         mission.advance(removed_s + 0.2);
         flyToEnd(mission);

@@ -54,7 +54,7 @@ void compareWithFlight(const MissionInstant& instant, const Mission& then)
     QCOMPARE(instant.plans, then.plans().size());
     QCOMPARE(instant.events, then.events().size());
     QCOMPARE(instant.interventions, then.interventions().size());
-    for (int i = 0; i < then.simulation().icebergCount(); ++i) {
+    for (const IcebergIndex i : then.simulation().icebergs()) {
         QVERIFY(instant.simulation.truth_m(i) == then.simulation().truth_m(i));
         QCOMPARE(instant.simulation.active(i), then.simulation().active(i));
     }

@@ -74,7 +74,7 @@ std::ptrdiff_t samplesInside(const Mission& mission)
     });
 }
 
-std::ptrdiff_t visitsOf(const Mission& mission, int iceberg)
+std::ptrdiff_t visitsOf(const Mission& mission, IcebergIndex iceberg)
 {
     return std::count_if(mission.events().begin(), mission.events().end(),
                          [&](const MissionEvent& event) {

@@ -132,7 +132,7 @@ private slots:
             for (const double time_s : {150.0, 400.0, 650.0, 900.0}) {
                 mission.advance(time_s);
                 const Simulation& now = mission.simulation();
-                for (int i = 0; i < now.icebergCount(); ++i) {
+                for (const IcebergIndex i : now.icebergs()) {
                     if (now.track(i).status != TrackStatus::Tracked)
                         continue;
                     error += (now.truth_m(i) - now.observer().estimate_m(i)).squaredNorm() /
@@ -243,7 +243,7 @@ private slots:
             for (const double time_s : {150.0, 400.0, 650.0, 1000.0}) {
                 mission.advance(time_s);
                 const Simulation& now = mission.simulation();
-                for (int i = 0; i < now.icebergCount(); ++i) {
+                for (const IcebergIndex i : now.icebergs()) {
                     if (now.track(i).status != TrackStatus::Tracked)
                         continue;
                     error += (now.truth_m(i) - now.observer().estimate_m(i)).squaredNorm() /
@@ -301,7 +301,7 @@ private slots:
         const auto first =
             std::ranges::find(mission.events(), EventKind::Reached, &MissionEvent::kind);
         QVERIFY(first != mission.events().end());
-        QCOMPARE(first->iceberg, 0);
+        QCOMPARE(first->iceberg, IcebergIndex(0));
         QVERIFY(std::abs(first->time_s - 500 / 22.0) < 1.2); // in view, and the next look
     }
 
@@ -390,7 +390,8 @@ private slots:
         QVERIFY(mission.metrics().visits >= 1);         // the other one
         for (const test::FlownPlan& plan : test::flownPlans(mission))
             if (plan.time_s > 300)
-                QVERIFY(std::find(plan.order.begin(), plan.order.end(), 0) == plan.order.end());
+                QVERIFY(std::find(plan.order.begin(), plan.order.end(), IcebergIndex(0)) ==
+                        plan.order.end());
     }
 
     void withoutSearchItIsGivenUpAtOnce()

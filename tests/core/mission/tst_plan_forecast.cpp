@@ -62,7 +62,7 @@ double integratedZeta(const Sea& world, const PlanForecast& forecast, double hor
         for (; next < forecast.uavs[0].visits.size() &&
                forecast.uavs[0].visits[next].arrival_s <= (step + 0.5) * kStep_s;
              ++next)
-            sigma_m2[static_cast<std::size_t>(forecast.uavs[0].visits[next].iceberg)] = 0;
+            sigma_m2[toIndex(forecast.uavs[0].visits[next].iceberg)] = 0;
         for (std::size_t i = 0; i < sigma_m2.size(); ++i) {
             if (!world.active[i])
                 continue;
@@ -93,7 +93,7 @@ ForecastStart startOf(const Mission& mission)
                         .time_s = simulation.time_s(),
                         .airspeeds_mps = {mission.scenario().uavs.front().spec.airspeed_mps},
                         .wind_mps = mission.scenario().wind_mps};
-    for (int i = 0; i < simulation.icebergCount(); ++i)
+    for (const IcebergIndex i : simulation.icebergs())
         start.active.push_back(simulation.active(i));
     return start;
 }
@@ -140,7 +140,7 @@ private slots:
     {
         Sea world;
         world.add({300, 400}, 6, 0.05).add({-1000, 0}, 2, 0.01);
-        const std::vector<int> order{0};
+        const IcebergList order{0};
         const double horizon_s = 200;
         const PlanForecast forecast = forecastPlan(world.start(), {order}, horizon_s);
         QCOMPARE(forecast.uavs[0].visits.size(), std::size_t{1});
@@ -169,7 +169,7 @@ private slots:
         QFETCH(double, horizon_s);
         Sea world = randomWorld(static_cast<std::uint64_t>(seed), 7);
         world.active[6] = false;
-        std::vector<int> order{3, 0, 5, 1, 2, 0}; // one of them twice, 4 not at all
+        IcebergList order{3, 0, 5, 1, 2, 0}; // one of them twice, 4 not at all
         const PlanForecast forecast = forecastPlan(world.start({3, -8}), {order}, horizon_s);
         const double integrated_m2s = integratedZeta(world, forecast, horizon_s);
         // An arrival is found to half a step: sigma, 100 m^2 at most, times 5 ms for each of six.
@@ -180,7 +180,7 @@ private slots:
     {
         Sea world;
         world.add({0, 600}, 1, 0);
-        const std::vector<int> order{0};
+        const IcebergList order{0};
         const Point wind_mps(0, 10);
         COMPARE_NEAR(forecastPlan(world.start(wind_mps), {order}, 1).uavs[0].visits[0].arrival_s,
                      20, 1e-9);
@@ -191,7 +191,7 @@ private slots:
         Sea world;
         world.add({0, 0}, 1, 0);
         world.state.tracks[0].velocity_mps = {2, 0}; // 100 s after its anchor: 200 m ahead
-        const std::vector<int> order{0};
+        const IcebergList order{0};
         const ForecastVisit visit = forecastPlan(world.start(), {order}, 1).uavs[0].visits[0];
         COMPARE_NEAR(visit.arrival_s, 200 / (kAirspeed_mps - 2), 1e-9);
         COMPARE_NEAR(visit.leg_m, kAirspeed_mps * visit.arrival_s, 1e-9);
@@ -200,7 +200,7 @@ private slots:
     void anUnknownIcebergIsABug()
     {
         const Sea world = randomWorld(1, 2);
-        const std::vector<int> order{2};
+        const IcebergList order{2};
         QVERIFY_THROWS_EXCEPTION(std::logic_error,
                                  static_cast<void>(forecastPlan(world.start(), {order}, 10)));
     }
@@ -213,8 +213,8 @@ private slots:
         const double duration_s = 12000 / 22.0 + 60; // the last visit, and a little more
         Mission mission(rowOfIcebergs(duration_s, PolicyKind::Path));
         mission.advance(0);
-        const std::vector<int> order = test::flownPlans(mission).front().order;
-        QCOMPARE(order, (std::vector<int>{0, 1, 2, 3}));
+        const IcebergList order = test::flownPlans(mission).front().order;
+        QCOMPARE(order, (IcebergList{0, 1, 2, 3}));
         const PlanForecast forecast = forecastPlan(startOf(mission), {order}, duration_s);
         mission.advance(duration_s);
         QCOMPARE(mission.metrics().visits, 4);
@@ -225,20 +225,19 @@ private slots:
 
     void noChange_data()
     {
-        QTest::addColumn<QList<int>>("before");
-        QTest::addColumn<QList<int>>("after");
-        QTest::newRow("nothing was left") << QList<int>{} << QList<int>{0, 1};
-        QTest::newRow("the same") << QList<int>{1, 0} << QList<int>{1, 0};
-        QTest::newRow("goes on after it") << QList<int>{1, 0} << QList<int>{1, 0, 2};
+        QTest::addColumn<IcebergList>("before");
+        QTest::addColumn<IcebergList>("after");
+        QTest::newRow("nothing was left") << IcebergList{} << IcebergList{0, 1};
+        QTest::newRow("the same") << IcebergList{1, 0} << IcebergList{1, 0};
+        QTest::newRow("goes on after it") << IcebergList{1, 0} << IcebergList{1, 0, 2};
     }
 
     void noChange()
     {
-        QFETCH(QList<int>, before);
-        QFETCH(QList<int>, after);
+        QFETCH(IcebergList, before);
+        QFETCH(IcebergList, after);
         const Sea world = randomWorld(2, 3);
-        QVERIFY(!planChanges(world.start(), {{before.begin(), before.end()}},
-                             {{after.begin(), after.end()}}, 1000)[0]);
+        QVERIFY(!planChanges(world.start(), {before}, {after}, 1000)[0]);
     }
 
     /**
@@ -248,13 +247,13 @@ private slots:
     void changeComparesFlights()
     {
         const Sea world = randomWorld(3, 4);
-        const std::vector<int> after{3, 1, 0, 2};
-        const std::vector<int> flownBefore{0, 1, 3, 2};
+        const IcebergList after{3, 1, 0, 2};
+        const IcebergList flownBefore{0, 1, 3, 2};
         const double horizon_s = 2000;
         const std::optional<PlanChange> change =
-            planChanges(world.start(), {std::vector{0, 1}}, {after}, horizon_s)[0];
+            planChanges(world.start(), {IcebergList{0, 1}}, {after}, horizon_s)[0];
         QVERIFY(change);
-        QCOMPARE(change->before, (std::vector<int>{0, 1}));
+        QCOMPARE(change->before, (IcebergList{0, 1}));
         const PlanForecast old = forecastPlan(world.start(), {flownBefore}, horizon_s);
         const PlanForecast now = forecastPlan(world.start(), {after}, horizon_s);
         COMPARE_NEAR(change->distance_m, now.uavs[0].distance_m - old.uavs[0].distance_m, 1e-9);
@@ -277,9 +276,9 @@ private slots:
         mission.intervene({.tau = 0.0});
         mission.advance(60);
         const test::FlownPlan plan = test::flownPlans(mission).back();
-        QCOMPARE(plan.order, (std::vector<int>{3, 2, 1, 0}));
+        QCOMPARE(plan.order, (IcebergList{3, 2, 1, 0}));
         QVERIFY(plan.change);
-        QCOMPARE(plan.change->before, (std::vector<int>{0, 1, 2, 3}));
+        QCOMPARE(plan.change->before, (IcebergList{0, 1, 2, 3}));
         // Both fly to the last of the row, then back to the first of it.
         COMPARE_NEAR(plan.change->distance_m, 9000, 1e-6);
         mission.intervene({.tau = 0.01}); // gives the same plan

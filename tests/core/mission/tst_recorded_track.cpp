@@ -46,7 +46,7 @@ private slots:
         mission.advance(500);
         int met = 0;
         for (const Visit& visit : flownVisits(mission))
-            if (visit.iceberg == 1) {
+            if (visit.iceberg == IcebergIndex(1)) {
                 QVERIFY(visit.position_m == kTrack.at(visit.time_s));
                 ++met;
             }
@@ -87,7 +87,7 @@ private slots:
         Mission without(plain);
         with.advance(20);
         without.advance(20);
-        for (const int iceberg : {0, 2, 3, 4, 5})
+        for (const IcebergIndex iceberg : IcebergList{0, 2, 3, 4, 5})
             QVERIFY(with.simulation().truth_m(iceberg) == without.simulation().truth_m(iceberg));
     }
 

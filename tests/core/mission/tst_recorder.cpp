@@ -32,7 +32,8 @@ void recordAll(Simulation& simulation, Recorder& recorder,
     recorder.record(simulation);
     while (!simulation.finished()) {
         if (simulation.planReason() != PlanReason::None)
-            simulation.setTarget(0, simulation.available(0, 0) ? std::optional(0) : std::nullopt);
+            simulation.setTarget(0, simulation.available(0, 0) ? std::optional(IcebergIndex(0))
+                                                               : std::nullopt);
         simulation.advanceStep();
         if (afterStep)
             afterStep(simulation);
@@ -85,8 +86,7 @@ private slots:
         recordAll(simulation, recorder);
         QCOMPARE(recorder.samples().size(), static_cast<std::size_t>(steps.size()));
         for (qsizetype i = 0; i < steps.size(); ++i)
-            COMPARE_NEAR(recorder.samples()[static_cast<std::size_t>(i)].time_s, steps[i] * dt_s,
-                         1e-12);
+            COMPARE_NEAR(recorder.samples()[toIndex(i)].time_s, steps[i] * dt_s, 1e-12);
     }
 
     /** Compares each sample with the simulation at that instant in a second flight. */
@@ -96,7 +96,7 @@ private slots:
         Simulation simulation(scenario);
         Recorder recorder(0.7, 25, scenario.dt_s);
         std::vector<Simulation> history{Simulation(scenario)};
-        history[0].setTarget(0, 0);
+        history[0].setTarget(0, IcebergIndex(0));
         recordAll(simulation, recorder, [&](Simulation& s) { history.push_back(s); });
 
         std::size_t row = 0;
@@ -112,8 +112,8 @@ private slots:
             QCOMPARE(sample.zeta_m2s, state.zeta_m2s);
             QCOMPARE(sample.flown_m, state.flown_m());
             QCOMPARE(recorder.icebergs(row).size(), std::size_t{2});
-            for (int i = 0; i < 2; ++i) {
-                const IcebergSample one = recorder.icebergs(row)[static_cast<std::size_t>(i)];
+            for (const IcebergIndex i : then.icebergs()) {
+                const IcebergSample one = recorder.icebergs(row)[toIndex(i)];
                 QCOMPARE(one.sigma_m2, then.track(i).sigma_m2);
                 QVERIFY(one.truth_m == then.truth_m(i));
                 QCOMPARE(one.inView, then.track(i).inView);
@@ -123,7 +123,7 @@ private slots:
         }
         QVERIFY(row > 100);
         QVERIFY(!recorder.samples()[0].uavs[0].target); // no plan yet at time 0
-        QCOMPARE(recorder.samples()[1].uavs[0].target, std::optional(0));
+        QCOMPARE(recorder.samples()[1].uavs[0].target, std::optional(IcebergIndex(0)));
         QVERIFY(recorder.icebergs(0)[1].inView);
         QVERIFY(!recorder.icebergs(row - 1)[1].inView); // left behind
     }

@@ -253,8 +253,8 @@ private:
                                             sync->phase == SyncPhase::ReadingBack)))
                 continue;
             std::vector<std::string> order;
-            for (const int iceberg : own->order)
-                order.push_back(m_mission->icebergs()[static_cast<std::size_t>(iceberg)].id);
+            for (const IcebergIndex iceberg : own->order)
+                order.push_back(m_mission->icebergs()[toIndex(iceberg)].id);
             if (!isAheadOnBoard(m_aircraft[i]->order, order))
                 upload(i, uploadsOf(*m_mission)[i]);
         }

@@ -18,10 +18,10 @@ Scenario field(ObserverModel model)
 }
 
 /** Returns an iceberg that has long been out of view at this instant. */
-int longUnseen(const Simulation& simulation)
+IcebergIndex longUnseen(const Simulation& simulation)
 {
-    int found = 0;
-    for (int i = 1; i < simulation.icebergCount(); ++i)
+    IcebergIndex found;
+    for (const IcebergIndex i : simulation.icebergs())
         if (simulation.track(i).sigma_m2 > simulation.track(found).sigma_m2)
             found = i;
     return found;
@@ -48,9 +48,9 @@ private slots:
         const Scenario scenario = field(model);
         Mission mission(scenario);
         mission.advance(300);
-        const int iceberg = longUnseen(mission.simulation());
+        const IcebergIndex iceberg = longUnseen(mission.simulation());
         const Track before = mission.simulation().track(iceberg);
-        const std::string id = scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
+        const std::string id = scenario.icebergs[toIndex(iceberg)].id;
         mission.intervene({.seen = id, .seenAge_s = 60});
         const Track& after = mission.simulation().track(iceberg);
         const double lookSd_m = scenario.observer.positionSd_m;
@@ -71,9 +71,9 @@ private slots:
         const Scenario scenario = field(ObserverModel::Simple);
         Mission mission(scenario);
         mission.advance(300);
-        const int iceberg = longUnseen(mission.simulation());
+        const IcebergIndex iceberg = longUnseen(mission.simulation());
         const Track before = mission.simulation().track(iceberg);
-        const std::string id = scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
+        const std::string id = scenario.icebergs[toIndex(iceberg)].id;
         mission.intervene({.seen = id, .seenAge_s = 1e6});
         QVERIFY(mission.simulation().track(iceberg) == before);
         QCOMPARE(mission.interventions().size(), std::size_t{1});
@@ -84,8 +84,8 @@ private slots:
         const Scenario scenario = field(ObserverModel::Kalman);
         Mission mission(scenario);
         mission.advance(300);
-        const int iceberg = longUnseen(mission.simulation());
-        const std::string id = scenario.icebergs[static_cast<std::size_t>(iceberg)].id;
+        const IcebergIndex iceberg = longUnseen(mission.simulation());
+        const std::string id = scenario.icebergs[toIndex(iceberg)].id;
         mission.intervene({.seen = id, .seenAge_s = 45});
         mission.advance(600);
         const RunFile run = runFromJson(runToJson(runOf(mission)), "run");

@@ -57,11 +57,11 @@ Counted countedSteps(const Scenario& scenario)
     std::vector<int> row(static_cast<std::size_t>(icebergs));
     while (!mission.simulation().finished()) {
         std::vector<bool> before;
-        for (int i = 0; i < icebergs; ++i)
+        for (const IcebergIndex i : mission.simulation().icebergs())
             before.push_back(mission.simulation().track(i).inView);
         mission.advance(mission.simulation().time_s() + scenario.dt_s);
-        for (int i = 0; i < icebergs; ++i) {
-            const auto at = static_cast<std::size_t>(i);
+        for (const IcebergIndex i : mission.simulation().icebergs()) {
+            const std::size_t at = toIndex(i);
             if (before[at] && mission.simulation().track(i).inView) {
                 row[at] = 0;
                 continue;

@@ -249,7 +249,7 @@ private slots:
         const MissionInstant early = instantAt(mission, landed_s + 100);
         const MissionInstant late = instantAt(mission, landed_s + 200);
         double growth_m2 = 0;
-        for (int i = 0; i < early.simulation.icebergCount(); ++i) {
+        for (const IcebergIndex i : early.simulation.icebergs()) {
             QVERIFY(!late.simulation.track(i).inView);
             const double grown_m2 =
                 late.simulation.track(i).sigma_m2 - early.simulation.track(i).sigma_m2;
@@ -302,7 +302,7 @@ private slots:
         s.icebergs[1].position_m = {3000, 500};
         const Mission mission = flownWithin(s);
         for (const test::FlownPlan& plan : test::flownPlans(mission))
-            QVERIFY(plan.target() != 0);
+            QVERIFY(plan.target() != IcebergIndex(0));
         // With the near iceberg in view there is no target left: it waits on the ground.
         QVERIFY(!timesOf(mission, EventKind::HomeBound).empty());
         const PlanRequest request = planRequest(Simulation(s));

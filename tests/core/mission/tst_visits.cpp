@@ -207,7 +207,7 @@ private slots:
             QCOMPARE(visits[i].iceberg, expected[i].iceberg);
             QCOMPARE(visits[i].time_s, expected[i].time_s);
             QVERIFY(visits[i].position_m == expected[i].position_m); // the same arithmetic
-            metTheAdded = metTheAdded || visits[i].iceberg == 4;
+            metTheAdded = metTheAdded || visits[i].iceberg == IcebergIndex(4);
         }
         QVERIFY(metTheAdded);
     }

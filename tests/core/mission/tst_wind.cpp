@@ -151,9 +151,9 @@ private slots:
         addIceberg(scenario, 2000, 0);
         addIceberg(scenario, -2100, 0);
         scenario.planner.policy = PolicyKind::Nearest;
-        QCOMPARE(planFromStart(scenario).uavs[0].order.at(0), 0);
+        QCOMPARE(planFromStart(scenario).uavs[0].order.at(0), IcebergIndex(0));
         scenario.wind_mps = {-kWind_mps, 0};
-        QCOMPARE(planFromStart(scenario).uavs[0].order.at(0), 1);
+        QCOMPARE(planFromStart(scenario).uavs[0].order.at(0), IcebergIndex(1));
     }
 
     void windThatTurnsInFlightReplays()
@@ -194,7 +194,7 @@ private slots:
             const Simulation& world = mission.simulation();
             const FieldOfView view({.fov_m = scenario.uavs[0].fov_m}, world.uav(0).pose.position_m,
                                    world.uav(0).pose.psi_rad);
-            for (int i = 0; i < world.icebergCount(); ++i)
+            for (const IcebergIndex i : world.icebergs())
                 QCOMPARE(world.track(i).inView, view.contains(world.truth_m(i)));
         }
         QVERIFY(mission.metrics().visits > 5);

@@ -93,7 +93,7 @@ private slots:
         mission.advance(2000);
         const MissionEvent* left = find(mission, EventKind::Left);
         QVERIFY(left != nullptr);
-        QCOMPARE(left->iceberg, 1);
+        QCOMPARE(left->iceberg, IcebergIndex(1));
         // 600 m beyond the edge less its own radius of 50 m: at (550 + 50) / 0.6 s.
         COMPARE_NEAR(left->time_s, 600 / 0.6, 1.01);
         const Simulation& end = mission.simulation();
@@ -104,7 +104,8 @@ private slots:
         for (const test::FlownPlan& plan : test::flownPlans(mission)) {
             replanned = replanned || plan.reason == PlanReason::Left;
             if (plan.time_s >= left->time_s)
-                QVERIFY(std::find(plan.order.begin(), plan.order.end(), 1) == plan.order.end());
+                QVERIFY(std::find(plan.order.begin(), plan.order.end(), IcebergIndex(1)) ==
+                        plan.order.end());
         }
         QVERIFY(replanned);
     }

@@ -41,7 +41,7 @@ Scenario twoSides()
     return scenario;
 }
 
-int firstTarget(const Scenario& scenario)
+IcebergIndex firstTarget(const Scenario& scenario)
 {
     return planFromStart(scenario).uavs[0].order.at(0);
 }
@@ -89,9 +89,9 @@ private slots:
                                         PolicyKind::Uncertainty, PolicyKind::Coverage}) {
             Scenario scenario = twoSides();
             scenario.planner.policy = policy;
-            QCOMPARE(firstTarget(scenario), 0);
+            QCOMPARE(firstTarget(scenario), IcebergIndex(0));
             scenario.asset = platform(2500, 300);
-            QCOMPARE(firstTarget(scenario), 1);
+            QCOMPARE(firstTarget(scenario), IcebergIndex(1));
         }
     }
 
@@ -166,7 +166,7 @@ private slots:
         const auto alarm =
             std::find_if(mission.events().begin(), mission.events().end(),
                          [](const MissionEvent& e) { return e.kind == EventKind::Alarm; });
-        QCOMPARE(alarm->iceberg, 0);
+        QCOMPARE(alarm->iceberg, IcebergIndex(0));
         COMPARE_NEAR(alarm->entry_s, 2599, 0.5); // found at t = 1 s
         scenario.asset->alarm_m.reset();         // half the range
         QCOMPARE(alarmRadius_m(*scenario.asset), 500.0);

@@ -79,7 +79,7 @@ private slots:
         QVERIFY(mission.plans().size() > 5);
         QCOMPARE(failuresOf(mission), static_cast<std::ptrdiff_t>(mission.plans().size()) - 2);
         // The third plan continues the order of the second.
-        const std::vector<int> second = test::flownPlans(mission)[1].order;
+        const IcebergList second = test::flownPlans(mission)[1].order;
         QVERIFY(test::flownPlans(mission)[2].fellBack);
         QCOMPARE(test::flownPlans(mission)[2].target(), second[1]);
         // It still sees most icebergs.

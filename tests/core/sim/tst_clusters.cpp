@@ -210,7 +210,7 @@ private slots:
         scenario.clusters = false;
         const Simulation simulation(scenario);
         const PlanRequest request = clusteredRequest(simulation);
-        QCOMPARE(request.ids, (std::vector<int>{0, 1, 2}));
+        QCOMPARE(request.ids, (IcebergList{0, 1, 2}));
         QVERIFY(request.clusters.empty());
         QVERIFY(request.uavs[0].distance_m == planRequest(simulation).uavs[0].distance_m);
     }
@@ -218,8 +218,8 @@ private slots:
     void oneNodeForTheTwo()
     {
         const PlanRequest request = clusteredRequest(Simulation(pairAhead()));
-        QCOMPARE(request.clusters, (Groups{{0, 2}}));
-        QCOMPARE(request.ids, (std::vector<int>{0, 1}));
+        QCOMPARE(request.clusters, (Clusters{{0, 2}}));
+        QCOMPARE(request.ids, (IcebergList{0, 1}));
         QCOMPARE(request.sigma_m2, (std::vector<double>{0, 7, 5}));
         COMPARE_NEAR(request.uavs[0].distance_m(0, 1), 2000, 1e-9);
         COMPARE_NEAR(request.uavs[0].distance_m(1, 2), 3000, 1e-9);
@@ -241,8 +241,8 @@ private slots:
     /** A sortie contains a cluster as a whole or not at all. */
     void sortiesHoldWholeClusters()
     {
-        const Groups clusters{{0, 2}};
-        const std::vector<int> order{1, 0, 2};
+        const Clusters clusters{{0, 2}};
+        const IcebergList order{1, 0, 2};
         std::set<int> whole;
         std::set<int> one;
         bool isLeftToSingles = false;
@@ -283,8 +283,8 @@ private slots:
                                   .active = {true, true, true},
                                   .time_s = 0,
                                   .airspeeds_mps = {now.motion(0).airspeed_mps}};
-        const std::vector<int> order{0, 2, 1};
-        const Groups clusters{{0, 2}};
+        const IcebergList order{0, 2, 1};
+        const Clusters clusters{{0, 2}};
         const PlanForecast forecast = forecastPlan(start, {order}, 1000, clusters);
         COMPARE_NEAR(forecast.uavs[0].distance_m, 5000, 1e-9);
         QCOMPARE(forecast.uavs[0].visits.size(), std::size_t{3});
@@ -297,10 +297,10 @@ private slots:
                 forecastPlan(start, {order}, 1000).uavs[0].distance_m);
 
         const std::optional<PlanChange> change = planChanges(
-            start, {std::vector{0, 2, 1}}, {std::vector{1, 0, 2}}, 1000, {.before = clusters})[0];
+            start, {IcebergList{0, 2, 1}}, {IcebergList{1, 0, 2}}, 1000, {.before = clusters})[0];
         QVERIFY(change);
         COMPARE_NEAR(change->distance_m,
-                     forecastPlan(start, {std::vector{1, 0, 2}}, 1000).uavs[0].distance_m - 5000,
+                     forecastPlan(start, {IcebergList{1, 0, 2}}, 1000).uavs[0].distance_m - 5000,
                      1e-9);
     }
 
@@ -309,9 +309,9 @@ private slots:
         const PlanRequest request = clusteredRequest(Simulation(pairAhead()));
         Planner planner({.policy = PolicyKind::Nearest});
         const Plan answer = planner.plan(request, {});
-        QCOMPARE(answer.uavs[0].order, (std::vector<int>{0, 2, 1}));
-        QCOMPARE(answer.uavs[0].clusters, (Groups{{0, 2}}));
-        QCOMPARE(answer.solvedIds, (std::vector<int>{0, 1}));
+        QCOMPARE(answer.uavs[0].order, (IcebergList{0, 2, 1}));
+        QCOMPARE(answer.uavs[0].clusters, (Clusters{{0, 2}}));
+        QCOMPARE(answer.solvedIds, (IcebergList{0, 1}));
         // The cluster takes the place of its first member in a warm start.
         SolverScript script;
         Planner warm({.policy = PolicyKind::Visitation}, std::make_unique<ScriptedSolver>(script));
@@ -332,11 +332,11 @@ private slots:
         };
         Planner planner({.policy = PolicyKind::Visitation},
                         std::make_unique<ScriptedSolver>(script));
-        QCOMPARE(planner.plan(request, {}).uavs[0].order, (std::vector<int>{1, 0, 2}));
+        QCOMPARE(planner.plan(request, {}).uavs[0].order, (IcebergList{1, 0, 2}));
         const Plan answer = planner.plan(request, {});
         QVERIFY(answer.fellBack);
-        QCOMPARE(answer.uavs[0].order, (std::vector<int>{1, 0, 2}));
-        QCOMPARE(answer.uavs[0].clusters, (Groups{{0, 2}}));
+        QCOMPARE(answer.uavs[0].order, (IcebergList{1, 0, 2}));
+        QCOMPARE(answer.uavs[0].clusters, (Clusters{{0, 2}}));
     }
 };
 

@@ -211,7 +211,7 @@ private slots:
         Simulation simulation(s);
         for (int step = 0; step < 10; ++step) {
             for (const int uav : {0, 1})
-                simulation.setTarget(uav, uav);
+                simulation.setTarget(uav, IcebergIndex::of(uav));
             simulation.advanceStep();
         }
         QCOMPARE(simulation.fleet().closest_m().value(), 1.0);

@@ -17,7 +17,7 @@ namespace {
 
 /** Flies to the given iceberg at every request for a plan until `done` or the end. */
 template <class Done>
-bool flyTo(Simulation& simulation, int iceberg, const Done& done)
+bool flyTo(Simulation& simulation, IcebergIndex iceberg, const Done& done)
 {
     while (!simulation.finished()) {
         if (simulation.planReason() != PlanReason::None)
@@ -66,7 +66,7 @@ private slots:
             const Point along(std::cos(turn_rad), std::sin(turn_rad));
             const double side = turn_rad > 0 ? 1 : -1;
             const Point exit_m = turnedTo(Pose{}, along, side, turnRadius_m(UavSpec{})).position_m;
-            simulation.setTarget(0, 0,
+            simulation.setTarget(0, IcebergIndex(0),
                                  AimedLeg{.iceberg = 0,
                                           .turn_rad = turn_rad,
                                           .from_m = exit_m,
@@ -95,17 +95,18 @@ private slots:
         addIceberg(scenario, 1500, 100);
         Simulation simulation(scenario);
         const AimedLeg ahead{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 1200 / 22.0};
-        simulation.setTarget(0, 0, ahead);
+        simulation.setTarget(0, IcebergIndex(0), ahead);
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Sighted);
         QVERIFY(simulation.track(1).inView);
         QVERIFY(!simulation.uav(0).lastReached);
-        simulation.setTarget(0, 0, AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 130});
+        simulation.setTarget(0, IcebergIndex(0),
+                             AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 130});
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::TargetReached);
-        QCOMPARE(simulation.uav(0).lastReached, std::optional(0));
+        QCOMPARE(simulation.uav(0).lastReached, std::optional(IcebergIndex(0)));
     }
 
     void overdueSightingAsksForAPlan()
@@ -113,13 +114,13 @@ private slots:
         Scenario scenario = emptySea(400);
         addIceberg(scenario, 3000, 0);
         Simulation simulation(scenario);
-        simulation.setTarget(0, 0,
+        simulation.setTarget(0, IcebergIndex(0),
                              AimedLeg{.iceberg = 0, .abeam_m = {3000, 0}, .sighting_s = 50.05});
         while (simulation.planReason() == PlanReason::None)
             simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::Overdue);
         QVERIFY(std::abs(simulation.time_s() - 52.1) < 1e-9); // two seconds later, the next step
-        simulation.setTarget(0, 0); // without an aim nothing can be overdue
+        simulation.setTarget(0, IcebergIndex(0)); // without an aim nothing can be overdue
         QVERIFY(!simulation.uav(0).aim);
         simulation.advanceStep();
         QCOMPARE(simulation.planReason(), PlanReason::None);
@@ -252,12 +253,13 @@ private slots:
     {
         Simulation simulation(randomScenario(7));
         const double limit_radps = maxTurnRate_radps(UavSpec{});
-        int target = 0;
+        IcebergIndex target;
         while (!simulation.finished()) {
             if (simulation.planReason() != PlanReason::None) {
-                target = (target + 5) % 12;
-                simulation.setTarget(0,
-                                     simulation.available(0, target) ? target : (target + 1) % 12);
+                target = IcebergIndex::of((target.number() + 5) % 12);
+                simulation.setTarget(0, simulation.available(0, target)
+                                            ? target
+                                            : IcebergIndex::of((target.number() + 1) % 12));
             }
             simulation.advanceStep();
             QVERIFY(std::abs(simulation.uav(0).u_radps) <= limit_radps);
@@ -273,14 +275,14 @@ private slots:
         later.q_m2ps = 0.05;
         Simulation simulation(scenario);
         QVERIFY(!simulation.active(1));
-        QCOMPARE(planRequest(simulation).ids, std::vector<int>{0});
+        QCOMPARE(planRequest(simulation).ids, IcebergList{0});
         QVERIFY(flyTo(simulation, 0,
                       [](const Simulation& s) { return s.planReason() == PlanReason::Appeared; }));
         QCOMPARE(simulation.time_s(), 100.0);
         QVERIFY(simulation.active(1));
         // It has been unseen since t = 0, so sigma is sigma0 + q t.
         QVERIFY(std::abs(simulation.track(1).sigma_m2 - (3 + 0.05 * 100)) < 1e-9);
-        QCOMPARE(planRequest(simulation).ids, (std::vector<int>{0, 1}));
+        QCOMPARE(planRequest(simulation).ids, (IcebergList{0, 1}));
     }
 
     void addedInFlightStartsHereAndNow()
@@ -296,7 +298,7 @@ private slots:
         simulation.addIceberg(added);
         QCOMPARE(simulation.planReason(), PlanReason::Appeared);
         QVERIFY((simulation.truth_m(1) - Point(4000, 4000)).norm() < 1e-9);
-        simulation.setTarget(0, 0);
+        simulation.setTarget(0, IcebergIndex(0));
         for (int k = 0; k < 100; ++k)
             simulation.advanceStep();
         QVERIFY((simulation.truth_m(1) - Point(4010, 4000)).norm() < 1e-6);
@@ -399,7 +401,7 @@ private slots:
         flyTo(simulation, 2, [&](const Simulation& s) {
             const DubinsState& uav = s.uav(0).pose;
             const FieldOfView view(sensor, uav.position_m, uav.psi_rad);
-            for (int i = 0; i < s.icebergCount(); ++i) {
+            for (const IcebergIndex i : s.icebergs()) {
                 inView += s.track(i).inView ? 1 : 0;
                 const bool seen = s.active(i) && view.contains(s.truth_m(i));
                 wrong += seen != s.track(i).inView ? 1 : 0;
@@ -440,7 +442,7 @@ private slots:
             Simulation fed(scenario);
             std::size_t sightings = 0;
             while (!flown.finished()) {
-                const std::optional<int> target = flown.fleet().nearestAvailable(0);
+                const std::optional<IcebergIndex> target = flown.fleet().nearestAvailable(0);
                 if (flown.planReason() != PlanReason::None)
                     flown.setTarget(0, target);
                 if (fed.planReason() != PlanReason::None)

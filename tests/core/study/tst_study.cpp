@@ -412,11 +412,13 @@ private slots:
         addIceberg(scenario, 2500, 0);
         Mission mission(scenario);
         mission.advance(1000);
-        std::set<std::optional<int>> targets;
+        std::set<std::optional<IcebergIndex>> targets;
         for (const test::FlownPlan& plan : test::flownPlans(mission))
             if (plan.time_s >= 500)
                 targets.insert(plan.target());
-        QVERIFY((targets == std::set<std::optional<int>>{std::nullopt, 0, 1})); // the intended case
+        QVERIFY((targets ==
+                 std::set<std::optional<IcebergIndex>>{std::nullopt, IcebergIndex(0),
+                                                       IcebergIndex(1)})); // the intended case
         QCOMPARE(isStuck(scenario, PolicyKind::Visitation), true);
     }
 };

@@ -41,7 +41,7 @@ inline Plan fleetPlan(int uavs, int icebergs)
     for (int i = 0; i < uavs; ++i)
         plan.uavs.push_back({.uav = i});
     for (int i = 0; i < icebergs; ++i)
-        plan.uavs[static_cast<std::size_t>(i % uavs)].order.push_back(i);
+        plan.uavs[static_cast<std::size_t>(i % uavs)].order.push_back(IcebergIndex::of(i));
     return plan;
 }
 

@@ -7,7 +7,8 @@
 
 namespace berg::test {
 
-using Groups = std::vector<std::vector<int>>;
+using Groups = std::vector<std::vector<int>>; ///< indices of tracks
+using Clusters = std::vector<IcebergList>;
 
 /**
  * Two stationary icebergs, 0 and 2, 400 m apart across the path, 2 km ahead, and one far beyond.

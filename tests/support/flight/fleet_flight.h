@@ -49,11 +49,11 @@ public:
     void assign(int iceberg, int uav) { m_assigned[at(iceberg)] = uav; }
     [[nodiscard]] int assignedUav(int iceberg) const { return m_assigned[at(iceberg)]; }
 
-    [[nodiscard]] PlanRequest request(std::span<const std::vector<int>> lastRests = {}) const
+    [[nodiscard]] PlanRequest request(std::span<const IcebergList> lastRests = {}) const
     {
         PlanRequest request{.sigma_m2 = {0}, .speed_mps = m_flyers[0].motion.airspeed_mps};
         for (int i = 0; i < static_cast<int>(m_tracks.size()); ++i) {
-            request.ids.push_back(i);
+            request.ids.push_back(IcebergIndex::of(i));
             request.sigma_m2.push_back(track(i).sigma_m2);
         }
         for (int u = 0; u < static_cast<int>(m_flyers.size()); ++u)

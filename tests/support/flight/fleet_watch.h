@@ -110,7 +110,7 @@ private:
         const Motion& motion = m_mission.simulation().motion(uav);
         return 2 * kPi * circleRadius_m(motion) / motion.airspeed_mps;
     }
-    [[nodiscard]] bool isTargeted(int iceberg) const
+    [[nodiscard]] bool isTargeted(IcebergIndex iceberg) const
     {
         return std::ranges::any_of(m_mission.simulation().fleet().autopilots(),
                                    [iceberg](const Autopilot& uav) {
@@ -151,7 +151,7 @@ private:
      * Returns whether a UAV may search for the iceberg, can return from there, and has no other
      * search.
      */
-    [[nodiscard]] bool hasSearcher(int iceberg) const
+    [[nodiscard]] bool hasSearcher(IcebergIndex iceberg) const
     {
         const Simulation& now = m_mission.simulation();
         const std::optional<int>& assigned = now.world().parameters(iceberg).assignedUav;
@@ -163,7 +163,7 @@ private:
                 return true;
         return false;
     }
-    [[nodiscard]] bool isSearched(int iceberg) const
+    [[nodiscard]] bool isSearched(IcebergIndex iceberg) const
     {
         const Simulation& now = m_mission.simulation();
         for (int uav = 0; uav < now.uavCount(); ++uav)
@@ -181,8 +181,8 @@ private:
     {
         const Simulation& now = m_mission.simulation();
         m_since_s.resize(static_cast<std::size_t>(now.icebergCount()), -1);
-        for (int i = 0; i < now.icebergCount(); ++i) {
-            double& since_s = m_since_s[static_cast<std::size_t>(i)];
+        for (const IcebergIndex i : now.icebergs()) {
+            double& since_s = m_since_s[toIndex(i)];
             const bool isAlone = now.active(i) && now.track(i).status != TrackStatus::Tracked &&
                                  !isSearched(i) && hasSearcher(i);
             if (!isAlone) {
@@ -192,12 +192,13 @@ private:
             if (since_s < 0)
                 since_s = time_s;
             bool isRound = time_s - since_s > round_s(0) + delay_s();
-            for (int other = 0; other < now.icebergCount() && isRound; ++other)
-                isRound = !now.active(other) || now.track(other).status != TrackStatus::Tracked ||
-                          now.track(other).inView || now.track(other).seen_s > since_s;
+            for (const IcebergIndex other : now.icebergs())
+                isRound = isRound &&
+                          (!now.active(other) || now.track(other).status != TrackStatus::Tracked ||
+                           now.track(other).inView || now.track(other).seen_s > since_s);
             if (isRound)
                 m_faults.add(Fault::Unsearched,
-                             std::to_string(i) + " at " + std::to_string(time_s));
+                             std::to_string(i.number()) + " at " + std::to_string(time_s));
         }
     }
 
@@ -207,19 +208,19 @@ private:
         const Simulation& now = m_mission.simulation();
         for (int uav = 0; uav < now.uavCount(); ++uav) {
             const Autopilot& me = now.fleet().autopilot(uav);
-            int beside = -1;
-            for (int i = 0; i < now.icebergCount() && beside < 0; ++i)
-                if (now.available(uav, i) && !isTargeted(i) &&
+            std::optional<IcebergIndex> beside;
+            for (const IcebergIndex i : now.icebergs())
+                if (!beside && now.available(uav, i) && !isTargeted(i) &&
                     time_s - now.track(i).seen_s > round_s(uav) &&
                     (!keepsRoute || now.world().parameters(i).assignedUav == uav))
                     beside = i;
             double& idle_s = m_idle_s[static_cast<std::size_t>(uav)];
             const bool isIdle =
-                !me.target() && me.isPlanned() && me.mode() != FlightMode::Search && beside >= 0;
+                !me.target() && me.isPlanned() && me.mode() != FlightMode::Search && beside;
             idle_s = isIdle ? idle_s + 1 : 0;
             if (idle_s > 2 * delay_s())
                 m_faults.add(Fault::Idle, std::to_string(uav) + " beside " +
-                                              std::to_string(beside) + " at " +
+                                              std::to_string(beside->number()) + " at " +
                                               std::to_string(time_s));
         }
     }

@@ -84,7 +84,7 @@ inline Scenario twoUavsAndAsset()
 }
 
 /** Returns an answer of the planner with an order only. */
-inline Plan planOf(std::vector<int> order)
+inline Plan planOf(IcebergList order)
 {
     Plan plan;
     plan.uavs.emplace_back().order = std::move(order);

@@ -61,10 +61,10 @@ inline PlanRequest withoutUav(PlanRequest request, std::size_t k)
 }
 
 /** Returns the request without the iceberg of this id for any UAV. */
-inline PlanRequest withoutIceberg(PlanRequest request, int id)
+inline PlanRequest withoutIceberg(PlanRequest request, IcebergIndex id)
 {
     for (UavRequest& uav : request.uavs)
-        uav.available[static_cast<std::size_t>(nodeOf(request, id) - 1)] = false;
+        uav.available[toIndex(nodeOf(request, id) - 1)] = false;
     return request;
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/base/random.h"
 #include "core/geometry/geometry.h"
-#include "core/plan/policy/policy.h"
+#include "core/plan/policy/fleet_task.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace berg::test {
 /** An iceberg of a request. */
 struct Place
 {
-    int id = 0;
+    IcebergIndex id;
     Point position_m = Point::Zero();
     double sigma_m2 = 0;
 };
@@ -53,14 +53,14 @@ inline std::vector<Place> randomPlaces(Random& random, int count)
 {
     std::vector<Place> places;
     for (int i = 0; i < count; ++i)
-        places.push_back({100 - 7 * i,
+        places.push_back({IcebergIndex::of(100 - 7 * i),
                           {random.uniform(0, 5000), random.uniform(0, 4000)},
                           random.uniform(1, 10)});
     return places;
 }
 
 /** Returns the request with only these ids available. */
-inline PlanRequest withAvailable(PlanRequest request, const std::set<int>& available)
+inline PlanRequest withAvailable(PlanRequest request, const std::set<IcebergIndex>& available)
 {
     for (std::size_t k = 0; k < request.ids.size(); ++k)
         request.uavs[0].available[k] = available.contains(request.ids[k]);
@@ -68,24 +68,18 @@ inline PlanRequest withAvailable(PlanRequest request, const std::set<int>& avail
 }
 
 /** Returns the request with these ids in view and all others available. */
-inline PlanRequest without(PlanRequest request, const std::set<int>& inView)
+inline PlanRequest without(PlanRequest request, const std::set<IcebergIndex>& inView)
 {
     for (std::size_t k = 0; k < request.ids.size(); ++k)
         request.uavs[0].available[k] = !inView.contains(request.ids[k]);
     return request;
 }
 
-/** Returns the row and column of an id in the distance matrix. */
-inline Eigen::Index nodeOf(const PlanRequest& request, int id)
-{
-    return std::find(request.ids.begin(), request.ids.end(), id) - request.ids.begin() + 1;
-}
-
-inline double pathLength_m(const PlanRequest& request, const std::vector<int>& ids)
+inline double pathLength_m(const PlanRequest& request, const IcebergList& ids)
 {
     double length_m = 0;
     Eigen::Index from = 0;
-    for (const int id : ids) {
+    for (const IcebergIndex id : ids) {
         length_m += request.uavs[0].distance_m(from, nodeOf(request, id));
         from = nodeOf(request, id);
     }
@@ -96,7 +90,7 @@ inline double pathLength_m(const PlanRequest& request, const std::vector<int>& i
 template <class Visit>
 void forEachOrder(const PlanRequest& request, const Visit& visit)
 {
-    std::vector<int> ids = request.ids;
+    IcebergList ids = request.ids;
     std::sort(ids.begin(), ids.end());
     do {
         visit(ids);

@@ -29,7 +29,7 @@ inline MapPicture randomPicture(int icebergs, std::uint64_t seed = 1)
              .sigma_m2 = random.uniform(0, 20),
              .radius_m = random.uniform(3, 150),
              .inView = i == 2});
-        route.plan.push_back(i);
+        route.plan.push_back(MapPlace::of(i));
     }
     picture.uavs = {MapUav{.position_m = {2500, 2000}, .psi_rad = 0.6, .sensor = {}}};
     for (int k = 0; k <= 200; ++k)

@@ -9,7 +9,10 @@
 
 namespace berg::test {
 
-/** A visible map of 1000 x 700 pixels with four icebergs far apart, and its document. */
+/**
+ * A visible map of 1000 x 700 pixels with four icebergs far apart, and its document. Unless the map
+ * is locked, it shows the scenario after each edit.
+ */
 struct MapFixture
 {
     ScenarioDocument document;
@@ -18,11 +21,18 @@ struct MapFixture
 
     MapFixture()
     {
+        QObject::connect(&document, &ScenarioDocument::scenarioChanged, &view, [this] {
+            if (!view.isLocked())
+                showScenario();
+        });
         document.reset(fourIcebergs());
         view.resize(1000, 700);
         view.show();
-        view.setPicture(plainPicture());
+        showScenario();
     }
+
+    /** Shows the scenario as it is now. */
+    void showScenario() { view.setPicture(withScenario(plainPicture(), scenario())); }
 
     /** berg-1 to berg-4 in a square of 2 km, the UAV at the origin. */
     [[nodiscard]] static Scenario fourIcebergs()

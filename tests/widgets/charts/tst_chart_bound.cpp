@@ -127,11 +127,12 @@ private slots:
         const auto row = [](const char* name, const MissionEvent& event, int lines) {
             QTest::newRow(name) << event << lines;
         };
-        row("reported seen", {.kind = EventKind::Sighted, .iceberg = 0, .reported = true}, 2);
+        row("reported seen",
+            {.kind = EventKind::Sighted, .iceberg = IcebergIndex(0), .reported = true}, 2);
         row("wind changed", {.kind = EventKind::Intervention, .changed = ChangedPart::Wind}, 2);
-        row("seen by the UAV", {.kind = EventKind::Sighted, .iceberg = 0}, 3);
+        row("seen by the UAV", {.kind = EventKind::Sighted, .iceberg = IcebergIndex(0)}, 3);
         row("asset changed", {.kind = EventKind::Intervention, .changed = ChangedPart::Asset}, 3);
-        row("iceberg added", {.kind = EventKind::Appeared, .iceberg = 0}, 3);
+        row("iceberg added", {.kind = EventKind::Appeared, .iceberg = IcebergIndex(0)}, 3);
     }
 
     void boundOfAnotherFlightIsNotShown()

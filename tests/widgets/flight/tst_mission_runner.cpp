@@ -290,7 +290,7 @@ private slots:
         const Scenario scenario = randomScenario(4, {.icebergs = 40});
         runner.setScenario(scenario, {.workLimit = 1});
         QVERIFY(inPhase(runner, record, RunPhase::Ready));
-        const std::vector<int> order = record.now.plan->uavs[0].order;
+        const IcebergList order = record.now.plan->uavs[0].order;
         QVERIFY(order != planFromStart(scenario).uavs[0].order); // this plan would be better
         QSignalSpy ready(&runner, &MissionRunner::exportReady);
         runner.requestExport({.formatId = "csv"});

@@ -80,8 +80,8 @@ public:
     Source(const Scenario& scenario, double flown_s, const ExportOptions& options)
         : m_scenario(scenario)
     {
-        std::vector<int> order(scenario.icebergs.size());
-        std::iota(order.begin(), order.end(), 0);
+        IcebergList order(scenario.icebergs.size());
+        std::iota(order.begin(), order.end(), IcebergIndex());
         m_plan = planOf(order);
         if (flown_s > 0)
             m_mission.emplace(flown(m_scenario, flown_s));

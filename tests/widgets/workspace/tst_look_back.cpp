@@ -93,7 +93,7 @@ private slots:
             const std::optional<int> at = intervalAt(curve.curve(), f.record().shown().planner.tau);
             if (!curve.curve().complete || !at)
                 return false;
-            std::vector<int> order;
+            IcebergList order;
             for (const int node : curve.curve().intervals[static_cast<std::size_t>(*at)].order())
                 order.push_back(curve.problem().ids[static_cast<std::size_t>(node) - 1]);
             return order == f.record().shown().plan->uavs[0].order;

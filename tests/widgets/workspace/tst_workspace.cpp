@@ -166,7 +166,7 @@ private slots:
         QCOMPARE(workspace.assignedUavOf(first), "uav-2"); // the later one has not taken its place
         QVERIFY(workspace.document().scenario() == scenario);
         const OrdersByUav orders = ordersOf(workspace.record().now);
-        for (const int iceberg : orders[0])
+        for (const IcebergIndex iceberg : orders[0])
             QVERIFY(iceberg > 1);
         workspace.assign({first}, {});
         QVERIFY(until([&] { return workspace.assignedUavOf(first).empty(); }));

@@ -119,8 +119,8 @@ std::vector<MapStop> stopsOf(const MapPicture& picture)
     std::vector<MapStop> stops(picture.icebergs.size());
     for (std::size_t uav = 0; uav < picture.routes.size(); ++uav) {
         int order = 0;
-        for (const int iceberg : picture.routes[uav].plan) {
-            MapStop& stop = stops[static_cast<std::size_t>(iceberg)];
+        for (const MapPlace iceberg : picture.routes[uav].plan) {
+            MapStop& stop = stops[toIndex(iceberg)];
             ++order;
             if (!stop.order || order < *stop.order)
                 stop = {.order = order, .uav = uav};

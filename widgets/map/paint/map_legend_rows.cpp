@@ -35,7 +35,7 @@ struct MapLegend
 
 bool hasRepeatVisits(const MapRoute& route)
 {
-    std::vector<int> sorted = route.plan;
+    MapPlaces sorted = route.plan;
     std::ranges::sort(sorted);
     return std::ranges::adjacent_find(sorted) != sorted.end();
 }
@@ -232,7 +232,7 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
         MapLegend::tr("Place to search, probability of finding"), MapLegend::tr("Place to search"),
         [colours](QPainter& p, const QRectF& r) { drawSearchPlace(p, r.center(), colours.plan); });
     rows.add(std::any_of(picture.clusters.begin(), picture.clusters.end(),
-                         [](const std::vector<int>& members) { return members.size() > 1; }),
+                         [](const MapPlaces& members) { return members.size() > 1; }),
              MapLegend::tr("Planned as one point"), MapLegend::tr("One point"),
              [&theme, colours](QPainter& p, const QRectF& r) {
                  drawClusterSwatch(p, r, colours.plan, theme);

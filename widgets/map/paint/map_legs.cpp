@@ -6,11 +6,11 @@ namespace berg {
 namespace {
 
 /** End of a leg to this iceberg: its symbol, or the middle of its cluster. */
-LabelDisk stopAt(const MapPicture& picture, const MapLayout& layout, int iceberg)
+LabelDisk stopAt(const MapPicture& picture, const MapLayout& layout, MapPlace iceberg)
 {
-    if (const std::vector<int>* members = clusterOf(picture, iceberg))
+    if (const MapPlaces* members = clusterOf(picture, iceberg))
         return {.centre_px = layout.view.toPixel(middleOf_m(picture, *members)), .radius_px = 0};
-    return layout.icebergs[static_cast<std::size_t>(iceberg)];
+    return layout.icebergs[toIndex(iceberg)];
 }
 
 /** Point towards `to` at the edge of the symbol `from`. */
@@ -60,7 +60,7 @@ std::vector<QPolygonF> planLegs(const MapPicture& picture, const MapLayout& layo
         return legsAlong(route.planPaths, layout.view);
     std::vector<QPolygonF> legs;
     LabelDisk from = pointAt(picture.uavs[uav].position_m, layout);
-    for (const int iceberg : thisSortie(route)) {
+    for (const MapPlace iceberg : thisSortie(route)) {
         const LabelDisk to = stopAt(picture, layout, iceberg);
         legs.push_back(legBetween(from, cornersOf(route, layout, legs.size()), to));
         from = to;
@@ -74,7 +74,7 @@ QPolygonF homeLeg(const MapPicture& picture, const MapLayout& layout, std::size_
     const std::optional<Point>& home_m = picture.uavs[uav].home_m;
     if (!home_m || !route.thisSortie)
         return {};
-    const std::span<const int> flown = thisSortie(route);
+    const std::span<const MapPlace> flown = thisSortie(route);
     LabelDisk from = pointAt(picture.uavs[uav].position_m, layout);
     if (!route.planPaths.empty())
         from = pointAt(route.planPaths.back().path_m.back(), layout);
@@ -91,7 +91,7 @@ std::vector<QPolygonF> formerLegs(const MapPicture& picture, const MapLayout& la
         return legsAlong(route.formerPaths, layout.view);
     std::vector<QPolygonF> legs;
     LabelDisk from = pointAt(route.formerFrom_m.value_or(picture.uavs[uav].position_m), layout);
-    for (const int iceberg : route.formerPlan) {
+    for (const MapPlace iceberg : route.formerPlan) {
         const LabelDisk to = stopAt(picture, layout, iceberg);
         legs.push_back(legBetween(from, {}, to));
         from = to;

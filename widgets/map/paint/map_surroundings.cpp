@@ -52,13 +52,13 @@ void paintRings(const MapPaint& p, const MapAsset& asset)
 }
 
 /** Outline of the symbols of the members, like a taut string around them. */
-QPainterPath outlineOf(const MapLayout& layout, const std::vector<int>& members)
+QPainterPath outlineOf(const MapLayout& layout, const MapPlaces& members)
 {
     QPainterPath outline;
     QPolygonF centres;
     double widest_px = 0;
-    for (const int member : members) {
-        const LabelDisk& disk = layout.icebergs[static_cast<std::size_t>(member)];
+    for (const MapPlace member : members) {
+        const LabelDisk& disk = layout.icebergs[toIndex(member)];
         centres << disk.centre_px;
         widest_px = std::max(widest_px, disk.radius_px);
     }
@@ -76,9 +76,9 @@ QPainterPath outlineOf(const MapLayout& layout, const std::vector<int>& members)
 }
 
 /** Colour of the plan that contains the first member. */
-QColor clusterColour(const MapPaint& p, const std::vector<int>& members)
+QColor clusterColour(const MapPaint& p, const MapPlaces& members)
 {
-    const MapStop& stop = p.layout.stops[static_cast<std::size_t>(members.front())];
+    const MapStop& stop = p.layout.stops[toIndex(members.front())];
     return stop.order ? routeColours(p.picture, p.theme, stop.uav).plan : p.theme.plan;
 }
 
@@ -281,7 +281,7 @@ void paintNoReturns(const MapPaint& p)
 
 void paintClusters(const MapPaint& p)
 {
-    for (const std::vector<int>& members : p.picture.clusters) {
+    for (const MapPlaces& members : p.picture.clusters) {
         if (members.size() < 2)
             continue;
         const QColor colour = clusterColour(p, members);

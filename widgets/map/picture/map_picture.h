@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/index.h"
 #include "core/earth/geodesy.h"
 #include "core/permit/operation.h"
 #include "core/tracking/observer.h"
@@ -118,11 +119,15 @@ struct MapSearchPlace
     double chance = 0; ///< probability of finding it there
 };
 
+/** An iceberg of a picture: its place in `MapPicture::icebergs`. */
+using MapPlace = Index<class MapPlaceKind>;
+using MapPlaces = std::vector<MapPlace>;
+
 /** The flown track and the plan of one UAV. */
 struct MapRoute
 {
-    std::vector<int> plan;       ///< indices of the icebergs in visiting order
-    std::vector<int> formerPlan; ///< plan that `plan` replaced; empty if there is none to show
+    MapPlaces plan;       ///< icebergs in visiting order
+    MapPlaces formerPlan; ///< plan that `plan` replaced; empty if there is none to show
     std::optional<Point>
         formerFrom_m; ///< UAV position at the replacement; nullopt means its position now
     std::optional<int>
@@ -175,7 +180,7 @@ struct MapPicture
     std::vector<MapUav> uavs;
     std::vector<MapRoute> routes; ///< same size and order as `uavs`
     std::vector<MapIceberg> icebergs;
-    std::vector<std::vector<int>> clusters; ///< indices of `icebergs` planned as one point each
+    std::vector<MapPlaces> clusters; ///< icebergs planned as one point each
     /** Tracks of another run in the same world, by UAV. */
     std::vector<std::vector<MapTrackPoint>> comparisonTracks;
     QString comparisonName;            ///< name of that run for the legend

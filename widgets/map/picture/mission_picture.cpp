@@ -111,13 +111,14 @@ std::vector<MapReadout> readoutsOf(const FlightRecord& record, const std::vector
     return readouts;
 }
 
-MapIceberg icebergOf(const FlightRecord& record, std::size_t i)
+MapIceberg icebergOf(const FlightRecord& record, IcebergIndex index)
 {
+    const std::size_t i = toIndex(index);
     const MissionSnapshot& shown = record.shown();
     const Iceberg& iceberg = shown.icebergs[i];
     const Track& track = shown.world.tracks[i];
     MapIceberg drawn{.id = QString::fromStdString(iceberg.name.empty() ? iceberg.id : iceberg.name),
-                     .position_m = record.estimate_m(i),
+                     .position_m = record.estimate_m(index),
                      .velocity_mps = track.velocity_mps,
                      .sigma_m2 = track.sigma_m2,
                      .radius_m = iceberg.radius_m,
@@ -129,7 +130,7 @@ MapIceberg icebergOf(const FlightRecord& record, std::size_t i)
         drawn.circle_m = radius95_m(track.sigma_m2);
         drawn.truth_m = shown.truth_m[i];
     }
-    if (const std::optional<AssetApproach> approach = approachOf(shown, i))
+    if (const std::optional<AssetApproach> approach = approachOf(shown, index))
         drawn.ringEntry_s = approach->entry_s;
     return drawn;
 }
@@ -139,10 +140,10 @@ std::vector<MapIceberg> icebergsOf(const FlightRecord& record, ShownPlaces& show
 {
     std::vector<MapIceberg> icebergs;
     shown.assign(record.shown().icebergs.size(), std::nullopt);
-    for (std::size_t i = 0; i < record.shown().icebergs.size(); ++i) {
-        if (!record.shown().active[i] || record.shown().world.tracks[i].left)
+    for (const IcebergIndex i : IcebergRange(record.shown().icebergs.size())) {
+        if (!record.shown().active[toIndex(i)] || record.shown().world.tracks[toIndex(i)].left)
             continue;
-        shown[i] = static_cast<int>(icebergs.size());
+        shown[toIndex(i)] = MapPlace::of(icebergs.size());
         icebergs.push_back(icebergOf(record, i));
     }
     return icebergs;
@@ -200,7 +201,7 @@ std::vector<Point> searchOf_m(const FlightRecord& record, std::size_t uav)
     const UavState& state = record.shown().world.uavs[uav];
     if (state.mode != FlightMode::Search || !state.search)
         return {};
-    const Point datum_m = record.estimate_m(static_cast<std::size_t>(state.search->iceberg));
+    const Point datum_m = record.estimate_m(state.search->iceberg);
     const std::vector<Point>& offsets_m = state.search->path.corners_m();
     std::vector<Point> corners_m;
     for (std::size_t k = state.search->path.next(); k < offsets_m.size(); ++k)
@@ -225,9 +226,9 @@ std::vector<std::vector<Point>> cornersOf(const MapPicture& picture, const Missi
 }
 
 /** Clusters of the newest plan in force, of its first UAV. */
-std::vector<std::vector<int>> clustersOf(const MissionSnapshot& now, const ShownPlaces& shown)
+std::vector<MapPlaces> clustersOf(const MissionSnapshot& now, const ShownPlaces& shown)
 {
-    std::vector<std::vector<int>> clusters;
+    std::vector<MapPlaces> clusters;
     const UavPlan* newest = nullptr;
     double newest_s = -1;
     for (std::size_t uav = 0; uav < now.plans.size(); ++uav)
@@ -236,7 +237,7 @@ std::vector<std::vector<int>> clustersOf(const MissionSnapshot& now, const Shown
             newest_s = now.plans[uav]->time_s;
         }
     if (newest != nullptr)
-        for (const std::vector<int>& members : newest->clusters)
+        for (const IcebergList& members : newest->clusters)
             clusters.push_back(placesOf(members, shown));
     return clusters;
 }
@@ -297,8 +298,7 @@ std::vector<Point> laterVisits_m(const UavPlan& plan, const WorldState& world, d
     std::vector<Point> places_m;
     for (const PlannedVisit& visit : plan.laterVisits)
         if (visit.time_s > now_s)
-            places_m.push_back(
-                world.tracks.at(static_cast<std::size_t>(visit.iceberg)).estimate_m(visit.time_s));
+            places_m.push_back(world.tracks.at(toIndex(visit.iceberg)).estimate_m(visit.time_s));
     return places_m;
 }
 
@@ -371,6 +371,12 @@ SweptPointer SweptPaths::of(const FlightRecord& record, std::size_t uav)
         path = {.poses = std::make_shared<std::vector<MapPose>>()};
     path.samples = addPoses(*path.poses, path.samples, record, uav);
     return path.poses;
+}
+
+MapPicture mapPicture(const FlightRecord& record, const QLocale& locale, SweptPaths& swept)
+{
+    MapPicture picture = missionPicture(record, locale, swept);
+    return record.inFlight() ? picture : withScenario(std::move(picture), record.scenario);
 }
 
 MapPicture missionPicture(const FlightRecord& record, const QLocale& locale)

@@ -36,7 +36,13 @@ private:
  */
 [[nodiscard]] MapPicture missionPicture(const FlightRecord& record, const QLocale& locale,
                                         SweptPaths& swept);
-/** Returns this picture without a pose cache, which suits a single one. */
+/**
+ * Returns the picture of the window: in flight that of the mission, before it the scenario with the
+ * newest plan, which may be of the scenario before the last edits (`withScenario`).
+ */
+[[nodiscard]] MapPicture mapPicture(const FlightRecord& record, const QLocale& locale,
+                                    SweptPaths& swept);
+/** Returns the picture of a mission without a pose cache, which suits a single one. */
 [[nodiscard]] MapPicture missionPicture(const FlightRecord& record, const QLocale& locale);
 
 /** Removes what only the simulation knows, so that the picture shows an operator's information. */

@@ -8,17 +8,17 @@
 
 namespace berg {
 
-/** By iceberg of a mission or an export, its index in the picture; nullopt if it is not shown. */
-using ShownPlaces = std::vector<std::optional<int>>;
+/** By iceberg of a mission or an export, its place in the picture; nullopt if it is not shown. */
+using ShownPlaces = std::vector<std::optional<MapPlace>>;
 
-/** Maps iceberg indices to picture indices; drops those that are not shown. */
-[[nodiscard]] std::vector<int> placesOf(const std::vector<int>& icebergs, const ShownPlaces& shown);
+/** Returns the places of the icebergs that are shown. */
+[[nodiscard]] MapPlaces placesOf(const IcebergList& icebergs, const ShownPlaces& shown);
 
 /** Returns the cluster that contains `iceberg`; null if it is planned separately. */
-[[nodiscard]] const std::vector<int>* clusterOf(const MapPicture& picture, int iceberg);
+[[nodiscard]] const MapPlaces* clusterOf(const MapPicture& picture, MapPlace iceberg);
 
 /** Returns the icebergs of the plan that are visited before the flight home. */
-[[nodiscard]] std::span<const int> thisSortie(const MapRoute& route);
+[[nodiscard]] std::span<const MapPlace> thisSortie(const MapRoute& route);
 
 /** Returns the end of each leg of this sortie; members of a cluster have the same end. The home
  * place is the last one if the UAV has one and the sortie ends there (`MapRoute::thisSortie`). */
@@ -27,6 +27,6 @@ using ShownPlaces = std::vector<std::optional<int>>;
 /**
  * Returns the point that a UAV flies to for a cluster: the centre of the circle around `members`.
  */
-[[nodiscard]] Point middleOf_m(const MapPicture& picture, const std::vector<int>& members);
+[[nodiscard]] Point middleOf_m(const MapPicture& picture, const MapPlaces& members);
 
 } // namespace berg

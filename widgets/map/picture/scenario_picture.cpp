@@ -39,24 +39,15 @@ MapIceberg mapIceberg(const Iceberg& iceberg, const Scenario& scenario)
 
 namespace {
 
-std::vector<std::string> keysOf(const std::vector<int>& order,
-                                const std::vector<MapIceberg>& icebergs)
+/** Returns those of the icebergs `before` that still exist, at their new places. */
+MapPlaces stillThere(const MapPlaces& order, const std::vector<MapIceberg>& before,
+                     const std::unordered_map<std::string, MapPlace>& places)
 {
-    std::vector<std::string> keys;
-    for (const int place : order)
-        keys.push_back(keyOf(icebergs[static_cast<std::size_t>(place)]));
-    return keys;
-}
-
-/** Indices of the keys that still exist, in the order of `keys`. */
-std::vector<int> placesOf(const std::vector<std::string>& keys,
-                          const std::unordered_map<std::string, int>& places)
-{
-    std::vector<int> order;
-    for (const std::string& key : keys)
-        if (const auto place = places.find(key); place != places.end())
-            order.push_back(place->second);
-    return order;
+    MapPlaces there;
+    for (const MapPlace old : order)
+        if (const auto place = places.find(keyOf(before[toIndex(old)])); place != places.end())
+            there.push_back(place->second);
+    return there;
 }
 
 /** Marks icebergs in view at t = 0. Their position is certain unless it is measured with noise. */
@@ -247,14 +238,12 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
     picture.routes = routesFor(scenario, picture);
     const std::vector<MapIceberg> before = std::exchange(picture.icebergs, {});
 
-    std::unordered_map<std::string, int> places;
+    std::unordered_map<std::string, MapPlace> places;
     for (const Iceberg& iceberg : scenario.icebergs) {
-        places.emplace(iceberg.id, static_cast<int>(picture.icebergs.size()));
+        places.emplace(iceberg.id, MapPlace::of(picture.icebergs.size()));
         picture.icebergs.push_back(mapIceberg(iceberg, scenario));
     }
-    const auto follow = [&](std::vector<int>& order) {
-        order = placesOf(keysOf(order, before), places);
-    };
+    const auto follow = [&](MapPlaces& order) { order = stillThere(order, before, places); };
     std::for_each(picture.clusters.begin(), picture.clusters.end(), follow);
     for (MapRoute& route : picture.routes) {
         follow(route.plan);

@@ -8,8 +8,6 @@
 #include <QEvent>
 #include <QPainter>
 
-#include <algorithm>
-
 using namespace Qt::StringLiterals;
 
 namespace berg {
@@ -48,7 +46,6 @@ MapView::MapView(ScenarioDocument& document, Selection& selection, QWidget* pare
         updateHover();
         update();
     });
-    refreshPicture();
     updateTexts();
 }
 
@@ -130,13 +127,9 @@ void MapView::setPreview(const Scenario* scenario)
 
 void MapView::refreshPicture()
 {
-    const Scenario& scenario = m_preview ? *m_preview : m_document.scenario();
-    MapPicture shown = m_isLocked ? m_picture : withScenario(m_picture, scenario);
+    MapPicture shown = m_preview && !m_isLocked ? withScenario(m_picture, *m_preview) : m_picture;
     if (m_isLocked && m_draft)
         m_draft(shown);
-    for (std::size_t i = 0; i < std::min(shown.uavs.size(), scenario.uavs.size()); ++i)
-        if (!shown.uavs[i].key)
-            shown.uavs[i].key = scenario.uavs[i].id;
     const bool isOtherCount = shown.icebergs.size() != m_scene.picture().icebergs.size();
     const bool isElsewhere = !(shown.origin == m_scene.picture().origin);
     m_scene.setPicture(std::move(shown));
@@ -153,19 +146,12 @@ void MapView::scenarioReplaced()
 {
     m_tools.tool().documentReplaced(); // cancelling would restore the old scenario
     m_fitsNextPicture = true;
-    MapPicture empty;
-    empty.emptyTitle = m_picture.emptyTitle;
-    empty.emptyHint = m_picture.emptyHint;
-    m_picture = std::move(empty);
 }
 
 void MapView::scenarioChanged()
 {
     m_selection.keepExisting(m_document.scenario());
     m_tools.tool().documentChanged();
-    refreshPicture();
-    if (m_fitsNextPicture)
-        m_camera.fit();
 }
 
 void MapView::selectionChanged()

@@ -16,8 +16,8 @@ namespace berg {
 
 /**
  * Interactive map: shows a picture in a view that mouse, wheel, pinch and keys move, and edits the
- * scenario with tools. Unless locked, it takes what can be edited from the document, so that edits
- * are visible in the next frame; everything else comes from the picture. GUI thread.
+ * scenario with tools. It makes no picture of the edited scenario: its owner sets one after each
+ * edit. GUI thread.
  */
 class MapView : public QWidget
 {
@@ -65,7 +65,7 @@ public:
     /** Marks an object that a list or chart refers to; empty for none. */
     void setHighlight(const std::string& id);
 
-    /** Shows this scenario instead of the document's; null ends the preview. */
+    /** Shows this scenario over the picture unless locked; null ends the preview. */
     void setPreview(const Scenario* scenario);
 
     [[nodiscard]] QSize sizeHint() const override { return {900, 600}; }

@@ -75,7 +75,7 @@ private:
     std::size_t m_events = 0; ///< number of events processed
     std::size_t m_plans = 0;  ///< number of plans processed
     /** By UAV, the first iceberg of its last plan. */
-    std::map<std::optional<int>, std::optional<int>> m_next;
+    std::map<std::optional<int>, std::optional<IcebergIndex>> m_next;
     std::size_t m_shown = 0;
 };
 

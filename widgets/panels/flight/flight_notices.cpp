@@ -145,7 +145,7 @@ void addWind(std::vector<FlightNotice>& notices, const FlightRecord& record, con
 /** An iceberg on its way into the inner ring. */
 struct RingEntry
 {
-    std::size_t iceberg = 0;
+    IcebergIndex iceberg;
     double entry_s = 0; ///< time from now, s
 };
 
@@ -155,7 +155,7 @@ std::vector<RingEntry> entriesOf(const MissionSnapshot& shown)
     std::vector<RingEntry> entries;
     if (!shown.asset)
         return entries;
-    for (std::size_t i = 0; i < shown.world.tracks.size(); ++i)
+    for (const IcebergIndex i : IcebergRange(shown.world.tracks.size()))
         if (const auto approach = approachOf(shown, i); approach && approach->entry_s)
             entries.push_back({.iceberg = i, .entry_s = *approach->entry_s});
     std::stable_sort(entries.begin(), entries.end(),
@@ -171,7 +171,7 @@ const RingEntry& newestOf(const std::vector<RingEntry>& entries,
         if (event->kind != EventKind::Alarm)
             continue;
         const auto entry = std::find_if(entries.begin(), entries.end(), [&](const RingEntry& one) {
-            return static_cast<int>(one.iceberg) == event->iceberg;
+            return one.iceberg == event->iceberg;
         });
         if (entry != entries.end())
             return *entry;
@@ -186,14 +186,14 @@ std::optional<FlightNotice> alarmNotice(const FlightRecord& record, const QLocal
     if (entries.empty())
         return std::nullopt;
     const auto sentence = [&](const RingEntry& entry) {
-        return ringEntryText(shownName(shown.icebergs[entry.iceberg]), entry.entry_s, locale,
-                             timesOf(record));
+        return ringEntryText(shownName(shown.icebergs[toIndex(entry.iceberg)]), entry.entry_s,
+                             locale, timesOf(record));
     };
     FlightNotice notice{.kind = NoticeKind::RingEntry,
                         .about = {kAssetKey},
                         .text = sentence(newestOf(entries, eventsOf(record)))};
     for (const RingEntry& entry : entries)
-        notice.about.push_back(shown.icebergs[entry.iceberg].id);
+        notice.about.push_back(shown.icebergs[toIndex(entry.iceberg)].id);
     if (entries.size() == 1)
         return notice;
     notice.text =
@@ -232,7 +232,7 @@ QString modeText(const FlightRecord& record, const UavState& uav, const QLocale&
         if (!uav.search)
             return {};
         return FlightNotices::tr("Searching for %1")
-            .arg(shownName(shown.icebergs[static_cast<std::size_t>(uav.search->iceberg)]));
+            .arg(shownName(shown.icebergs[toIndex(uav.search->iceberg)]));
     case FlightMode::Home:
         return sentence(record, {.kind = EventKind::HomeBound}, locale);
     case FlightMode::Hold:

@@ -95,17 +95,17 @@ std::vector<std::optional<PlaceInOrder>> placesOf(const FlightRecord& record)
     const OrdersByUav orders = ordersOf(shown);
     for (std::size_t uav = 0; uav < orders.size(); ++uav)
         for (std::size_t k = 0; k < orders[uav].size(); ++k)
-            places[static_cast<std::size_t>(orders[uav][k])] =
+            places[toIndex(orders[uav][k])] =
                 PlaceInOrder{.place = static_cast<int>(k) + 1, .uav = static_cast<int>(uav)};
     return places;
 }
 
-IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, bool isInOrder)
+IcebergStanding stateOf(const MissionSnapshot& shown, IcebergIndex iceberg, bool isInOrder)
 {
-    const Track& track = shown.world.tracks[iceberg];
+    const Track& track = shown.world.tracks[toIndex(iceberg)];
     if (track.left)
         return IcebergStanding::Left;
-    if (!shown.active[iceberg])
+    if (!shown.active[toIndex(iceberg)])
         return IcebergStanding::Later;
     if (track.inView)
         return IcebergStanding::InView;
@@ -114,13 +114,12 @@ IcebergStanding stateOf(const MissionSnapshot& shown, std::size_t iceberg, bool 
     if (track.status == TrackStatus::Lost)
         return std::ranges::any_of(shown.world.uavs,
                                    [&](const UavState& uav) {
-                                       return uav.search &&
-                                              uav.search->iceberg == static_cast<int>(iceberg);
+                                       return uav.search && uav.search->iceberg == iceberg;
                                    })
                    ? IcebergStanding::Searched
                    : IcebergStanding::Lost;
     const bool isFlownTo = std::ranges::any_of(shown.world.uavs, [&](const UavState& uav) {
-        return uav.target == static_cast<int>(iceberg) && uav.mode != FlightMode::Search;
+        return uav.target == iceberg && uav.mode != FlightMode::Search;
     });
     if (isFlownTo)
         return IcebergStanding::Target;
@@ -241,7 +240,8 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
     rows.reserve(shown.icebergs.size());
     const LocalFrame frame(record.scenario.origin);
     const TimesAhead times = timesOf(record);
-    for (std::size_t i = 0; i < shown.icebergs.size(); ++i) {
+    for (const IcebergIndex index : IcebergRange(shown.icebergs.size())) {
+        const std::size_t i = toIndex(index);
         const Iceberg& iceberg = shown.icebergs[i];
         const Track& track = shown.world.tracks[i];
         IcebergTableRow& row = rows.emplace_back();
@@ -249,7 +249,7 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
         row.name = QString::fromStdString(iceberg.name);
         row.times = times;
         const std::optional<PlaceInOrder>& place = places[i];
-        row.state = stateOf(shown, i, place.has_value());
+        row.state = stateOf(shown, index, place.has_value());
         put(row, IcebergColumn::State, stateOrder(row.state, place));
         if (place) {
             row.uav = nameInFleet(record.scenario.uavs, place->uav);
@@ -259,8 +259,8 @@ std::vector<IcebergTableRow> flightRows(const FlightRecord& record)
             put(row, IcebergColumn::Appears, iceberg.appears_s);
         if (!shown.active[i] || track.left)
             continue;
-        putApproach(row, approachOf(shown, i));
-        putPlace(row, frame, record.estimate_m(i));
+        putApproach(row, approachOf(shown, index));
+        putPlace(row, frame, record.estimate_m(index));
         put(row, IcebergColumn::Sigma, track.sigma_m2);
         put(row, IcebergColumn::Radius95, radius95_m(track.sigma_m2));
         const double since_s = std::max(track.seen_s, iceberg.appears_s);

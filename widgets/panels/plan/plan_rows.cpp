@@ -34,9 +34,9 @@ PlanForecast forecastOf(const MissionSnapshot& now, const Scenario& scenario)
 }
 
 /** Returns the row of an iceberg with its present values. */
-PlanRow rowOf(const MissionSnapshot& now, int iceberg)
+PlanRow rowOf(const MissionSnapshot& now, IcebergIndex iceberg)
 {
-    const auto index = static_cast<std::size_t>(iceberg);
+    const std::size_t index = toIndex(iceberg);
     return {.id = now.icebergs[index].id,
             .name = shownName(now.icebergs[index]),
             .sigma_m2 = now.world.tracks[index].sigma_m2,
@@ -149,7 +149,7 @@ void endWithRun(PlanSection& section, double left_s)
  */
 void addSearches(std::vector<PlanRow>& rows, const MissionSnapshot& now, const UavPlan& plan)
 {
-    std::map<int, PlanRow> byIceberg;
+    std::map<IcebergIndex, PlanRow> byIceberg;
     for (PlannedSearch search : plan.outlook->searches) {
         if (search.time_s <= now.time_s)
             continue;
@@ -161,7 +161,7 @@ void addSearches(std::vector<PlanRow>& rows, const MissionSnapshot& now, const U
         row.searches.push_back(search);
         row.arrival_s = row.searches.front().time_s;
         row.arrivalSigma_m2 =
-            now.world.tracks[static_cast<std::size_t>(search.iceberg)].sigmaAfter_m2(row.arrival_s);
+            now.world.tracks[toIndex(search.iceberg)].sigmaAfter_m2(row.arrival_s);
     }
     for (auto& [iceberg, row] : byIceberg)
         rows.push_back(std::move(row));
@@ -182,13 +182,13 @@ std::vector<PlanRow> aimedRows(const MissionSnapshot& now, const UavPlan& plan)
     std::vector<PlanRow> rows;
     double before_m = 0;
     for (std::size_t k = 0; k < plan.order.size(); ++k) {
-        const int iceberg = plan.order[k];
+        const IcebergIndex iceberg = plan.order[k];
         PlanRow& row = rows.emplace_back(rowOf(now, iceberg));
         row.number = static_cast<int>(k) + 1;
         row.isSeen = k < sightings_s.size();
         if (!row.isSeen)
             continue;
-        const Track& track = now.world.tracks[static_cast<std::size_t>(iceberg)];
+        const Track& track = now.world.tracks[toIndex(iceberg)];
         row.arrival_s = std::max(0.0, sightings_s[k] - now.time_s);
         row.arrivalSigma_m2 = track.sigmaAfter_m2(row.arrival_s);
         row.isLater = isBeyond(paths, sightings_s[k]) && !plan.laterVisits.empty();
@@ -209,11 +209,11 @@ void addLaterVisits(std::vector<PlanRow>& rows, const MissionSnapshot& now,
                     std::span<const std::vector<double>> visits)
 {
     for (PlanRow& row : rows) {
-        const auto iceberg = std::ranges::find(now.icebergs, row.id, &Iceberg::id);
-        if (iceberg == now.icebergs.end())
+        const std::optional<IcebergIndex> iceberg = indexOfId(now.icebergs, row.id);
+        if (!iceberg)
             continue;
         const double after_s = now.time_s + (row.isSeen ? row.arrival_s : 0);
-        const auto& times_s = visits[static_cast<std::size_t>(iceberg - now.icebergs.begin())];
+        const auto& times_s = visits[toIndex(*iceberg)];
         const auto next = std::upper_bound(times_s.begin(), times_s.end(), after_s);
         if (next != times_s.end())
             row.again_s = *next - now.time_s;
@@ -252,7 +252,7 @@ PlanOutlook aimedOutlook(const MissionSnapshot& shown, const Scenario& scenario)
     if (const std::optional<RevisitGap> gap = longestGap(
             plannedVisits(shown.plans, shown.icebergs.size(), shown.time_s), shown.world.tracks)) {
         outlook.longestGap_s = gap->gap_s;
-        outlook.longestGapName = shownName(shown.icebergs[static_cast<std::size_t>(gap->iceberg)]);
+        outlook.longestGapName = shownName(shown.icebergs[toIndex(gap->iceberg)]);
     }
     if (aimed.until_s < scenario.duration_s - kRounding_s)
         outlook.until_s = aimed.until_s;
@@ -273,11 +273,11 @@ void addBound(PlanOutlook& outlook, const KnownBound& bound)
             bound.whole->by(outlook.until_s.value_or(bound.whole->curve.back().time_s)).isFromRates;
 }
 
-QString namesOf(const std::vector<int>& order, const std::vector<Iceberg>& icebergs)
+QString namesOf(const IcebergList& order, const std::vector<Iceberg>& icebergs)
 {
     QStringList names;
-    for (const int iceberg : order)
-        names << shownName(icebergs[static_cast<std::size_t>(iceberg)]);
+    for (const IcebergIndex iceberg : order)
+        names << shownName(icebergs[toIndex(iceberg)]);
     return names.join(u", "_s);
 }
 

@@ -34,7 +34,7 @@ void checkRange(const std::string& option, const std::optional<double>& value, c
             refuse(option, *fault);
 }
 
-IcebergState stateOf(const Simulation& simulation, int index)
+IcebergState stateOf(const Simulation& simulation, IcebergIndex index)
 {
     const Track& track = simulation.track(index);
     if (track.left)
@@ -63,11 +63,10 @@ ExportIceberg enteredIceberg(const Scenario& scenario, const Iceberg& iceberg)
             .state = iceberg.appears_s > 0 ? IcebergState::Expected : IcebergState::Tracked};
 }
 
-ExportIceberg presentIceberg(const Mission& mission, std::size_t row, ExportScope what)
+ExportIceberg presentIceberg(const Mission& mission, IcebergIndex index, ExportScope what)
 {
     const Simulation& simulation = mission.simulation();
-    const int index = static_cast<int>(row);
-    const Iceberg& iceberg = mission.icebergs()[row];
+    const Iceberg& iceberg = mission.icebergs()[toIndex(index)];
     ExportIceberg now = enteredIceberg(mission.scenario(), iceberg);
     now.state = stateOf(simulation, index);
     now.isListed = now.state != IcebergState::Expected && now.state != IcebergState::Left;
@@ -99,11 +98,11 @@ void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& w
 }
 
 /** Returns how many icebergs of the order have no visit. */
-std::size_t leftOf(const std::vector<int>& order, const std::vector<Visit>& visits)
+std::size_t leftOf(const IcebergList& order, const std::vector<Visit>& visits)
 {
-    std::set<int> left(order.begin(), order.end());
+    std::set<IcebergIndex> left(order.begin(), order.end());
     for (const Visit& visit : visits)
-        for (const int iceberg : icebergsOf(visit))
+        for (const IcebergIndex iceberg : icebergsOf(visit))
             left.erase(iceberg);
     return left.size();
 }
@@ -261,7 +260,7 @@ OperationVolume operationAsChosen(Scenario scenario, const ExportOptions& option
  * Probability to find a lost iceberg; the iceberg is at no more than one of the places, so they add
  * up.
  */
-std::optional<double> chanceToFind(const std::vector<PlannedSearch>& searches, int iceberg,
+std::optional<double> chanceToFind(const std::vector<PlannedSearch>& searches, IcebergIndex iceberg,
                                    double now_s)
 {
     std::optional<double> chance;
@@ -325,8 +324,8 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
     if (source.mission)
         content.zeta_m2s = source.mission->metrics().zeta_m2s;
     if (source.mission)
-        for (std::size_t row = 0; row < source.mission->icebergs().size(); ++row)
-            content.icebergs.push_back(presentIceberg(*source.mission, row, content.what));
+        for (const IcebergIndex index : source.mission->simulation().icebergs())
+            content.icebergs.push_back(presentIceberg(*source.mission, index, content.what));
     else
         for (const Iceberg& iceberg : scenario.icebergs)
             content.icebergs.push_back(enteredIceberg(scenario, iceberg));
@@ -351,13 +350,13 @@ bool hasHeights(const NoFlyArea& area)
 }
 
 std::optional<double> chanceInView(const ExportContent& content, const ExportUav& uav,
-                                   const Visit& visit, int iceberg)
+                                   const Visit& visit, IcebergIndex iceberg)
 {
     if (content.what == ExportScope::Track)
         return std::nullopt;
     if (uav.isAimed)
         return chanceToFind(uav.searches, iceberg, content.now_s);
-    const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(iceberg));
+    const ExportIceberg& now = content.icebergs.at(toIndex(iceberg));
     const SensorSpec sensor{.fov_m = uav.uav.fov_m, .shape = content.scenario->fovShape};
     return chanceInView(sensor, std::sqrt(now.sigmaAfter_m2(visit.time_s - content.now_s)),
                         visit.spread_m);
@@ -366,8 +365,8 @@ std::optional<double> chanceInView(const ExportContent& content, const ExportUav
 std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit)
 {
     std::vector<std::string> ids;
-    for (const int index : icebergsOf(visit))
-        ids.push_back(content.icebergs.at(static_cast<std::size_t>(index)).iceberg.id);
+    for (const IcebergIndex index : icebergsOf(visit))
+        ids.push_back(content.icebergs.at(toIndex(index)).iceberg.id);
     return ids;
 }
 
@@ -394,7 +393,7 @@ std::string titleOf(const ExportContent& content, const Visit& visit)
     if (!visit.iceberg)
         return "Home";
     if (visit.members.empty())
-        return titleOf(content.icebergs.at(static_cast<std::size_t>(*visit.iceberg)).iceberg);
+        return titleOf(content.icebergs.at(toIndex(*visit.iceberg)).iceberg);
     return joined(idsOf(content, visit), ", ");
 }
 

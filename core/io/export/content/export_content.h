@@ -188,7 +188,7 @@ void checkExportOptions(const ExportSource& source, const ExportOptions& options
  * Returns nullopt for other icebergs on aimed legs, which the UAV passes aside, and for a track.
  */
 [[nodiscard]] std::optional<double> chanceInView(const ExportContent& content, const ExportUav& uav,
-                                                 const Visit& visit, int iceberg);
+                                                 const Visit& visit, IcebergIndex iceberg);
 
 /** Returns the ids of the icebergs in view at a visit, none for a visit to home. */
 [[nodiscard]] std::vector<std::string> idsOf(const ExportContent& content, const Visit& visit);

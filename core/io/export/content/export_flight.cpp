@@ -14,7 +14,7 @@ namespace {
 constexpr double kNever_s = 2 * kLargestTime_s;
 
 /** Returns the iceberg at its estimate, for a scenario that starts now. */
-Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, int index)
+Iceberg presentIceberg(const Iceberg& iceberg, const Simulation& simulation, IcebergIndex index)
 {
     Iceberg now = iceberg;
     now.track = {};
@@ -53,7 +53,7 @@ void advanceToNow(Scenario& scene, const Mission& mission, int row)
     scene.icebergs.clear();
     for (const Iceberg& iceberg : mission.icebergs())
         scene.icebergs.push_back(
-            presentIceberg(iceberg, simulation, static_cast<int>(scene.icebergs.size())));
+            presentIceberg(iceberg, simulation, IcebergIndex::of(scene.icebergs.size())));
     scene.uavs.front().home_m = simulation.fleet().autopilot(row).home_m();
     advanceToNow(scene.uavs.front(), simulation.uav(row), simulation.world().dt_s());
 }

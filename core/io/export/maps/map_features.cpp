@@ -214,8 +214,7 @@ private:
             if (!visit.iceberg)
                 continue;
             ++sequence;
-            const Iceberg& iceberg =
-                m_content.icebergs.at(static_cast<std::size_t>(*visit.iceberg)).iceberg;
+            const Iceberg& iceberg = m_content.icebergs.at(toIndex(*visit.iceberg)).iceberg;
             MapFeature& feature = add({.kind = "visit",
                                        .key = uav.uav.id + '/' + std::to_string(sequence),
                                        .title = titleOf(m_content, visit),

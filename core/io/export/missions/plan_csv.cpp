@@ -12,8 +12,8 @@ void addVisit(std::string& text, const ExportContent& content, const ExportUav& 
 {
     const LatLon place = content.frame.toGeographic(visit.position_m);
     double leg_m = (visit.position_m - from_m).norm();
-    for (const int index : icebergsOf(visit)) {
-        const ExportIceberg& now = content.icebergs.at(static_cast<std::size_t>(index));
+    for (const IcebergIndex index : icebergsOf(visit)) {
+        const ExportIceberg& now = content.icebergs.at(toIndex(index));
         const double arrival_m2 = now.sigmaAfter_m2(visit.time_s - content.now_s);
         text += std::to_string(sequence) + ',' + csvField(now.iceberg.id) + ',' +
                 csvField(now.iceberg.name);

@@ -80,8 +80,8 @@ private slots:
         QFETCH(Scenario, scenario);
         QFETCH(ExportOptions, options);
         const ExportFormat& row = format(id.toLatin1().constData());
-        std::vector<int> order(scenario.icebergs.size());
-        std::iota(order.begin(), order.end(), 0);
+        IcebergList order(scenario.icebergs.size());
+        std::iota(order.begin(), order.end(), IcebergIndex());
         const Plan plan = planOf(order);
         const std::string text =
             row.text(exportContent({.scenario = scenario, .plan = plan}, options));

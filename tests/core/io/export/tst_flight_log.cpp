@@ -108,7 +108,7 @@ private slots:
         const auto unseen = std::ranges::find_if(
             before, [](const LogIceberg& iceberg) { return !iceberg.first_s; });
         QVERIFY(unseen != before.end());
-        const std::size_t far = unseen->iceberg;
+        const std::size_t far = toIndex(unseen->iceberg);
         mission.intervene({.seen = mission.icebergs()[far].id, .seenAge_s = 30});
         mission.intervene({.appears = Iceberg{.id = "late", .position_m = {4000, 4000}}});
         mission.advance(101);

@@ -111,14 +111,14 @@ private slots:
     void autopilotsHoldLimitedMissions()
     {
         Scenario scenario = fourIcebergs();
-        std::vector<int> order;
+        IcebergList order;
         scenario.icebergs.clear();
         for (int i = 0; i < 600; ++i) {
             Iceberg iceberg;
             iceberg.id = "many-" + std::to_string(i);
             iceberg.position_m = Point(3000 + 1000 * (i % 25), 1000 * (i / 25));
             scenario.icebergs.push_back(iceberg);
-            order.push_back(i);
+            order.push_back(IcebergIndex::of(i));
         }
         const auto idsOfPlan = [&] {
             QStringList ids;

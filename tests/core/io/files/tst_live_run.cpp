@@ -62,7 +62,7 @@ Mission interruptedFlight(double end_s)
     return mission;
 }
 
-std::ptrdiff_t sightingsOf(const Mission& mission, int iceberg)
+std::ptrdiff_t sightingsOf(const Mission& mission, IcebergIndex iceberg)
 {
     return std::ranges::count_if(mission.events(), [iceberg](const MissionEvent& event) {
         return event.kind == EventKind::Sighted && event.iceberg == iceberg;

@@ -156,7 +156,7 @@ private slots:
         QCOMPARE(issues.size(), std::size_t{1});
         QCOMPARE(issues[0].field, std::string("plans[2].legs"));
         std::vector<AimedLeg> changed(7, *run.keyframes.back().uavs[0].aim);
-        changed[0].iceberg += 1;
+        ++changed[0].iceberg;
         changed[1].turn_rad += 1;
         changed[2].from_m.x() += 1;
         changed[3].from_m.y() += 1;
@@ -226,8 +226,8 @@ private slots:
         RunFile run = recorded();
         WorldState& state = run.keyframes[3];
         state.uavs[0].mode = FlightMode::RunOut;
-        state.uavs[0].target = 12;
-        state.uavs[0].lastReached = 0;
+        state.uavs[0].target = IcebergIndex(12);
+        state.uavs[0].lastReached = IcebergIndex(0);
         state.uavs[0].runOut_m = 211.6;
         state.uavs[0].misses = 3;
         state.uavs[0].u_radps = -std::numeric_limits<double>::denorm_min();
@@ -392,8 +392,8 @@ private slots:
         changed[6].zeta_m2s += 1;
         changed[7].uavs[0].flown_m += 1;
         changed[8].uavs[0].mode = FlightMode::Circle;
-        changed[9].uavs[0].target = state.uavs[0].target.value_or(0) + 1;
-        changed[10].uavs[0].lastReached = state.uavs[0].lastReached.value_or(0) + 1;
+        changed[9].uavs[0].target = IcebergIndex(99);
+        changed[10].uavs[0].lastReached = IcebergIndex(99);
         changed[11].uavs[0].guidance.gains.lookahead_m += 1;
         changed[12].uavs[0].guidance.gains.integral_mps += 1;
         changed[13].uavs[0].guidance.gains.turn_1ps += 1;

@@ -53,11 +53,12 @@ private slots:
         mission.advance(60);
         const RunFile run = runOf(mission);
         std::string text = runToJson(run);
-        const std::vector<int>& order = run.plans[0]->uavs[0].order;
+        const IcebergList& order = run.plans[0]->uavs[0].order;
         const std::string target = "\"target\": ";
-        const std::size_t at = text.find(target + std::to_string(order[0]));
+        const std::size_t at = text.find(target + std::to_string(order[0].number()));
         QVERIFY(at != std::string::npos);
-        text.replace(at + target.size(), std::to_string(order[0]).size(), std::to_string(order[1]));
+        text.replace(at + target.size(), std::to_string(order[0].number()).size(),
+                     std::to_string(order[1].number()));
         const RunFile read = runFromJson(text, "text");
         QCOMPARE(read.plans[0]->uavs[0].target(), std::optional(order[1]));
         QCOMPARE(read.plans[0]->uavs[0].order.size(), order.size());

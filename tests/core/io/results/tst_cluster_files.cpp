@@ -154,7 +154,7 @@ private slots:
             plans, [](const test::FlownPlan& plan) { return !clusterOfTarget(plan).empty(); });
         QVERIFY2(toCluster >= 5, QByteArray::number(static_cast<qlonglong>(toCluster)));
         QVERIFY2(plans.size() < 300, QByteArray::number(static_cast<qlonglong>(plans.size())));
-        for (int i = 0; i < 14; ++i)
+        for (const IcebergIndex i : IcebergRange(14))
             QVERIFY(std::ranges::any_of(mission.events(), [i](const MissionEvent& event) {
                 return event.kind == EventKind::Sighted && event.iceberg == i;
             }));
@@ -236,11 +236,11 @@ private slots:
         const std::vector<Visit> visits = plannedVisits(scenario, planOfTwoTogether());
         QCOMPARE(visits.size(), std::size_t{3});
         const Visit& visit = visits[1];
-        QCOMPARE(visit.iceberg, std::optional(0));
-        QCOMPARE(visit.members, (std::vector<int>{0, 2}));
+        QCOMPARE(visit.iceberg, std::optional(IcebergIndex(0)));
+        QCOMPARE(visit.members, (IcebergList{0, 2}));
         std::vector<Point> then_m;
-        for (const int member : visit.members) {
-            const Iceberg& iceberg = scenario.icebergs[static_cast<std::size_t>(member)];
+        for (const IcebergIndex member : visit.members) {
+            const Iceberg& iceberg = scenario.icebergs[toIndex(member)];
             then_m.push_back(iceberg.position_m +
                              (iceberg.velocity_mps + scenario.current_mps) * visit.time_s);
         }
@@ -262,7 +262,7 @@ private slots:
                 continue;
             }
             std::vector<Point> places_m;
-            for (const int member : visit.members) {
+            for (const IcebergIndex member : visit.members) {
                 QVERIFY(then.track(member).inView);
                 places_m.push_back(then.truth_m(member));
             }
@@ -318,9 +318,9 @@ private slots:
     {
         const TauCurve curve;
         const Scenario scenario = twoTogether();
-        const std::vector<int> ids{0, 1, 3};
+        const IcebergList ids{0, 1, 3};
         const std::vector<int> uavs{0};
-        const Groups clusters{{0, 2}};
+        const Clusters clusters{{0, 2}};
         const CurveReport report{
             .curve = curve, .scenario = scenario, .ids = ids, .uavs = uavs, .clusters = clusters};
         QCOMPARE(icebergNumbers(report, {3, 1, 2}), (std::vector<int>{4, 1, 3, 2}));

@@ -206,11 +206,12 @@ private slots:
         row({.kind = EventKind::Planned, .source = AnswerSource::Exact}, "exact");
         row({.kind = EventKind::Planned, .source = AnswerSource::Exact, .fellBack = true},
             "last plan kept");
-        row({.kind = EventKind::Reached, .iceberg = 1, .together = {0, 2}}, "with a, c");
-        row({.kind = EventKind::Sighted, .iceberg = 0}, "");
-        row({.kind = EventKind::Sighted, .iceberg = 0, .reported = true}, "reported");
+        row({.kind = EventKind::Reached, .iceberg = IcebergIndex(1), .together = {0, 2}},
+            "with a, c");
+        row({.kind = EventKind::Sighted, .iceberg = IcebergIndex(0)}, "");
+        row({.kind = EventKind::Sighted, .iceberg = IcebergIndex(0), .reported = true}, "reported");
         row({.kind = EventKind::PlannerFailed, .failure = "no memory"}, "no memory");
-        row({.kind = EventKind::Alarm, .iceberg = 0, .entry_s = 1234.5}, "in 1235 s");
+        row({.kind = EventKind::Alarm, .iceberg = IcebergIndex(0), .entry_s = 1234.5}, "in 1235 s");
         row({.kind = EventKind::Intervention, .policy = PolicyKind::Nearest}, "nearest");
         row({.kind = EventKind::Intervention, .changed = ChangedPart::Wind}, "wind");
         row({.kind = EventKind::Intervention, .changed = ChangedPart::Asset}, "asset");

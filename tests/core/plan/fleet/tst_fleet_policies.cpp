@@ -11,7 +11,7 @@
 using namespace berg;
 using namespace berg::test;
 
-using Ids = std::vector<int>;
+using Ids = IcebergList;
 using Orders = std::vector<Ids>;
 
 namespace {
@@ -63,15 +63,15 @@ QString faultOf(const PlanRequest& request, const Plan& answer, bool round)
 {
     if (answer.uavs.size() != request.uavs.size())
         return QStringLiteral("not one answer for each UAV");
-    std::set<int> firsts;
-    std::set<int> visited;
-    std::set<int> all;
+    std::set<IcebergIndex> firsts;
+    std::set<IcebergIndex> visited;
+    std::set<IcebergIndex> all;
     for (std::size_t k = 0; k < answer.uavs.size(); ++k) {
         const Ids& order = answer.uavs[k].order;
         if (!order.empty() && !firsts.insert(order.front()).second)
             return QStringLiteral("two to one iceberg");
-        std::set<int> own;
-        for (const int id : order) {
+        std::set<IcebergIndex> own;
+        for (const IcebergIndex id : order) {
             const auto node = static_cast<std::size_t>(nodeOf(request, id));
             if (!request.uavs[k].available.at(node - 1))
                 return QStringLiteral("not available");
@@ -331,22 +331,22 @@ private slots:
         Flown tour(PolicyKind::Tour);
         const Orders orders = ordersOf(tour.plan(all));
         QCOMPARE(orders[0].size(), std::size_t{8});
-        QCOMPARE(orders[0].front(), 4);
-        QCOMPARE(orders[1].front(), 0);
-        QCOMPARE(std::abs(orders[0][1] - 4), 1);
+        QCOMPARE(orders[0].front(), IcebergIndex(4));
+        QCOMPARE(orders[1].front(), IcebergIndex(0));
+        QCOMPARE(std::abs(orders[0][1].number() - 4), 1);
         // Both fly the same direction: from 4 the other one comes to 0 after four.
-        QCOMPARE(orders[0][4], 0);
-        QCOMPARE(orders[1][4], 4);
+        QCOMPARE(orders[0][4], IcebergIndex(0));
+        QCOMPARE(orders[1][4], IcebergIndex(4));
         COMPARE_NEAR(tour.plan(all).outcome.objective, 8000.0, 1e-6);
 
         // The first UAV's target is seen, so it continues to the next. The second one keeps its
         // own.
         const Orders next = ordersOf(tour.plan(withoutIceberg(all, 4)));
         QCOMPARE(next[0].front(), orders[0][1]);
-        QCOMPARE(next[1].front(), 0);
+        QCOMPARE(next[1].front(), IcebergIndex(0));
         // Icebergs that only the other UAV may visit are passed over.
         PlanRequest barred = all;
-        barred.uavs[0].available[static_cast<std::size_t>(orders[0][1])] = false;
+        barred.uavs[0].available[toIndex(orders[0][1])] = false;
         QCOMPARE(ordersOf(tour.plan(barred))[0].front(), orders[0][2]);
     }
 
@@ -364,9 +364,9 @@ private slots:
         QVERIFY(same.outcome.hintUsed);
         QVERIFY(ordersOf(same) == orders);
 
-        const int handed = orders[0].back();
+        const IcebergIndex handed = orders[0].back();
         request.uavs[0].available[static_cast<std::size_t>(nodeOf(request, handed) - 1)] = false;
-        request.uavs[1].lastRest.insert(request.uavs[1].lastRest.begin(), 4711);
+        request.uavs[1].lastRest.insert(request.uavs[1].lastRest.begin(), IcebergIndex(4711));
         const Plan repaired = flown.plan(request, {.workLimit = 1});
         QVERIFY(repaired.outcome.hintUsed);
         QCOMPARE(faultOf(request, repaired, false), QString());
@@ -391,11 +391,11 @@ private slots:
             for (const SolveProgress& report : reports) {
                 Plan told = answer;
                 for (std::size_t k = 0; k < 3; ++k)
-                    told.uavs[k].order = report.plan.at(k);
-                told.distance_m = lengthOf(asked, report.plan);
+                    told.uavs[k].order = report.orders.at(k);
+                told.distance_m = lengthOf(asked, report.orders);
                 QCOMPARE(faultOf(asked, told, false), QString());
             }
-            QVERIFY(reports.back().plan == ordersOf(answer));
+            QVERIFY(reports.back().orders == ordersOf(answer));
         }
     }
 

@@ -10,7 +10,7 @@
 using namespace berg;
 using namespace berg::test;
 
-using Ids = std::vector<int>;
+using Ids = IcebergList;
 
 namespace {
 
@@ -92,12 +92,12 @@ private slots:
         now.uavs[1].available = {false, false, false, true};
         const Plan answer = path->plan(now, {});
         QVERIFY(!answer.uavs[0].order.empty());
-        QCOMPARE(answer.uavs[1].order, std::vector<int>{4});
-        QCOMPARE(path->plan(now, {}).uavs[1].order, std::vector<int>{4});
+        QCOMPARE(answer.uavs[1].order, Ids{4});
+        QCOMPARE(path->plan(now, {}).uavs[1].order, Ids{4});
         // The iceberg is assigned in flight, although it is in the other UAV's part.
         now.uavs[0].available = {true, true, false, false};
         now.uavs[1].available = {false, false, true, false};
-        QCOMPARE(path->plan(now, {}).uavs[1].order, std::vector<int>{3});
+        QCOMPARE(path->plan(now, {}).uavs[1].order, Ids{3});
     }
 
     void init()
@@ -137,7 +137,7 @@ private slots:
         const std::unique_ptr<Policy> path = policy(PolicyKind::Path);
         Ids rest = path->plan(five(), {}).uavs[0].order;
         while (rest.size() > 1) {
-            const int reached = rest.front();
+            const IcebergIndex reached = rest.front();
             rest.erase(rest.begin());
             std::vector<Place> later = kFive;
             for (Place& place : later) // nearest-first and sigma-first would both go elsewhere
@@ -244,7 +244,7 @@ private slots:
     {
         const std::unique_ptr<Policy> tour = policy(PolicyKind::Tour);
         const Ids cycle = tour->plan(five(), {}).uavs[0].order;
-        std::vector<int> flown{cycle.front()};
+        Ids flown{cycle.front()};
         for (int leg = 0; leg < 12; ++leg) {
             const Plan answer = tour->plan(without(five(), {flown.back()}), {});
             flown.push_back(answer.uavs[0].order.front());

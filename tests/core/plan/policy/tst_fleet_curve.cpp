@@ -101,7 +101,7 @@ private slots:
             const TauCurve curve = tauCurve(task.problem, task.betweenStarts_m, {});
             const auto at =
                 static_cast<std::size_t>(intervalAt(curve, scenario.planner.tau).value());
-            const std::vector<std::vector<int>> orders =
+            const std::vector<IcebergList> orders =
                 ordersInIds(request, task, curve.intervals[at].plan);
             for (std::size_t u = 0; u < 2; ++u)
                 QCOMPARE(orders[u], plan.uavs[u].order);

@@ -9,7 +9,7 @@
 using namespace berg;
 using namespace berg::test;
 
-using Ids = std::vector<int>;
+using Ids = IcebergList;
 
 namespace {
 

@@ -12,7 +12,7 @@
 using namespace berg;
 using namespace berg::test;
 
-using Ids = std::vector<int>;
+using Ids = IcebergList;
 Q_DECLARE_METATYPE(Ids)
 
 namespace {
@@ -101,7 +101,8 @@ private slots:
     {
         const PlanRequest request =
             requestOf({0, 0}, {{9, {0, 700}, 1}, {4, {700, 0}, 8}, {2, {-700, 0}, 9}});
-        QCOMPARE(policy(PolicyKind::Nearest)->plan(request, {}).uavs[0].order.front(), 9);
+        QCOMPARE(policy(PolicyKind::Nearest)->plan(request, {}).uavs[0].order.front(),
+                 IcebergIndex(9));
     }
 
     void visitationIsTheOptimum_data()
@@ -145,7 +146,7 @@ private slots:
             for (const int node : answer.outcome.order())
                 ids.push_back(answer.solvedIds.at(static_cast<std::size_t>(node - 1)));
             QVERIFY(answer.uavs[0].order == ids);
-            for (const int id : ids)
+            for (const IcebergIndex id : ids)
                 QVERIFY(
                     request.uavs[0].available[static_cast<std::size_t>(nodeOf(request, id) - 1)]);
         }
@@ -242,7 +243,7 @@ private slots:
             double time_s = 0;
             double sum_m2s = 0;
             Eigen::Index from = 0;
-            for (const int id : ids) {
+            for (const IcebergIndex id : ids) {
                 const Eigen::Index to = nodeOf(request, id);
                 time_s += request.uavs[0].distance_m(from, to) / request.speed_mps;
                 sum_m2s += request.sigma_m2[static_cast<std::size_t>(to)] * time_s;
@@ -257,7 +258,7 @@ private slots:
             QCOMPARE(answer.uavs[0].order.size(), std::size_t{4});
             COMPARE_NEAR(answer.outcome.objective, waiting_m2s(answer.uavs[0].order), 1e-9);
             forEachOrder(request, [&](Ids other) {
-                std::erase(other, 42);
+                std::erase(other, IcebergIndex(42));
                 QVERIFY(waiting_m2s(answer.uavs[0].order) <= waiting_m2s(other) + 1e-9);
             });
         }
@@ -305,8 +306,8 @@ private slots:
                 const auto first =
                     static_cast<std::size_t>(nodeOf(request, answer.uavs[0].order[0]) - 1);
                 QVERIFY(request.uavs[0].available.at(first));
-                const std::set<int> different(answer.uavs[0].order.begin(),
-                                              answer.uavs[0].order.end());
+                const std::set<IcebergIndex> different(answer.uavs[0].order.begin(),
+                                                       answer.uavs[0].order.end());
                 QCOMPARE(different.size(), answer.uavs[0].order.size());
             }
         }
@@ -352,11 +353,11 @@ private slots:
     void ordersHoldTheAvailable()
     {
         QFETCH(PolicyKind, kind);
-        for (const std::set<int>& available :
-             {std::set<int>{10, 7, 42, 3, 5}, {7, 3}, {5}, {42, 10, 5}}) {
+        for (const std::set<IcebergIndex>& available :
+             {std::set<IcebergIndex>{10, 7, 42, 3, 5}, {7, 3}, {5}, {42, 10, 5}}) {
             const Plan answer = policy(kind)->plan(withAvailable(five(), available), {});
-            QVERIFY(std::set<int>(answer.uavs[0].order.begin(), answer.uavs[0].order.end()) ==
-                    available);
+            QVERIFY(std::set<IcebergIndex>(answer.uavs[0].order.begin(),
+                                           answer.uavs[0].order.end()) == available);
             QCOMPARE(answer.uavs[0].order.size(), available.size());
         }
     }
@@ -365,17 +366,17 @@ private slots:
     void hintReachesTheSolver_data()
     {
         QTest::addColumn<Ids>("lastRest");
-        QTest::addColumn<Ids>("hint"); // nodes: 10, 42, 3, 5 are 1, 2, 3, 4 with 7 in view
-        QTest::newRow("none") << Ids{} << Ids{};
-        QTest::newRow("all") << Ids{5, 42, 3, 10} << Ids{4, 2, 3, 1};
-        QTest::newRow("some, the others follow") << Ids{3, 10} << Ids{3, 1, 2, 4};
-        QTest::newRow("one that is gone") << Ids{3, 99, 10, 42, 5} << Ids{3, 1, 2, 4};
+        QTest::addColumn<VisitOrder>("hint"); // nodes: 10, 42, 3, 5 are 1, 2, 3, 4 with 7 in view
+        QTest::newRow("none") << Ids{} << VisitOrder{};
+        QTest::newRow("all") << Ids{5, 42, 3, 10} << VisitOrder{4, 2, 3, 1};
+        QTest::newRow("some, the others follow") << Ids{3, 10} << VisitOrder{3, 1, 2, 4};
+        QTest::newRow("one that is gone") << Ids{3, 99, 10, 42, 5} << VisitOrder{3, 1, 2, 4};
     }
 
     void hintReachesTheSolver()
     {
         QFETCH(Ids, lastRest);
-        QFETCH(Ids, hint);
+        QFETCH(VisitOrder, hint);
         const SolveOptions options{.timeLimit_s = 12, .workLimit = 345, .gap = 0.25};
         PlanRequest request = without(five(), {7});
         request.uavs[0].lastRest = lastRest;

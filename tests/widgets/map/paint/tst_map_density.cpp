@@ -21,7 +21,7 @@ MapPicture field(int icebergs)
         withScenario({}, randomScenario(3, {.icebergs = icebergs, .size_m = {9000, 4200}}));
     picture.routes.resize(picture.uavs.size());
     for (int i = 0; i < icebergs; ++i)
-        picture.routes.front().plan.push_back(i);
+        picture.routes.front().plan.push_back(MapPlace::of(i));
     return picture;
 }
 

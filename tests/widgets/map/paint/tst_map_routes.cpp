@@ -57,9 +57,8 @@ private slots:
                 const QPointF at = QLineF(leg.front(), leg.back()).center(); // an arrow head
                 QVERIFY(hasColour(image, QRectF(at - QPointF(12, 12), QSizeF(24, 24)), colour));
             }
-            for (const int iceberg : picture.routes[uav].plan)
-                QVERIFY(hasColour(image, layout.labels[static_cast<std::size_t>(iceberg)].rect,
-                                  colour));
+            for (const MapPlace iceberg : picture.routes[uav].plan)
+                QVERIFY(hasColour(image, layout.labels[toIndex(iceberg)].rect, colour));
         }
         QVERIFY(!hasColour(image, image.rect(), theme.plan));
     }

@@ -370,12 +370,12 @@ private slots:
         record.now.plans[0] = std::make_shared<const Plan>(
             Plan{.uavs = {{.order = {2, 0, 3, 1}, .clusters = {{0, 3}}}}});
         MapPicture picture = missionPicture(record, kLocale);
-        QCOMPARE(picture.clusters, (std::vector<std::vector<int>>{{0, 3}}));
+        QCOMPARE(picture.clusters, (std::vector<MapPlaces>{{0, 3}}));
         QVERIFY(legendOf(picture).contains(u"Planned as one point"_s));
         Scenario edited = fourIcebergs();
         edited.icebergs.erase(edited.icebergs.begin() + 1);
         picture = withScenario(picture, edited);
-        QCOMPARE(picture.clusters, (std::vector<std::vector<int>>{{0, 2}}));
+        QCOMPARE(picture.clusters, (std::vector<MapPlaces>{{0, 2}}));
     }
 
     /** The leg to a cluster ends at the middle of its circle, and the next one starts there. */

@@ -49,6 +49,15 @@ Mission fleetFlown(double time_s)
     return mission;
 }
 
+/** Returns the places of icebergs in a picture that shows all of them. */
+MapPlaces sameNumbers(const IcebergList& icebergs)
+{
+    MapPlaces places;
+    for (const IcebergIndex iceberg : icebergs)
+        places.push_back(MapPlace::of(iceberg.number()));
+    return places;
+}
+
 } // namespace
 
 class TestMissionPicture : public QObject
@@ -64,8 +73,8 @@ private slots:
         QCOMPARE(picture.icebergs.size(), std::size_t{5});
         QCOMPARE(picture.icebergs[0].id, u"Big one"_s);
         QCOMPARE(picture.icebergs[1].id, QString::fromStdString(mission.scenario().icebergs[1].id));
-        for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
-            const int index = static_cast<int>(i);
+        for (const IcebergIndex index : mission.simulation().icebergs()) {
+            const std::size_t i = toIndex(index);
             const MapIceberg& shown = picture.icebergs[i];
             QVERIFY(shown.position_m == mission.simulation().observer().estimate_m(index));
             COMPARE_NEAR(shown.sigma_m2, mission.simulation().track(index).sigma_m2, 0);
@@ -92,8 +101,8 @@ private slots:
     {
         const Mission mission = fiveIcebergs(300);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
-        QCOMPARE(picture.routes[0].plan, mission.plans().back()->uavs[0].order);
-        const std::set<int> once(picture.routes[0].plan.begin(), picture.routes[0].plan.end());
+        QCOMPARE(picture.routes[0].plan, sameNumbers(mission.plans().back()->uavs[0].order));
+        const std::set<MapPlace> once(picture.routes[0].plan.begin(), picture.routes[0].plan.end());
         QCOMPARE(once.size(), picture.routes[0].plan.size());
     }
 
@@ -102,8 +111,35 @@ private slots:
         const Mission mission = fiveIcebergs(50);
         const MapPicture picture = missionPicture(recordOf(mission), kLocale);
         QCOMPARE(picture.icebergs.size(), std::size_t{4});
-        for (const int index : picture.routes[0].plan)
-            QVERIFY(index < 4);
+        for (const MapPlace place : picture.routes[0].plan)
+            QVERIFY(place < 4);
+    }
+
+    /** Before take-off an edit is on the map at once, with the plan made before it. */
+    void editIsShownWithTheLastPlan()
+    {
+        FlightRecord record = recordOf(fiveIcebergs(0));
+        SweptPaths swept;
+        const MapPlaces plan = mapPicture(record, kLocale, swept).routes[0].plan;
+        QCOMPARE(plan.size(), std::size_t{4});
+        record.scenario.icebergs[2].position_m = {2500, 2000};
+        record.scenario.name = "Edited";
+        const MapPicture picture = mapPicture(record, kLocale, swept);
+        QCOMPARE(picture.title, u"Edited"_s);
+        QCOMPARE(picture.icebergs.size(), std::size_t{5}); // with the one to come
+        QVERIFY(picture.icebergs[2].position_m == Point(2500, 2000));
+        QCOMPARE(picture.routes[0].plan, plan);
+    }
+
+    void flightIsShownAsItIs()
+    {
+        FlightRecord record = recordOf(fiveIcebergs(50));
+        QVERIFY(record.inFlight());
+        record.scenario.icebergs[2].position_m = {2500, 2000};
+        SweptPaths swept;
+        const MapPicture picture = mapPicture(record, kLocale, swept);
+        QCOMPARE(picture.icebergs.size(), std::size_t{4});
+        QVERIFY(picture.icebergs[2].position_m == record.estimate_m(2));
     }
 
     void eachUavHasItsRoute()
@@ -113,13 +149,13 @@ private slots:
         const MapPicture picture = missionPicture(record, kLocale);
         QCOMPARE(picture.uavs.size(), std::size_t{3});
         QCOMPARE(picture.routes.size(), std::size_t{3});
-        std::set<int> planned;
+        std::set<MapPlace> planned;
         std::size_t count = 0;
         for (std::size_t uav = 0; uav < 3; ++uav) {
             const MapRoute& route = picture.routes[uav];
             const DubinsState pose = mission.simulation().state().uavs[uav].pose;
             QVERIFY(picture.uavs[uav].position_m == pose.position_m);
-            QCOMPARE(route.plan, planOf(record.now, static_cast<int>(uav))->order);
+            QCOMPARE(route.plan, sameNumbers(planOf(record.now, static_cast<int>(uav))->order));
             QVERIFY(route.track.front().position_m == mission.scenario().uavs[uav].position_m);
             QVERIFY(route.track.back().position_m == pose.position_m);
             QCOMPARE(route.swept->size(), mission.recorder().samples().size());
@@ -245,7 +281,7 @@ private slots:
         for (std::size_t i = 0; i < content.lines.size(); ++i) {
             QVERIFY(!content.lines[i].points.empty());
             COMPARE_NEAR(content.lines[i].points.back().y(),
-                         mission.simulation().track(static_cast<int>(i)).sigma_m2, 1e-12);
+                         mission.simulation().track(IcebergIndex::of(i)).sigma_m2, 1e-12);
         }
     }
 

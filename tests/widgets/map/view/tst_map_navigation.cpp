@@ -239,14 +239,14 @@ private slots:
         test::MapFixture map;
         map.view.camera().zoomBy(2, {200, 200});
         const MapViewTransform before = map.view.view();
-        map.view.setPicture(test::MapFixture::plainPicture());
+        map.showScenario();
         map.document.edit(u"Far"_s, [](Scenario& s) { s.icebergs[0].position_m = {9000, 9000}; });
         QVERIFY(map.view.view() == before);
         // Also when it was fitted and nobody has moved it since.
         map.view.camera().fit();
         const MapViewTransform fitted = map.view.view();
         map.document.edit(u"Back"_s, [](Scenario& s) { s.icebergs[0].position_m = {0, 500}; });
-        map.view.setPicture(test::MapFixture::plainPicture());
+        map.showScenario();
         QVERIFY(map.view.view() == fitted);
     }
 
@@ -259,7 +259,7 @@ private slots:
         test::addIceberg(far, 52000, 51000);
         map.document.reset(far);
         QVERIFY(map.view.rect().contains(map.iceberg(0)));
-        map.view.setPicture(test::MapFixture::plainPicture());
+        map.showScenario();
         QVERIFY(map.view.rect().contains(map.iceberg(0)));
         QVERIFY(map.view.rect().contains(map.uav()));
     }

@@ -70,7 +70,7 @@ private slots:
     {
         FlightRecord record = recordUntil(400);
         MissionHistory& history = record.history;
-        const auto add = [&](double time_s, int iceberg, PlanReason reason) {
+        const auto add = [&](double time_s, IcebergIndex iceberg, PlanReason reason) {
             history.events.push_back({.time_s = time_s, .iceberg = iceberg, .uav = 0});
             history.plans.push_back(std::make_shared<const Plan>(
                 Plan{.time_s = time_s, .uavs = {{.order = {iceberg}, .reason = reason}}}));
@@ -79,10 +79,10 @@ private slots:
         const QAbstractItemModelTester tester(&model);
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);
         const int rows = model.rowCount();
-        const int next = history.plans.back()->uavs[0].target().value();
+        const IcebergIndex next = history.plans.back()->uavs[0].target().value();
         add(400.1, next, PlanReason::HoldFlown);
         add(400.2, next, PlanReason::HoldFlown);
-        add(400.3, next == 0 ? 1 : 0, PlanReason::HoldFlown);
+        add(400.3, next == 0 ? IcebergIndex(1) : IcebergIndex(0), PlanReason::HoldFlown);
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);
         QCOMPARE(model.rowCount(), rows + 1);
         QCOMPARE(model.time_s(rows), 400.3);
@@ -97,7 +97,7 @@ private slots:
     {
         FlightRecord record = recordUntil(400);
         MissionHistory& history = record.history;
-        const auto add = [&](double time_s, std::optional<int> iceberg) {
+        const auto add = [&](double time_s, std::optional<IcebergIndex> iceberg) {
             history.events.push_back({.time_s = time_s, .iceberg = iceberg, .uav = 0});
             history.plans.push_back(std::make_shared<const Plan>(
                 Plan{.time_s = time_s, .uavs = {{.reason = PlanReason::OutOfView}}}));
@@ -110,7 +110,7 @@ private slots:
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);
         QCOMPARE(model.rowCount(), rows + 1);
         QCOMPARE(model.time_s(rows), 400.1);
-        add(406, 0);
+        add(406, IcebergIndex(0));
         add(407, std::nullopt);
         model.setHistory(history, record.now.icebergs, record.scenario.uavs);
         QCOMPARE(model.rowCount(), rows + 3); // it had something to visit in between

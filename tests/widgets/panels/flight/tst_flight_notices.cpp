@@ -167,8 +167,10 @@ private slots:
         Mission mission(twoComing());
         mission.advance(10);
         FlightRecord record = recordAt(mission, 10);
-        for (const int newest : {0, 1}) {
-            record.history.events = {{.time_s = 3, .kind = EventKind::Alarm, .iceberg = 1 - newest},
+        for (const IcebergIndex newest : IcebergRange(2)) {
+            record.history.events = {{.time_s = 3,
+                                      .kind = EventKind::Alarm,
+                                      .iceberg = IcebergIndex::of(1 - newest.number())},
                                      {.time_s = 5, .kind = EventKind::Alarm, .iceberg = newest}};
             const QString name = newest == 0 ? u"berg-1"_s : u"Storberget"_s;
             QVERIFY2(textsOf(record).front().startsWith(name), qPrintable(textsOf(record).front()));

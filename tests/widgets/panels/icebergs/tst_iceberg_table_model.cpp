@@ -120,9 +120,9 @@ private slots:
             QCOMPARE(arrival_s.has_value(), plan.isSeen);
             QCOMPARE(arrival_s.value_or(0), plan.arrival_s);
         }
-        const std::optional<int> target = shown.world.uavs.front().target;
+        const std::optional<IcebergIndex> target = shown.world.uavs.front().target;
         if (target && !shown.world.tracks[toIndex(*target)].inView)
-            QCOMPARE(f.cell(*target, IcebergColumn::State), u"target"_s);
+            QCOMPARE(f.cell(target->number(), IcebergColumn::State), u"target"_s);
         if (time_s == 0)
             QCOMPARE(planned, 2); // of three that are there one is flown to
         double visits = 0;
@@ -151,13 +151,13 @@ private slots:
         QVERIFY(!hasUavs());
         f.model.showRecord(record);
         const OrdersByUav orders = ordersOf(record.shown());
-        for (const std::vector<int>& order : orders)
+        for (const IcebergList& order : orders)
             for (std::size_t k = 0; k < order.size(); ++k) {
-                const IcebergTableRow& row = rows[static_cast<std::size_t>(order[k])];
+                const IcebergTableRow& row = rows[toIndex(order[k])];
                 const QString uav = &order == &orders.front() ? u"uav-1"_s : u"East"_s;
                 QCOMPARE(stateText(row), k == 0 ? u"target of %1"_s.arg(uav)
                                                 : u"number %1 of %2"_s.arg(k + 1).arg(uav));
-                QCOMPARE(f.cell(order[k], IcebergColumn::Uav), uav);
+                QCOMPARE(f.cell(order[k].number(), IcebergColumn::Uav), uav);
                 QVERIFY(*row.value(IcebergColumn::Arrival) > 0);
             }
         QCOMPARE(orders.size(), std::size_t{2});
@@ -206,16 +206,16 @@ private slots:
         const FlightRecord record = recordAt(test::flown(test::fourIcebergs(), 20), 20);
         TableFixture f;
         f.model.showRecord(record);
-        const std::vector<int>& order = record.shown().plan->uavs[0].order;
+        const IcebergList& order = record.shown().plan->uavs[0].order;
         QVERIFY(order.size() >= 3);
-        QCOMPARE(f.cell(order[0], IcebergColumn::State), u"target"_s);
-        QCOMPARE(f.cell(order[2], IcebergColumn::State), u"number 3 in the order"_s);
+        QCOMPARE(f.cell(order[0].number(), IcebergColumn::State), u"target"_s);
+        QCOMPARE(f.cell(order[2].number(), IcebergColumn::State), u"number 3 in the order"_s);
         QVERIFY(clockOf(record.scenario).isUtc());
-        QVERIFY(f.cell(order[0], IcebergColumn::Arrival).contains(u'Z'));
+        QVERIFY(f.cell(order[0].number(), IcebergColumn::Arrival).contains(u'Z'));
         FlightRecord relative = record;
         relative.scenario.startUtc.clear();
         f.model.showRecord(relative);
-        QVERIFY(f.cell(order[0], IcebergColumn::Arrival).startsWith(u"in "_s));
+        QVERIFY(f.cell(order[0].number(), IcebergColumn::Arrival).startsWith(u"in "_s));
     }
 
     void nothingIsPlannedAfterTheEnd()

@@ -13,8 +13,8 @@ using namespace berg;
 
 namespace {
 
-const std::vector<int> kShortest{0, 1, 2, 3};
-const std::vector<int> kUncertainFirst{3, 2, 1, 0};
+const MapPlaces kShortest{0, 1, 2, 3};
+const MapPlaces kUncertainFirst{3, 2, 1, 0};
 
 /** Four icebergs in a row ahead of the UAV, the farther the more uncertain. */
 Scenario rowOfIcebergs()
@@ -84,7 +84,7 @@ struct Desk
 
     [[nodiscard]] const FlightRecord& record() const { return workspace.record(); }
     [[nodiscard]] MapPicture picture() const { return missionPicture(record(), QLocale::c()); }
-    [[nodiscard]] std::vector<int> former() const { return picture().routes[0].formerPlan; }
+    [[nodiscard]] MapPlaces former() const { return picture().routes[0].formerPlan; }
 };
 
 void searchesAreNoVisits(PlanSection section)
@@ -180,7 +180,7 @@ private slots:
                 continue;
             double chance = 0;
             for (const PlannedSearch& search : row.searches) {
-                const auto iceberg = static_cast<std::size_t>(search.iceberg);
+                const std::size_t iceberg = toIndex(search.iceberg);
                 QCOMPARE(now.icebergs[iceberg].id, row.id);
                 QVERIFY(now.world.tracks[iceberg].status == TrackStatus::Lost);
                 QVERIFY(search.time_s > 0 && now.time_s + search.time_s <= 1000);
@@ -359,8 +359,8 @@ private slots:
         desk.flyTo(530); // past the first three of the row, the last is still to be seen
         QCOMPARE(desk.former(), kShortest);
         desk.flyTo(560); // the last is reached: the return has another order, as re-planned
-        QCOMPARE(desk.record().shown().plan->uavs[0].order.front(), 0);
-        QCOMPARE(desk.former(), (std::vector<int>{2, 1, 0}));
+        QCOMPARE(desk.record().shown().plan->uavs[0].order.front(), IcebergIndex(0));
+        QCOMPARE(desk.former(), (MapPlaces{2, 1, 0}));
         COMPARE_NEAR(planOutlook(desk.record())->changed_s, desk.record().shown().plan->time_s,
                      1e-9);
     }
@@ -382,7 +382,7 @@ private slots:
         mission.intervene({.appears = far});
         mission.advance(400); // past two of the three
         QCOMPARE(missionPicture(recordOf(mission), QLocale::c()).routes[0].formerPlan,
-                 (std::vector<int>{0, 1, 2}));
+                 (MapPlaces{0, 1, 2}));
         mission.advance(430); // past the third
         QCOMPARE(mission.plans().size(), std::size_t{2});
         QVERIFY(missionPicture(recordOf(mission), QLocale::c()).routes[0].formerPlan.empty());
@@ -402,7 +402,7 @@ private slots:
         QVERIFY(formerAt(59.9).empty());
         QCOMPARE(formerAt(60), kShortest);
         QCOMPARE(formerAt(300.3), kShortest);
-        QCOMPARE(formerAt(559), (std::vector<int>{2, 1, 0}));
+        QCOMPARE(formerAt(559), (MapPlaces{2, 1, 0}));
         QVERIFY(formerAt(10).empty());
     }
 

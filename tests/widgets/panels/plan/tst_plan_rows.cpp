@@ -50,14 +50,14 @@ private slots:
         now.world.tracks.clear();
         now.active.assign(500, true);
         now.assigned.assign(500, std::nullopt);
-        std::vector<int> order;
+        IcebergList order;
         for (int i = 0; i < 500; ++i) {
             const double side = i % 2 == 0 ? 1 : -1;
             test::addIceberg(scenario, 0, 0);
             now.world.tracks.push_back({.anchor_m = Point(side * 1000, 10.0 * i),
                                         .anchor_s = now.time_s,
                                         .velocity_mps = Point(side * 0.5, 0)});
-            order.push_back(i);
+            order.push_back(IcebergIndex::of(i));
         }
         now.icebergs = scenario.icebergs;
         setPlan(now, {.uavs = {{.order = order}}});
@@ -121,8 +121,8 @@ private slots:
         MissionSnapshot now = standing(twoIcebergs(scenario));
         Plan next = *now.plan;
         UavPlan& plan = next.uavs.front();
-        const int first = plan.order.at(0);
-        const int second = plan.order.at(1);
+        const IcebergIndex first = plan.order.at(0);
+        const IcebergIndex second = plan.order.at(1);
         plan.outlook = AimedOutlook{.sightings_s = {now.time_s + 50}};
         plan.laterVisits = {{second, now.time_s + 120}, {first, now.time_s + 300}};
         setPlan(now, next);

@@ -84,7 +84,7 @@ PlanPointer fleetPlan(const OrdersByUav& orders)
 {
     return planWith([&orders](Plan& plan) {
         plan.uavs.clear();
-        for (const std::vector<int>& order : orders)
+        for (const IcebergList& order : orders)
             plan.uavs.push_back({.uav = static_cast<int>(plan.uavs.size()), .order = order});
     });
 }

@@ -25,12 +25,20 @@ ExportUav planned(const ExportOptions& options, const Scenario& scenario = fourI
     return only(planContent(scenario, fourIcebergPlan(), options));
 }
 
+std::vector<int> numbersOf(const IcebergList& order)
+{
+    std::vector<int> numbers;
+    for (const IcebergIndex iceberg : order)
+        numbers.push_back(iceberg.number());
+    return numbers;
+}
+
 /** Returns the icebergs in the order of their visits, -1 for home. */
 std::vector<int> visited(const ExportUav& uav)
 {
     std::vector<int> icebergs;
     for (const Visit& visit : uav.visits)
-        icebergs.push_back(visit.iceberg.value_or(-1));
+        icebergs.push_back(visit.iceberg ? visit.iceberg->number() : -1);
     return icebergs;
 }
 
@@ -57,7 +65,7 @@ private slots:
         const ExportContent plan = planContent(fourIcebergs());
         QCOMPARE(plan.what, ExportScope::Order);
         QCOMPARE(plan.now_s, 0.0);
-        QVERIFY(visited(only(plan)) == fourIcebergPlan().uavs[0].order);
+        QVERIFY(visited(only(plan)) == numbersOf(fourIcebergPlan().uavs[0].order));
         QVERIFY(only(plan).track.empty());
         const Mission mission = flown(fourIcebergs(), 100);
         const ExportContent run = runContent(mission);
@@ -97,7 +105,7 @@ private slots:
     {
         const Scenario scenario = changed([](Scenario& s) { s.wind_mps = Point(3, -5); });
         const ExportUav uav = planned({.what = ExportScope::Path}, scenario);
-        QVERIFY(visited(uav) == fourIcebergPlan().uavs[0].order);
+        QVERIFY(visited(uav) == numbersOf(fourIcebergPlan().uavs[0].order));
         const double limit_radps = maxTurnRate_radps(scenario.uavs[0].spec);
         double turned_radps = 0;
         const std::vector<TrackPoint> track = uav.track.all();
@@ -170,7 +178,7 @@ private slots:
         QVERIFY(visit->position_m == first.place_m);
         QVERIFY(std::ranges::is_sorted(uav.visits, {}, &Visit::time_s));
         COMPARE_NEAR(chanceInView(content, uav, *visit, first.iceberg).value(), chance, 1e-12);
-        for (int other = 0; other < 6; ++other)
+        for (const IcebergIndex other : IcebergRange(6))
             if (std::ranges::find(planned, other, &PlannedSearch::iceberg) == planned.end())
                 QVERIFY(!chanceInView(content, uav, *visit, other));
     }
@@ -208,18 +216,18 @@ private slots:
         const Mission mission = flown(fourIcebergs(), 100);
         const ExportContent content = runContent(mission, {.what = ExportScope::Order});
         const ExportUav uav = only(content);
-        QVERIFY(visited(uav) == mission.plans().back()->uavs[0].order);
+        QVERIFY(visited(uav) == numbersOf(mission.plans().back()->uavs[0].order));
         QVERIFY(uav.uav.position_m == mission.simulation().uav(0).pose.position_m);
         QCOMPARE(uav.start_s, 100.0);
         QVERIFY(uav.visits.front().time_s > 100);
         QVERIFY(uav.home_m == mission.scenario().uavs[0].position_m);
         for (std::size_t i = 0; i < content.icebergs.size(); ++i)
             QVERIFY(content.icebergs[i].position_m ==
-                    mission.simulation().observer().estimate_m(static_cast<int>(i)));
+                    mission.simulation().observer().estimate_m(IcebergIndex::of(i)));
         const ExportUav path = only(runContent(mission, {.what = ExportScope::Path}));
         QCOMPARE(path.track.front().time_s, 100.0);
         QVERIFY(path.track.front().state.position_m == uav.uav.position_m);
-        QVERIFY(visited(path) == mission.plans().back()->uavs[0].order);
+        QVERIFY(visited(path) == numbersOf(mission.plans().back()->uavs[0].order));
     }
 
     void optionsOverrideTheScenario()
@@ -254,8 +262,8 @@ private slots:
         const ExportContent order = planContent(scenario, plan);
         const ExportContent path = planContent(scenario, plan, {.what = ExportScope::Path});
         for (std::size_t row = 0; row < 2; ++row) {
-            QVERIFY(visited(order.uavs[row]) == plan.uavs[row].order);
-            QVERIFY(visited(path.uavs[row]) == plan.uavs[row].order);
+            QVERIFY(visited(order.uavs[row]) == numbersOf(plan.uavs[row].order));
+            QVERIFY(visited(path.uavs[row]) == numbersOf(plan.uavs[row].order));
             QVERIFY(path.uavs[row].track.front().state.position_m == scenario.uavs[row].position_m);
         }
         const Mission mission = flown(scenario);
@@ -271,8 +279,9 @@ private slots:
         const ExportContent now = runContent(mission, {.what = ExportScope::Order});
         for (const ExportUav& uav : now.uavs)
             QVERIFY(visited(uav) ==
-                    presentPlan({.scenario = scenario, .plan = plan, .mission = &mission}, uav.row)
-                        .order);
+                    numbersOf(presentPlan({.scenario = scenario, .plan = plan, .mission = &mission},
+                                          uav.row)
+                                  .order));
     }
 
     void directionsAreTrueOverTheEarth_data()

@@ -204,10 +204,10 @@ private slots:
         QCOMPARE(icebergs.size(), 4);
         for (int i = 0; i < 4; ++i) {
             QCOMPARE(icebergs[i]["properties"_L1]["sigma_m2"_L1].toDouble(),
-                     mission.simulation().track(i).sigma_m2);
+                     mission.simulation().track(IcebergIndex::of(i)).sigma_m2);
             QCOMPARE(icebergs[i]["properties"_L1]["time_s"_L1].toDouble(), 400.0);
             QVERIFY((frame.toPlane(placeOf(icebergs[i]["geometry"_L1]["coordinates"_L1])) -
-                     mission.simulation().truth_m(i))
+                     mission.simulation().truth_m(IcebergIndex::of(i)))
                         .norm() < 1e-4);
         }
     }

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <vector>
+
+namespace berg {
+
+/**
+ * The number, from 0, of a thing of one kind. It converts neither to an `int` nor to the number of
+ * another kind, so an iceberg cannot be taken for a UAV, for a node of a planning problem or for a
+ * row. Only constants convert to it; other numbers need `of`. It costs what an `int` costs.
+ */
+template <class Kind>
+class Index
+{
+public:
+    constexpr Index() = default;
+    consteval Index(int constant) : m_number(constant) {} // NOLINT(google-explicit-constructor)
+    [[nodiscard]] static constexpr Index of(std::integral auto number)
+    {
+        Index index;
+        index.m_number = static_cast<int>(number);
+        return index;
+    }
+    [[nodiscard]] constexpr int number() const { return m_number; }
+    constexpr Index& operator++()
+    {
+        ++m_number;
+        return *this;
+    }
+    auto operator<=>(const Index&) const = default; // NOLINT(modernize-use-nullptr)
+
+private:
+    int m_number = 0;
+};
+
+/** The numbers 0 .. count - 1 of one kind, for loops over all things of that kind. */
+template <class Kind>
+class IndexRange
+{
+public:
+    constexpr explicit IndexRange(std::integral auto count) : m_end(Index<Kind>::of(count)) {}
+
+    class Iterator
+    {
+    public:
+        constexpr explicit Iterator(Index<Kind> at) : m_at(at) {}
+        constexpr Index<Kind> operator*() const { return m_at; }
+        constexpr Iterator& operator++()
+        {
+            ++m_at;
+            return *this;
+        }
+        constexpr bool operator==(const Iterator&) const = default;
+
+    private:
+        Index<Kind> m_at;
+    };
+    [[nodiscard]] constexpr Iterator begin() const { return Iterator({}); }
+    [[nodiscard]] constexpr Iterator end() const { return Iterator(m_end); }
+
+private:
+    Index<Kind> m_end;
+};
+
+/** An iceberg of a mission: those of the scenario in its order, then those added in flight. */
+using IcebergIndex = Index<class IcebergKind>;
+/** All icebergs up to a count. */
+using IcebergRange = IndexRange<class IcebergKind>;
+/** Icebergs in an order, such as that of their visits. */
+using IcebergList = std::vector<IcebergIndex>;
+
+/** Returns the place of an iceberg or node in a container that has one entry for each. */
+template <class Kind>
+[[nodiscard]] constexpr std::size_t toIndex(Index<Kind> i)
+{
+    return static_cast<std::size_t>(i.number());
+}
+/** Converts the index of a UAV, at least 0, for use with containers. */
+[[nodiscard]] constexpr std::size_t toIndex(int i)
+{
+    return static_cast<std::size_t>(i);
+}
+
+} // namespace berg
