@@ -297,7 +297,7 @@ private slots:
         const Plan answer = coverage()->plan(request, {.workLimit = kWork});
         for (std::size_t u = 0; u < 2; ++u)
             for (const AimedLeg& leg : answer.uavs[u].legs)
-                QVERIFY(request.uavs[u].available[static_cast<std::size_t>(leg.iceberg)]);
+                QVERIFY(request.uavs[u].available[toIndex(leg.iceberg)]);
         fly(flight, scenario);
     }
 

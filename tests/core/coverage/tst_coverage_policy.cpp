@@ -264,7 +264,7 @@ private slots:
         QVERIFY(answer.uavs[0].legs == coverage()->plan(request, quiet).uavs[0].legs);
         QVERIFY(!reported.empty());
         for (std::size_t i = 0; i < reported.size(); ++i) {
-            QVERIFY(std::is_permutation(reported[i].plan[0].begin(), reported[i].plan[0].end(),
+            QVERIFY(std::is_permutation(reported[i].orders[0].begin(), reported[i].orders[0].end(),
                                         answer.uavs[0].order.begin(), answer.uavs[0].order.end()));
             QVERIFY(!reported[i].legs.empty());
             QVERIFY(reported[i].objective >= *answer.predictedZeta_m2s);

@@ -157,7 +157,7 @@ private slots:
         scenario.uavs[1].spec.airspeed_mps *= 2;
         const PlanRequest single = planRequest(Simulation(scenario));
         const PlanRequest both = clusteredRequest(Simulation(scenario));
-        QCOMPARE(both.clusters, (Groups{{0, 2}}));
+        QCOMPARE(both.clusters, (std::vector<IcebergList>{{0, 2}}));
         QCOMPARE(both.ids, (IcebergList{0, 1}));
         QCOMPARE(both.sigma_m2[1], single.sigma_m2[1] + single.sigma_m2[3]);
         for (const UavRequest& uav : both.uavs) {
@@ -254,7 +254,7 @@ private slots:
         addIceberg(scenario, 3500, 2800);
         addIceberg(scenario, 3500, 3200);
         Simulation simulation(scenario);
-        QCOMPARE(clusteredRequest(simulation).clusters, (Groups{{0, 1}}));
+        QCOMPARE(clusteredRequest(simulation).clusters, (std::vector<IcebergList>{{0, 1}}));
         QVERIFY(clusteredRequest(simulation).uavs[0].distance_m(0, 1) > 7500);
         simulation.setTarget(0, IcebergIndex(0), {}, IcebergList{0, 1});
         while (simulation.planReason() == PlanReason::None) {

@@ -358,7 +358,7 @@ private slots:
         QVERIFY(!places.empty());
         const double isThere = world.observer()
                                    .searches()
-                                   .ofIceberg(static_cast<int>(lost))
+                                   .ofIceberg(IcebergIndex::of(lost))
                                    ->path.likeliestPlaces(270, 1)
                                    .front()
                                    .chance;

@@ -86,7 +86,8 @@ private slots:
         recordAll(simulation, recorder);
         QCOMPARE(recorder.samples().size(), static_cast<std::size_t>(steps.size()));
         for (qsizetype i = 0; i < steps.size(); ++i)
-            COMPARE_NEAR(recorder.samples()[toIndex(i)].time_s, steps[i] * dt_s, 1e-12);
+            COMPARE_NEAR(recorder.samples()[static_cast<std::size_t>(i)].time_s, steps[i] * dt_s,
+                         1e-12);
     }
 
     /** Compares each sample with the simulation at that instant in a second flight. */

@@ -352,7 +352,8 @@ private slots:
         for (const double dt_s : {0.05, 0.1, 0.5}) {
             scenario.dt_s = dt_s;
             Simulation simulation(scenario);
-            flyTo(simulation, dt_s > 0.2 ? 4 : 1, [](const Simulation&) { return false; });
+            flyTo(simulation, IcebergIndex::of(dt_s > 0.2 ? 4 : 1),
+                  [](const Simulation&) { return false; });
             ends.push_back(simulation.truth_m(7));
         }
         QVERIFY((ends[0] - ends[1]).norm() < 1e-9);
@@ -459,7 +460,7 @@ private slots:
             QVERIFY(sightings >= 3);
             QVERIFY(isWilful || fed.state() == flown.state());
             fed = Simulation(scenario);
-            fed.setTarget(0, 0);
+            fed.setTarget(0, IcebergIndex(0));
             const std::array<std::optional<ExternalPose>, 2> tooMany;
             QVERIFY_THROWS_EXCEPTION(std::logic_error, fed.advanceStep(tooMany));
         }

@@ -338,8 +338,7 @@ private slots:
         const QPointF uav = layout.view.toPixel(picture.uavs[0].position_m);
         COMPARE_NEAR(QLineF(legs[0].p1(), uav).length(), 0, 1e-6);
         for (std::size_t k = 0; k < legs.size(); ++k) {
-            const LabelDisk& target =
-                layout.icebergs[static_cast<std::size_t>(picture.routes[0].plan[k])];
+            const LabelDisk& target = layout.icebergs[toIndex(picture.routes[0].plan[k])];
             if (!legs[k].isNull())
                 COMPARE_NEAR(QLineF(legs[k].p2(), target.centre_px).length(), target.radius_px,
                              1e-6);

@@ -125,8 +125,8 @@ private slots:
         TableFixture f(withAsset());
         f.model.showRecord(recordAt(mission, time_s));
         for (int i = 0; i < 4; ++i) {
-            const ClosestApproach expected =
-                closestApproach(*relativeToAsset(then.observer(), i), kApproachHorizon_s);
+            const ClosestApproach expected = closestApproach(
+                *relativeToAsset(then.observer(), IcebergIndex::of(i)), kApproachHorizon_s);
             const IcebergTableRow& row = f.model.rowAt(i);
             COMPARE_NEAR(row.value(IcebergColumn::AssetDistance).value_or(-1), expected.distance_m,
                          1e-9);
