@@ -383,7 +383,7 @@ private slots:
             QVERIFY(one.uavs[u].legs == two.uavs[u].legs);
         QVERIFY(!reported.empty());
         for (const SolveProgress& progress : reported) {
-            QCOMPARE(progress.plan.size(), std::size_t{3});
+            QCOMPARE(progress.orders.size(), std::size_t{3});
             QCOMPARE(progress.legs.size(), std::size_t{3});
             QVERIFY(progress.objective >= *two.predictedZeta_m2s - 1e-6);
         }

@@ -219,8 +219,9 @@ private slots:
                     searches ? std::optional(uav.search->iceberg) : std::nullopt;
                 searching_s = searches && iceberg == searched ? searching_s + 1 : 0;
                 searched = iceberg; // the search for the next one may follow at once
-                QVERIFY2(searching_s < 1200,
-                         qPrintable(QString("%1").arg(seed))); // again: a larger pattern
+                QVERIFY2(
+                    searching_s < 1800,
+                    qPrintable(QString("%1: %2 s").arg(seed).arg(searching_s))); // resumed outside
             }
             QCOMPARE(samplesOutside(mission), std::ptrdiff_t{0});
             const auto isEnd = [](const MissionEvent& e) {

@@ -55,8 +55,8 @@ private slots:
         Mission mission(scenario);
         double time_s = 0;
         const auto isInterim = [&] {
-            const Plan& newest = *mission.plans().back();
-            return newest.interim && newest.uavs.front().legs.empty();
+            const Plan* newest = mission.plans().empty() ? nullptr : mission.plans().back().get();
+            return newest != nullptr && newest->interim && newest->uavs.front().legs.empty();
         };
         while (!isInterim() && time_s < scenario.duration_s)
             static_cast<void>(mission.advance(++time_s));

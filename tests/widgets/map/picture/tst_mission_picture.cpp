@@ -134,6 +134,7 @@ private slots:
     void flightIsShownAsItIs()
     {
         FlightRecord record = recordOf(fiveIcebergs(50));
+        record.now.phase = RunPhase::Paused;
         QVERIFY(record.inFlight());
         record.scenario.icebergs[2].position_m = {2500, 2000};
         SweptPaths swept;
