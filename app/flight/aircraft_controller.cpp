@@ -378,7 +378,7 @@ void AircraftController::report(LinkAddress address, const QString& text)
     showMessage(named, kLongMessage_ms);
 }
 
-/** What is on board is unknown: without a mission of ours nothing is steered. */
+/** The mission on board is unknown: without a mission of ours nothing is steered. */
 void AircraftController::loseUpload(LinkAddress address, Aircraft& aircraft)
 {
     aircraft.upload.reset();

@@ -1,6 +1,5 @@
-#include "app/flight/aircraft_controller.h"
-
 #include "app/dialogs/interaction.h"
+#include "app/flight/aircraft_controller.h"
 #include "app/flight/flight_view.h"
 #include "app/layout/panels.h"
 #include "core/link/log_replay.h"

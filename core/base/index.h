@@ -8,9 +8,10 @@
 namespace berg {
 
 /**
- * The number, from 0, of a thing of one kind. It converts neither to an `int` nor to the number of
- * another kind, so an iceberg cannot be taken for a UAV, for a node of a planning problem or for a
- * row. Only constants convert to it; other numbers need `of`. It costs what an `int` costs.
+ * The number, from 0, of one iceberg, UAV or place of a map. It converts neither to an `int` nor to
+ * the number of another kind, so an iceberg cannot be taken for a UAV, for a node of a planning
+ * problem or for a row. Only constants convert to it; other numbers need `of`. It costs what an
+ * `int` costs.
  */
 template <class Kind>
 class Index
@@ -36,7 +37,7 @@ private:
     int m_number = 0;
 };
 
-/** The numbers 0 .. count - 1 of one kind, for loops over all things of that kind. */
+/** The numbers 0 .. count - 1 of one kind, for loops. */
 template <class Kind>
 class IndexRange
 {

@@ -124,7 +124,7 @@ private:
     [[nodiscard]] int reposition(const LinkMessage& command, const VehicleReadings& readings,
                                  std::vector<VehicleOrder>& orders) const;
     [[nodiscard]] int setMessageInterval(MessageId id, double interval_us, double now_s);
-    /** Flies to a MISSION_ITEM with `current` 2, ArduPilot's older way of guided flight. */
+    /** Flies to a MISSION_ITEM with `current` 2, ArduPilot's older command of guided flight. */
     void answerGuidedItem(const ReceivedFrame& received, LinkTime now,
                           const VehicleReadings& readings, std::vector<VehicleOrder>& orders);
     void setInterval(MessageId id, double interval_s, double now_s);

@@ -116,7 +116,7 @@ private:
     std::jthread m_thread;
 };
 
-/** What a flight has cost the GUI thread. */
+/** Time that a flight has cost the GUI thread. */
 struct FlightFigures
 {
     double paint_ms = 0; ///< median

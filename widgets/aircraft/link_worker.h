@@ -67,10 +67,7 @@ private:
     void keepOnBoard(LinkAddress vehicle);
     void publish();
     void log(LinkTime now, std::span<const std::uint8_t> frame);
-    [[nodiscard]] LinkTime now() const
-    {
-        return m_replay.log ? m_replay.log->time() : m_clock();
-    }
+    [[nodiscard]] LinkTime now() const { return m_replay.log ? m_replay.log->time() : m_clock(); }
     [[nodiscard]] std::vector<LinkVehicle> vehicles() const;
     void updateGhosts(double now_s);
     void predictContact();

@@ -190,7 +190,7 @@ void StreamLink::flush()
             return;
         }
         if (written == 0)
-            return; // some serial drivers report a full buffer in this way
+            return; // so some serial drivers report a full buffer
         m_unsent.erase(m_unsent.begin(), m_unsent.begin() + written);
     }
 }

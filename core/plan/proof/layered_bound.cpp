@@ -315,9 +315,9 @@ private:
     const Costs& m_costs;
     const LayeredBoundOptions& m_layered;
     LayeredPaths<Costs> m_paths;
-    std::optional<Stage<Costs>> m_stage; ///< once there is a graph
+    std::optional<Stage<Costs>> m_stage;   ///< once there is a graph
     std::unique_ptr<Stage<Costs>> m_saved; ///< stage from which the next gap is certified
-    bool m_isStaged = false;             ///< whether other gaps are certified first
+    bool m_isStaged = false;               ///< whether other gaps are certified first
 };
 
 } // namespace

@@ -20,7 +20,7 @@ using namespace berg::test;
 
 namespace {
 
-/** What one UAV of a plan is to fly, as the window uploads it. */
+/** The mission of one UAV of a plan, as the window uploads it. */
 struct UploadedPlan
 {
     std::vector<MissionPart> parts;

@@ -291,7 +291,7 @@ private slots:
         scene.worker.startSync(address, {missionPart(14)}, MissionSync::Task::UploadAndCompare);
         QVERIFY(scene.runUntil([&] { return hasTransferred(scene, 3); }, 30));
         scene.worker.setSending(false);
-        scene.step(); // what is on its way arrives
+        scene.step(); // frames in transit arrive
         const int before = peer.received();
         QVERIFY(before > 5);
         scene.run(60);

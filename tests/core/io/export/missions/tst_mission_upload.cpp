@@ -1,4 +1,4 @@
-// Exported missions on their way to a simulated aircraft, which flies them.
+// A simulated aircraft receives exported missions and flies them.
 
 #include "core/io/export/missions/mission_upload.h"
 #include "core/link/link_session.h"
