@@ -54,8 +54,8 @@ private:
 class TrackerList
 {
 public:
-    /** Processes a fix received at `now_s` of the receiver's clock. */
-    void receive(const TrackerFix& fix, double now_s);
+    /** Processes a position received at `now_s` of the receiver's clock. */
+    void receive(const TrackerFix& received, double now_s);
     /**
      * Marks trackers that have been silent for 5 s as lost, and returns the events since the last
      * call: appeared, lost, returned.

@@ -105,7 +105,7 @@ QString aircraftName(LinkAddress address)
 
 QString trafficName(const TrafficTarget& target)
 {
-    const QString name = plainText(target.name);
+    QString name = plainText(target.name);
     if (!name.isEmpty())
         return name;
     return target.kind == TrafficTarget::Kind::Ship // MMSI, or ICAO address

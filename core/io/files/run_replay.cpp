@@ -82,7 +82,7 @@ struct ReplayNumbers
 };
 
 /** Returns every number of a keyframe. */
-std::vector<ReplayField> fieldsOf(const WorldState& state)
+std::vector<ReplayField> replayFieldsOf(const WorldState& state)
 {
     std::vector<ReplayField> fields;
     for (std::size_t i = 0; i < state.uavs.size(); ++i) {
@@ -146,8 +146,8 @@ void compareKeyframes(const RunFile& recorded, const RunFile& replayed, std::vec
         const WorldState flown = withoutUnrecordedTimes(*other, keyframe);
         if (flown == keyframe)
             continue;
-        const std::vector<ReplayField> left = fieldsOf(keyframe);
-        const std::vector<ReplayField> right = fieldsOf(flown);
+        const std::vector<ReplayField> left = replayFieldsOf(keyframe);
+        const std::vector<ReplayField> right = replayFieldsOf(flown);
         const auto [a, b] = std::mismatch(left.begin(), left.end(), right.begin(), right.end());
         if (a == left.end() || b == right.end()) // the details of a search or path differ
             issues.push_back(differs(path, IssueId::ReplayedOther, {time_s}));

@@ -157,8 +157,8 @@ QString positionText(double position_m, bool inFlight, const QLocale& locale)
     return fixedText(distanceUnit().fromSi(position_m), decimals + (isNautical ? 2 : 0), locale);
 }
 
-QString numberText(const IcebergTableRow& row, double value, IcebergColumn column, bool inFlight,
-                   const QLocale& locale)
+QString cellNumberText(const IcebergTableRow& row, double value, IcebergColumn column,
+                       bool inFlight, const QLocale& locale)
 {
     switch (column) {
     case IcebergColumn::East:
@@ -312,7 +312,7 @@ QString cellText(const IcebergTableRow& row, IcebergColumn column, bool inFlight
     if (column == IcebergColumn::Uav)
         return orDash(row.uav);
     const std::optional<double> value = row.value(column);
-    return orDash(value ? numberText(row, *value, column, inFlight, locale) : QString());
+    return orDash(value ? cellNumberText(row, *value, column, inFlight, locale) : QString());
 }
 
 QString cellToolTip(const IcebergTableRow& row, IcebergColumn column, const QLocale& locale)
