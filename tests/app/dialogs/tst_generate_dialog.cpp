@@ -162,7 +162,7 @@ private slots:
         f.number(u"generateSpacing"_s).setValue(0);
         QVERIFY(f.ok().isEnabled());
         f.spin(u"generateNumber"_s).setValue(1000);
-        QCOMPARE(f.state(), u"Number of icebergs: must be from 1 to 988, not 1000"_s);
+        QCOMPARE(f.state(), u"Number of icebergs: must be from 1 to 988, not 1\u202F000"_s);
         f.spin(u"generateNumber"_s).setValue(10);
         f.number(u"generateSpeedMin"_s).setValue(1);
         QCOMPARE(f.state(), u"Highest speed: must not be below \"Lowest speed\""_s);
