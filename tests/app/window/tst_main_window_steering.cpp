@@ -226,6 +226,7 @@ private slots:
     void steeringNeedsTheFlight()
     {
         Linked w;
+        QVERIFY(w.upload()); // a vehicle without a mission refuses the mode
         chooseSteering(w, SteeringKind::Mission);
         buttonOf(w, u"flyMissionButton"_s).click();
         QVERIFY(w.until([&] {
