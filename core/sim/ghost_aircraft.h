@@ -12,8 +12,9 @@ namespace berg {
 /** Last known state of an aircraft when contact is lost. */
 struct LastContact
 {
-    LinkVehicle vehicle;                  ///< its position must be known
-    std::vector<LinkMissionItem> onBoard; ///< mission as read back, without home; empty: unknown
+    LinkVehicle vehicle; ///< its position must be known
+    /** Mission as it was read back, without home; empty if it is unknown. */
+    std::vector<LinkMissionItem> onBoard;
     UavSpec uav;
     Point wind_mps = Point::Zero(); ///< wind over ground, east and north
 };
