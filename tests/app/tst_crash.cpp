@@ -4,6 +4,7 @@
 #include "core/presets/presets.h"
 #include "tests/support/files/file_texts.h"
 #include "tests/support/window/panel_test.h"
+#include "tests/support/window/patience.h"
 #include "widgets/theme/language.h"
 #include "widgets/workspace/workspace.h"
 

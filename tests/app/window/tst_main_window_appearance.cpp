@@ -311,9 +311,8 @@ private slots:
         fresh.show();
         w.window().activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&w.window()));
-        QTest::qWait(300); // charts and map have settled
-        const QString difference = paletteDifference(w.window(), fresh);
-        QVERIFY2(difference.isEmpty(), qPrintable(difference));
+        QTRY_VERIFY2(paletteDifference(w.window(), fresh).isEmpty(), // once charts have settled
+                     qPrintable(paletteDifference(w.window(), fresh)));
         for (const QWidget* widget : visibleWidgets(w.window())) {
             const QColor window = widget->palette().color(QPalette::Window);
             QVERIFY2((relativeLuminance(window) < 0.2) == isDark, qPrintable(nameOf(*widget)));

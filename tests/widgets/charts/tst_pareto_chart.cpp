@@ -1,6 +1,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/plan/curve_builder.h"
 #include "tests/support/window/panel_test.h"
+#include "tests/support/window/patience.h"
 #include "widgets/charts/pareto_chart.h"
 
 #include <QSignalSpy>

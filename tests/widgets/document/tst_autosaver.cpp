@@ -1,6 +1,7 @@
 #include "core/io/files/scenario_json.h"
 #include "core/presets/presets.h"
 #include "tests/support/window/panel_test.h"
+#include "tests/support/window/patience.h"
 #include "widgets/document/autosaver.h"
 #include "widgets/document/scenario_document.h"
 

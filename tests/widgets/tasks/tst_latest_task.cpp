@@ -1,3 +1,4 @@
+#include "tests/support/window/patience.h"
 #include "widgets/tasks/latest_task.h"
 
 #include <QtTest>

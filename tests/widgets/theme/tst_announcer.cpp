@@ -1,4 +1,5 @@
 #include "tests/support/window/panel_test.h"
+#include "tests/support/window/patience.h"
 #include "widgets/theme/announcer.h"
 
 #include <QSignalSpy>

@@ -1,3 +1,4 @@
+#include "tests/support/window/patience.h"
 #include "widgets/map/land/land_layer.h"
 
 #include <QImage>

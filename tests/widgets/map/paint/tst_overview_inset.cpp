@@ -1,5 +1,6 @@
 #include "tests/support/approx.h"
 #include "tests/support/window/map_fixture.h"
+#include "tests/support/window/patience.h"
 #include "widgets/map/paint/overview_inset.h"
 
 #include <QSignalSpy>

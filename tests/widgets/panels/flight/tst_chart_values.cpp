@@ -1,4 +1,5 @@
 #include "tests/support/window/chart_panel_fixture.h"
+#include "tests/support/window/patience.h"
 #include "widgets/charts/figure_painter.h"
 
 #include <QTableView>

@@ -4,6 +4,7 @@
 #include "tests/support/flight/scenario_builder.h"
 #include "tests/support/window/ids.h"
 #include "tests/support/window/panel_test.h"
+#include "tests/support/window/patience.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/icebergs/iceberg_table.h"
 #include "widgets/panels/icebergs/iceberg_table_columns.h"

@@ -1,6 +1,7 @@
 #include "core/presets/presets.h"
 #include "tests/support/approx.h"
 #include "tests/support/flight/scenario_builder.h"
+#include "tests/support/window/patience.h"
 #include "widgets/map/picture/mission_picture.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/panels/plan/plan_model.h"

@@ -1,4 +1,5 @@
 #include "tests/support/approx.h"
+#include "tests/support/window/patience.h"
 #include "tests/support/window/plan_panel_fixture.h"
 #include "widgets/panels/fields/panel_labels.h"
 #include "widgets/panels/plan/plan_delegate.h"

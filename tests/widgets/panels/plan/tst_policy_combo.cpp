@@ -1,4 +1,5 @@
 #include "tests/support/window/panel_test.h"
+#include "tests/support/window/patience.h"
 #include "widgets/panels/plan/policy_combo.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
 #include "widgets/words/policy_words.h"

@@ -1,6 +1,7 @@
 #include "core/plan/policy/policy.h"
 #include "tests/support/approx.h"
 #include "tests/support/window/panel_test.h"
+#include "tests/support/window/patience.h"
 #include "widgets/panels/fields/number_field.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
 
