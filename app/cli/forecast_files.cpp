@@ -24,8 +24,14 @@ std::string saidQuantity(ForecastQuantity quantity)
         return said(QT_TRANSLATE_NOOP("CommandLine", "gust"), {});
     case ForecastQuantity::AirTemperature:
         return said(QT_TRANSLATE_NOOP("CommandLine", "air temperature"), {});
+    case ForecastQuantity::DewPoint:
+        return said(QT_TRANSLATE_NOOP("CommandLine", "dew point"), {});
     case ForecastQuantity::Fog:
         return said(QT_TRANSLATE_NOOP("CommandLine", "fog"), {});
+    case ForecastQuantity::Visibility:
+        return said(QT_TRANSLATE_NOOP("CommandLine", "visibility"), {});
+    case ForecastQuantity::Ceiling:
+        return said(QT_TRANSLATE_NOOP("CommandLine", "ceiling"), {});
     case ForecastQuantity::Current:
         break;
     }

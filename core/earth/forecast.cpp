@@ -20,8 +20,14 @@ auto withMember(ForecastQuantity quantity, const Use& use, Entries&... entries)
         return use(entries.gust_mps...);
     case ForecastQuantity::AirTemperature:
         return use(entries.airTemperature_degC...);
+    case ForecastQuantity::DewPoint:
+        return use(entries.dewPoint_degC...);
     case ForecastQuantity::Fog:
         return use(entries.fog_percent...);
+    case ForecastQuantity::Visibility:
+        return use(entries.visibility_m...);
+    case ForecastQuantity::Ceiling:
+        return use(entries.ceiling_m...);
     case ForecastQuantity::Current:
         break;
     }
@@ -94,8 +100,14 @@ std::string_view nameOf(ForecastQuantity quantity)
         return "gust";
     case ForecastQuantity::AirTemperature:
         return "air temperature";
+    case ForecastQuantity::DewPoint:
+        return "dew point";
     case ForecastQuantity::Fog:
         return "fog";
+    case ForecastQuantity::Visibility:
+        return "visibility";
+    case ForecastQuantity::Ceiling:
+        return "ceiling";
     case ForecastQuantity::Current:
         break;
     }

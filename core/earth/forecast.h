@@ -24,7 +24,10 @@ struct ForecastEntry
     std::optional<Point> wind_mps; ///< velocity of the air at 10 m, towards true east and north
     std::optional<double> gust_mps;
     std::optional<double> airTemperature_degC;
+    std::optional<double> dewPoint_degC;
     std::optional<double> fog_percent;
+    std::optional<double> visibility_m;
+    std::optional<double> ceiling_m;  ///< height of the cloud base above the sea
     std::optional<Point> current_mps; ///< velocity of the water, towards true east and north
     bool operator==(const ForecastEntry&) const = default;
 };
@@ -35,12 +38,16 @@ enum class ForecastQuantity : std::uint8_t
     Wind,
     Gust,
     AirTemperature,
+    DewPoint,
     Fog,
+    Visibility,
+    Ceiling,
     Current
 };
-inline constexpr std::array<ForecastQuantity, 5> kForecastQuantities{
-    ForecastQuantity::Wind, ForecastQuantity::Gust, ForecastQuantity::AirTemperature,
-    ForecastQuantity::Fog, ForecastQuantity::Current};
+inline constexpr std::array<ForecastQuantity, 8> kForecastQuantities{
+    ForecastQuantity::Wind,     ForecastQuantity::Gust,   ForecastQuantity::AirTemperature,
+    ForecastQuantity::DewPoint, ForecastQuantity::Fog,    ForecastQuantity::Visibility,
+    ForecastQuantity::Ceiling,  ForecastQuantity::Current};
 
 /** Returns the name of a quantity in results: "wind", "gust", "air temperature", ... */
 [[nodiscard]] std::string_view nameOf(ForecastQuantity quantity);
