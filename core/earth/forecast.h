@@ -61,6 +61,7 @@ struct Forecast
     std::optional<ForecastTime> issued; ///< time of the model run or of its last update
     LatLon place;
     std::vector<ForecastEntry> series; ///< times rise
+    std::optional<double> depth_m;     ///< of the sea
     bool operator==(const Forecast&) const = default;
 };
 

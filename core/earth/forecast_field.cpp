@@ -59,42 +59,62 @@ Neighbours rowsAround(const ForecastField& field, double latitude_deg)
     return neighboursOfZero(offsets);
 }
 
-/** Four entries around a place, and their weights. */
-struct WeightedEntries
+/** Four values around a place, and their weights. */
+template <class T>
+struct Weighted
 {
-    std::array<ForecastEntry, 4> entries;
+    std::array<T, 4> values;
     std::array<double, 4> weights{};
 };
 
-/** Returns the weighted mean of a member over the entries that have it. */
-template <class Value>
-std::optional<Value> meanMember(const WeightedEntries& corners,
-                                std::optional<Value> ForecastEntry::*member)
+/** Returns `valueAt(i)` of the four places i around a place, with their weights. */
+template <class ValueAt>
+auto valuesAround(const ForecastField& field, const LatLon& place, const ValueAt& valueAt)
+{
+    const Neighbours row = rowsAround(field, place.latitude_deg);
+    const Neighbours column = columnsAround(field, place.longitude_deg);
+    const auto at = [&](std::size_t r, std::size_t c) { return valueAt(r * field.columns + c); };
+    return Weighted<decltype(valueAt(0))>{
+        .values = {at(row.first, column.first), at(row.first, column.second),
+                   at(row.second, column.first), at(row.second, column.second)},
+        .weights = {(1 - row.share) * (1 - column.share), (1 - row.share) * column.share,
+                    row.share * (1 - column.share), row.share * column.share}};
+}
+
+/** Returns the weighted mean of a member over the values that have it. */
+template <class T, class Value>
+std::optional<Value> weightedMean(const Weighted<T>& around, std::optional<Value> T::*member)
 {
     std::optional<Value> sum;
     double weight = 0;
-    for (std::size_t i = 0; i < corners.entries.size(); ++i) {
-        const std::optional<Value>& value = corners.entries[i].*member;
-        if (!value || corners.weights[i] <= 0)
+    for (std::size_t i = 0; i < around.values.size(); ++i) {
+        const std::optional<Value>& value = around.values[i].*member;
+        if (!value || around.weights[i] <= 0)
             continue;
-        sum = sum ? Value(*sum + corners.weights[i] * *value) : Value(corners.weights[i] * *value);
-        weight += corners.weights[i];
+        sum = sum ? Value(*sum + around.weights[i] * *value) : Value(around.weights[i] * *value);
+        weight += around.weights[i];
     }
     return sum ? std::optional<Value>(*sum / weight) : std::nullopt;
 }
 
-ForecastEntry meanOf(const WeightedEntries& corners, ForecastTime time)
+ForecastEntry weightedMean(const Weighted<ForecastEntry>& around, ForecastTime time)
 {
     return {.time = time,
-            .wind_mps = meanMember(corners, &ForecastEntry::wind_mps),
-            .gust_mps = meanMember(corners, &ForecastEntry::gust_mps),
-            .airTemperature_degC = meanMember(corners, &ForecastEntry::airTemperature_degC),
-            .dewPoint_degC = meanMember(corners, &ForecastEntry::dewPoint_degC),
-            .fog_percent = meanMember(corners, &ForecastEntry::fog_percent),
-            .visibility_m = meanMember(corners, &ForecastEntry::visibility_m),
-            .ceiling_m = meanMember(corners, &ForecastEntry::ceiling_m),
-            .current_mps = meanMember(corners, &ForecastEntry::current_mps)};
+            .wind_mps = weightedMean(around, &ForecastEntry::wind_mps),
+            .gust_mps = weightedMean(around, &ForecastEntry::gust_mps),
+            .airTemperature_degC = weightedMean(around, &ForecastEntry::airTemperature_degC),
+            .dewPoint_degC = weightedMean(around, &ForecastEntry::dewPoint_degC),
+            .fog_percent = weightedMean(around, &ForecastEntry::fog_percent),
+            .visibility_m = weightedMean(around, &ForecastEntry::visibility_m),
+            .ceiling_m = weightedMean(around, &ForecastEntry::ceiling_m),
+            .current_mps = weightedMean(around, &ForecastEntry::current_mps)};
 }
+
+/** Depth of the sea at one place. */
+struct SeaDepth
+{
+    std::optional<double> depth_m;
+};
 
 } // namespace
 
@@ -125,16 +145,18 @@ ForecastEntry entryAt(const ForecastField& field, const LatLon& place, ForecastT
     require(isGrid(field), "entryAt: no grid");
     if (field.places.size() == 1)
         return entryAt(field.places.front(), time);
-    const Neighbours row = rowsAround(field, place.latitude_deg);
-    const Neighbours column = columnsAround(field, place.longitude_deg);
-    const auto at = [&](std::size_t r, std::size_t c) {
-        return entryAt(field.places[r * field.columns + c], time);
-    };
-    return meanOf({.entries = {at(row.first, column.first), at(row.first, column.second),
-                               at(row.second, column.first), at(row.second, column.second)},
-                   .weights = {(1 - row.share) * (1 - column.share), (1 - row.share) * column.share,
-                               row.share * (1 - column.share), row.share * column.share}},
-                  time);
+    return weightedMean(
+        valuesAround(field, place, [&](std::size_t i) { return entryAt(field.places[i], time); }),
+        time);
+}
+
+std::optional<double> depthAt_m(const ForecastField& field, const LatLon& place)
+{
+    require(isGrid(field), "depthAt_m: no grid");
+    return weightedMean(
+        valuesAround(field, place,
+                     [&](std::size_t i) { return SeaDepth{field.places[i].depth_m}; }),
+        &SeaDepth::depth_m);
 }
 
 Forecast forecastAt(const ForecastField& field, const LatLon& place)
@@ -144,6 +166,7 @@ Forecast forecastAt(const ForecastField& field, const LatLon& place)
     if (field.places.size() == 1)
         return forecast;
     forecast.place = place;
+    forecast.depth_m = depthAt_m(field, place);
     for (ForecastEntry& entry : forecast.series)
         entry = entryAt(field, place, entry.time);
     return forecast;

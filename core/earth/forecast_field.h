@@ -29,6 +29,9 @@ struct ForecastField
 [[nodiscard]] ForecastEntry entryAt(const ForecastField& field, const LatLon& place,
                                     ForecastTime time);
 
+/** Returns the depth of the sea at a place, interpolated as the values of `entryAt`, or nullopt. */
+[[nodiscard]] std::optional<double> depthAt_m(const ForecastField& field, const LatLon& place);
+
 /** Returns the forecast of one place, with the times of the grid's first place; see `entryAt`. */
 [[nodiscard]] Forecast forecastAt(const ForecastField& field, const LatLon& place);
 

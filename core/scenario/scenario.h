@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/earth/forecast_field.h"
 #include "core/earth/geodesy.h"
 #include "core/plan/policy/policy.h"
 #include "core/scenario/limits.h"
@@ -66,6 +67,9 @@ struct Iceberg
     /** Run time from which it is known, s. */
     double appears_s = 0;
     double radius_m = 50;
+    /** Length at the waterline; if given, wind and current carry it (`driftLaw`), else the current.
+     */
+    std::optional<double> length_m;
     std::string uav;     ///< id of the only UAV that may visit it; empty means any
     RecordedTrack track; ///< recorded true motion; if empty it is drawn from velocity and q
     std::string trackExtraJson;
@@ -131,6 +135,8 @@ struct ScenarioPhysics
     bool noise = true;
     Point wind_mps = Point::Zero();
     Point current_mps = Point::Zero(); ///< carries every iceberg in addition to its own velocity
+    /** Where and when it gives a quantity, this replaces the constant one. Needs `startUtc`. */
+    std::optional<ForecastField> forecast;
     std::vector<Point> area_m; ///< icebergs outside are not monitored; empty means unbounded
     ObserverSpec observer;
     FovShape fovShape = FovShape::Body; ///< file: planner.fov_shape

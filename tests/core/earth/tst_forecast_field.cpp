@@ -57,6 +57,16 @@ private slots:
         QVERIFY(!entryAt(field, {60, 180}, ForecastTime(0h)).wind_mps);
     }
 
+    void depthsAreBilinear()
+    {
+        ForecastField field = squareGrid();
+        QVERIFY(!depthAt_m(field, {60, 179}));
+        for (Forecast& forecast : field.places)
+            forecast.depth_m = 10 * (forecast.place.latitude_deg - 60) + 100;
+        QCOMPARE(*depthAt_m(field, {61, 179.5}), 110.0);
+        QCOMPARE(*forecastAt(field, {61, 179.5}).depth_m, 110.0);
+    }
+
     void anIncompleteGridIsNone()
     {
         ForecastField field = squareGrid();
