@@ -392,14 +392,15 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
     const auto solver = makeSolver(arguments.backend.value_or(Backend::Auto),
                                    arguments.formulation.value_or(Formulation::Position));
     SolvedProblem answer = solved(problem, *solver, options, arguments.countsReturn);
+    std::vector<int> numbers = numbersOf(answer.order);
     if (file.isTsplib) // whose first iceberg is node 2
-        for (int& node : answer.order)
-            ++node;
+        for (int& number : numbers)
+            ++number;
     PlanReport report{.problem = std::move(answer.problem),
                       .outcome = std::move(answer.outcome),
                       .distance_m = answer.distance_m,
                       .uavs = {}};
-    report.uavs.push_back({.id = {}, .order = std::move(answer.order), .ids = {}});
+    report.uavs.push_back({.id = {}, .order = std::move(numbers), .ids = {}});
     return conclude(report, arguments, options);
 }
 

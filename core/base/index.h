@@ -37,12 +37,15 @@ private:
     int m_number = 0;
 };
 
-/** The numbers 0 .. count - 1 of one kind, for loops. */
+/** Numbers of one kind that follow one another, for loops. */
 template <class Kind>
 class IndexRange
 {
 public:
+    /** The numbers 0 .. count - 1. */
     constexpr explicit IndexRange(std::integral auto count) : m_end(Index<Kind>::of(count)) {}
+    /** The numbers begin .. end - 1. */
+    constexpr IndexRange(Index<Kind> begin, Index<Kind> end) : m_begin(begin), m_end(end) {}
 
     class Iterator
     {
@@ -59,10 +62,11 @@ public:
     private:
         Index<Kind> m_at;
     };
-    [[nodiscard]] constexpr Iterator begin() const { return Iterator({}); }
+    [[nodiscard]] constexpr Iterator begin() const { return Iterator(m_begin); }
     [[nodiscard]] constexpr Iterator end() const { return Iterator(m_end); }
 
 private:
+    Index<Kind> m_begin;
     Index<Kind> m_end;
 };
 
@@ -72,6 +76,11 @@ using IcebergIndex = Index<class IcebergKind>;
 using IcebergRange = IndexRange<class IcebergKind>;
 /** Icebergs in an order, such as that of their visits. */
 using IcebergList = std::vector<IcebergIndex>;
+
+/** A node of a planning problem: 0 is the UAV, the others are its icebergs. */
+using NodeIndex = Index<class NodeKind>;
+/** Nodes that follow one another. */
+using NodeRange = IndexRange<class NodeKind>;
 
 /** Returns the place of an iceberg or node in a container that has one entry for each. */
 template <class Kind>

@@ -6,7 +6,6 @@
 #include "core/coverage/plan_conversion.h"
 #include "core/plan/policy/fleet_task.h"
 
-#include <numeric>
 #include <utility>
 
 namespace berg {
@@ -30,10 +29,10 @@ double flown_m(const PlanRequest& request, std::span<const UavPlan> answers)
 {
     double sum_m = 0;
     for (std::size_t u = 0; u < answers.size(); ++u) {
-        Eigen::Index from = 0;
+        NodeIndex from;
         for (const IcebergIndex iceberg : answers[u].order) {
-            const Eigen::Index to = nodeOf(request, iceberg);
-            sum_m += request.uavs[u].distance_m(from, to);
+            const NodeIndex to = nodeOf(request.ids, iceberg);
+            sum_m += legBetween(request.uavs[u].distance_m, from, to);
             from = to;
         }
     }
@@ -72,11 +71,10 @@ void judgeAlone(Plan& answer, const PlanRequest& request)
     const UavPlan& only = answer.uavs.front();
     VisitOrder nodes;
     for (const IcebergIndex iceberg : only.order)
-        nodes.push_back(nodeOf(request, iceberg));
+        nodes.push_back(nodeOf(request.ids, iceberg));
     const TvpProblem problem = restrictedTo(
         {.distance_m = request.uavs.front().distance_m, .sigma_m2 = request.sigma_m2}, nodes);
-    VisitOrder order(nodes.size());
-    std::iota(order.begin(), order.end(), 1);
+    VisitOrder order = ascendingOrder(problem.icebergCount());
     answer.outcome.objective = objective(problem, order);
     answer.outcome.plan = {std::move(order)};
     answer.problem = problemOf(problem);

@@ -16,7 +16,7 @@ namespace berg {
 class CoverageModel::Flight
 {
 public:
-    Flight(const CoverageModel& model, CoverageState& state, int target,
+    Flight(const CoverageModel& model, CoverageState& state, ModelPlace target,
            std::vector<CoverageSighting>* sightings, std::vector<CoverageView>* views)
         : m_model(model), m_state(state), m_target(target), m_sightings(sightings), m_views(views)
     {
@@ -95,7 +95,7 @@ private:
     /** An iceberg that may come into view. */
     struct Near
     {
-        int iceberg = 0;
+        ModelPlace iceberg;
         Point from_m;  ///< Position at the beginning of a piece, in axes of the view.
         ViewSpan span; ///< Part of the piece in which the iceberg is in view.
         [[nodiscard]] bool isSeen() const { return span.enter <= 1; }
@@ -110,10 +110,9 @@ private:
         const double reach_m = away_m + m_model.m_reach_m + m_model.m_fastest_mps * lasting_s;
         const double reach_m2 = reach_m * reach_m;
         const double now_s = m_state.time_s;
-        const int places = m_model.placeCount();
         std::size_t count = 0;
         m_many.clear();
-        for (int i = 0; i < places; ++i) {
+        for (const ModelPlace i : m_model.places()) {
             const double away_m2 = (m_model.place_m(i, now_s) - centre_m).squaredNorm();
             m_few[count].iceberg = i;
             // The addition avoids a branch that the processor could not predict.
@@ -200,12 +199,12 @@ private:
         return m_model.windowOf(near.iceberg, sigma_m2).crossing(near.from_m, to_m);
     }
 
-    void see(int iceberg, double enter_s, double until_s)
+    void see(ModelPlace iceberg, double enter_s, double until_s)
     {
         if (m_views)
             m_views->push_back({.iceberg = iceberg, .enter_s = enter_s, .leave_s = until_s});
-        const int owner = m_model.icebergAt(iceberg);
-        CoverageState::Account& account = m_state.accounts[static_cast<std::size_t>(owner)];
+        const ModelPlace owner = m_model.icebergAt(iceberg);
+        CoverageState::Account& account = m_state.accounts[toIndex(owner)];
         const unsigned bit = m_model.berg(iceberg).bit;
         m_state.cost_m2s += m_model.passOthers_m2s(owner, account, enter_s);
         if (bit != 0) {
@@ -223,7 +222,7 @@ private:
 
     const CoverageModel& m_model;
     CoverageState& m_state;
-    int m_target; ///< Place that ends the leg, or `CoverageLeg::kNoPlace`.
+    ModelPlace m_target; ///< Place that ends the leg, or `CoverageLeg::kNoPlace`.
     std::vector<CoverageSighting>* m_sightings;
     std::vector<CoverageView>* m_views;
     double m_from_s = 0;

@@ -73,7 +73,7 @@ Point likelyPlace_m(const ViewWindow& window, const Pose& uav, const Point& esti
 
 } // namespace
 
-std::optional<int> firstIceberg(const CoveragePlan& plan)
+std::optional<ModelPlace> firstIceberg(const CoveragePlan& plan)
 {
     const auto leg = std::ranges::find_if_not(plan, &CoverageLeg::isHold);
     return leg == plan.end() ? std::nullopt : std::optional(leg->iceberg);
@@ -105,12 +105,11 @@ CoverageModel::CoverageModel(const PredictionInput& input, const CoverageHorizon
         Berg& berg = m_bergs.back();
         if (m_paysForSamples && track.status != TrackStatus::Tracked)
             berg.chance = input.chances.empty() ? kChanceOfLost : input.chances[i];
-        berg.owner = static_cast<int>(i);
+        berg.owner = ModelPlace::of(i);
         if (berg.chance < 1 && i < input.places.size() && !input.places[i].empty())
             continue;
         const ViewWindow window =
-            track.inView ? windowOf(static_cast<int>(i), berg.account.start().position_m2)
-                         : m_window;
+            track.inView ? windowOf(berg.owner, berg.account.start().position_m2) : m_window;
         berg.place_m = likelyPlace_m(window, m_uav, berg.place_m, track.inView);
         m_fastest_mps = std::max(m_fastest_mps, berg.velocity_mps.norm());
     }
@@ -144,7 +143,7 @@ void CoverageModel::setOthers(std::vector<CoverageView> views)
     m_others.clear();
     m_firstOfOther.clear();
     auto view = views.begin();
-    for (int i = 0; i < static_cast<int>(m_icebergs); ++i) {
+    for (const ModelPlace i : ModelPlaceRange(m_icebergs)) {
         m_firstOfOther.push_back(m_others.size());
         for (; view != views.end() && icebergAt(view->iceberg) == i; ++view)
             if (m_others.size() > m_firstOfOther.back() && m_others.back().place == view->iceberg &&
@@ -161,7 +160,8 @@ void CoverageModel::setOthers(std::vector<CoverageView> views)
     }
 }
 
-double CoverageModel::viewPlace_m2s(int place, CoverageState::Account& account, double time_s) const
+double CoverageModel::viewPlace_m2s(ModelPlace place, CoverageState::Account& account,
+                                    double time_s) const
 {
     const Berg& berg = this->berg(place);
     if ((account.viewed & berg.bit) != 0)
@@ -177,23 +177,23 @@ double CoverageModel::viewPlace_m2s(int place, CoverageState::Account& account, 
     return cost_m2s;
 }
 
-int CoverageModel::placeNear(int iceberg, const Point& offset_m) const
+ModelPlace CoverageModel::placeNear(ModelPlace iceberg, const Point& offset_m) const
 {
-    int nearest = iceberg;
-    for (int place = 0; place < placeCount(); ++place)
+    ModelPlace nearest = iceberg;
+    for (const ModelPlace place : places())
         if (icebergAt(place) == iceberg &&
             (this->offset_m(place) - offset_m).norm() < (this->offset_m(nearest) - offset_m).norm())
             nearest = place;
     return nearest;
 }
 
-double CoverageModel::chanceAt(const CoverageState& state, int place) const
+double CoverageModel::chanceAt(const CoverageState& state, ModelPlace place) const
 {
     const Berg& berg = this->berg(place);
     return berg.bit == 0 ? 1 : berg.chance / accountOf(state, place).left;
 }
 
-double CoverageModel::restOf_m2s(int iceberg, const CoverageState::Account& account) const
+double CoverageModel::restOf_m2s(ModelPlace iceberg, const CoverageState::Account& account) const
 {
     const OtherView& next = m_others[account.next];
     const bool isLast = next.enter_s >= m_horizon.length_s;
@@ -210,7 +210,7 @@ double CoverageModel::restOf_m2s(int iceberg, const CoverageState::Account& acco
     return cost_m2s + restOf_m2s(iceberg, after);
 }
 
-double CoverageModel::view_m2s(int iceberg, CoverageState::Account& account, double enter_s,
+double CoverageModel::view_m2s(ModelPlace iceberg, CoverageState::Account& account, double enter_s,
                                double leave_s) const
 {
     const Berg& berg = this->berg(iceberg);
@@ -237,7 +237,7 @@ double CoverageModel::view_m2s(int iceberg, CoverageState::Account& account, dou
 void CoverageModel::passOthers(CoverageState& state) const
 {
     for (std::size_t i = 0; i < m_icebergs; ++i)
-        state.cost_m2s += passOthers_m2s(static_cast<int>(i), state.accounts[i], state.time_s);
+        state.cost_m2s += passOthers_m2s(ModelPlace::of(i), state.accounts[i], state.time_s);
 }
 
 CoverageState CoverageModel::start() const
@@ -261,7 +261,7 @@ double CoverageModel::totalWithTail_m2s(const CoverageState& state) const
         const double next_s =
             std::clamp(std::min(m_tail->nextOwn_s[i] + shift_s, m_tail->nextOther_s[i]),
                        std::min(state.time_s, m_horizon.length_s), m_horizon.length_s);
-        const auto iceberg = static_cast<int>(i);
+        const auto iceberg = ModelPlace::of(i);
         if (m_isAlone) {
             cost_m2s += growthUntil(iceberg, state.accounts[i], next_s).cost_m2s;
             continue;
@@ -280,7 +280,7 @@ double CoverageModel::total_m2s(const CoverageState& state) const
         return totalWithTail_m2s(state);
     double cost_m2s = state.cost_m2s;
     for (std::size_t i = 0; i < m_icebergs; ++i)
-        cost_m2s += restOf_m2s(static_cast<int>(i), state.accounts[i]);
+        cost_m2s += restOf_m2s(ModelPlace::of(i), state.accounts[i]);
     return cost_m2s;
 }
 
@@ -289,17 +289,17 @@ double CoverageModel::costSoFar_m2s(const CoverageState& state) const
     double cost_m2s = state.cost_m2s;
     for (std::size_t i = 0; i < m_icebergs; ++i) {
         const CoverageState::Account& account = state.accounts[i];
-        cost_m2s += growthUntil(static_cast<int>(i), account, state.time_s).cost_m2s;
+        cost_m2s += growthUntil(ModelPlace::of(i), account, state.time_s).cost_m2s;
     }
     return cost_m2s;
 }
 
-double CoverageModel::sigma_m2(const CoverageState& state, int iceberg) const
+double CoverageModel::sigma_m2(const CoverageState& state, ModelPlace iceberg) const
 {
     return growthUntil(iceberg, accountOf(state, iceberg), state.time_s).sigma_m2;
 }
 
-bool CoverageModel::inView(const CoverageState& state, int iceberg) const
+bool CoverageModel::inView(const CoverageState& state, ModelPlace iceberg) const
 {
     if ((accountOf(state, iceberg).viewed & berg(iceberg).bit) != 0)
         return true; // Another view of the place changes nothing.
@@ -309,7 +309,7 @@ bool CoverageModel::inView(const CoverageState& state, int iceberg) const
            (!m_paysForSamples || windowOf(iceberg, sigma_m2(state, iceberg)).contains(place_m));
 }
 
-double CoverageModel::distance_m(const CoverageState& state, int iceberg) const
+double CoverageModel::distance_m(const CoverageState& state, ModelPlace iceberg) const
 {
     return (place_m(iceberg, state.time_s) - state.uav.position_m).norm();
 }

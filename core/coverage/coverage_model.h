@@ -21,9 +21,9 @@ namespace berg {
 struct CoverageLeg
 {
     /** Place number of a hold, which has none; the search copies too many legs for an optional. */
-    static constexpr int kNoPlace = -1;
+    static constexpr ModelPlace kNoPlace{-1};
 
-    int iceberg = 0;     ///< Place of the model, see `placeCount`; `kNoPlace` for a hold.
+    ModelPlace iceberg;  ///< See `placeCount`; `kNoPlace` for a hold.
     double offset_m = 0; ///< Distance of the iceberg to the left of the line.
     double stay_s = 0;
     int side = 0; ///< Direction of a hold: 1 left, -1 right, 0 straight on.
@@ -41,7 +41,7 @@ struct CoverageLeg
 using CoveragePlan = std::vector<CoverageLeg>;
 
 /** Returns the place of the first leg other than a hold, or nullopt if all legs are holds. */
-[[nodiscard]] std::optional<int> firstIceberg(const CoveragePlan& plan);
+[[nodiscard]] std::optional<ModelPlace> firstIceberg(const CoveragePlan& plan);
 
 /** Probability that a lost iceberg is found each time the UAV flies to its estimate. */
 inline constexpr double kChanceOfLost = 0.4;
@@ -78,7 +78,7 @@ struct CoverageState
 /** A predicted sighting. */
 struct CoverageSighting
 {
-    int iceberg = 0;
+    ModelPlace iceberg;
     double time_s = 0; ///< Time since the start of the prediction.
 };
 
@@ -86,7 +86,7 @@ struct CoverageSighting
  * prediction. */
 struct CoverageView
 {
-    int iceberg = 0;
+    ModelPlace iceberg;
     double enter_s = 0;
     double leave_s = 0;
 };
@@ -117,20 +117,22 @@ public:
     /** Returns the number of places that legs can go to: icebergs, then further places of those
      * that are lost. `CoverageLeg::iceberg` is an index into these. */
     [[nodiscard]] int placeCount() const { return static_cast<int>(m_bergs.size()); }
+    /** Returns all places. */
+    [[nodiscard]] ModelPlaceRange places() const { return ModelPlaceRange(m_bergs.size()); }
     /** Returns the iceberg of a place, which is an iceberg itself in most cases. */
-    [[nodiscard]] int icebergAt(int place) const { return berg(place).owner; }
+    [[nodiscard]] ModelPlace icebergAt(ModelPlace place) const { return berg(place).owner; }
     /** Returns whether a lost iceberg is searched for at this place. */
-    [[nodiscard]] bool isSearched(int place) const { return berg(place).bit != 0; }
+    [[nodiscard]] bool isSearched(ModelPlace place) const { return berg(place).bit != 0; }
     /** Returns the offset of a place from its iceberg's estimate. */
-    [[nodiscard]] const Point& offset_m(int place) const
+    [[nodiscard]] const Point& offset_m(ModelPlace place) const
     {
-        return m_offsets_m[static_cast<std::size_t>(place)];
+        return m_offsets_m[toIndex(place)];
     }
     /** Returns the place of the iceberg that is nearest to this offset from its estimate. */
-    [[nodiscard]] int placeNear(int iceberg, const Point& offset_m) const;
+    [[nodiscard]] ModelPlace placeNear(ModelPlace iceberg, const Point& offset_m) const;
     /** Returns the probability that the iceberg is found at the place if it has not been found
      * before; 1 if it is not lost, or has no places. */
-    [[nodiscard]] double chanceAt(const CoverageState& state, int place) const;
+    [[nodiscard]] double chanceAt(const CoverageState& state, ModelPlace place) const;
     /** Returns whether sigma stays above 0 in view, so that keeping icebergs in view may pay. */
     [[nodiscard]] bool paysForSamples() const { return m_paysForSamples; }
     /** Returns the largest lateral distance at which a line still reaches its iceberg. */
@@ -183,19 +185,19 @@ public:
     /** Returns the integral of all sigma up to the state's time, in m2 s. */
     [[nodiscard]] double costSoFar_m2s(const CoverageState& state) const;
     /** Returns the weighted sigma of an iceberg in the state. */
-    [[nodiscard]] double sigma_m2(const CoverageState& state, int iceberg) const;
+    [[nodiscard]] double sigma_m2(const CoverageState& state, ModelPlace iceberg) const;
     /**
      * Returns whether a place is in the planned view of the UAV in the state, or is a place of a
      * lost iceberg that has been in view before.
      */
-    [[nodiscard]] bool inView(const CoverageState& state, int iceberg) const;
+    [[nodiscard]] bool inView(const CoverageState& state, ModelPlace iceberg) const;
     /** Returns a place in the air's frame at a time. */
-    [[nodiscard]] Point place_m(int iceberg, double time_s) const
+    [[nodiscard]] Point place_m(ModelPlace iceberg, double time_s) const
     {
         return berg(iceberg).place_m + berg(iceberg).velocity_mps * time_s;
     }
     /** Returns the distance from the UAV to a place at the time of the state. */
-    [[nodiscard]] double distance_m(const CoverageState& state, int iceberg) const;
+    [[nodiscard]] double distance_m(const CoverageState& state, ModelPlace iceberg) const;
 
     /**
      * Turn and line of a leg, as positions over ground with `turn.length_m` as in `turnOntoLine`.
@@ -223,7 +225,7 @@ private:
         Point velocity_mps;
         VisitCovariance account;
         double chance = 1; ///< Probability of finding a lost iceberg.
-        int owner = 0;     ///< Iceberg to which the place belongs.
+        ModelPlace owner;  ///< Iceberg to which the place belongs.
         unsigned bit = 0;  ///< Bit of the place; 0 if the iceberg has no list of places.
     };
     class Flight;
@@ -234,33 +236,31 @@ private:
         double enter_s = std::numeric_limits<double>::infinity();
         double leave_s = std::numeric_limits<double>::infinity();
         double rest_m2s = 0; ///< Cost from the end of the view on, with only the views after it.
-        int place = 0;       ///< Place that is in view.
+        ModelPlace place;    ///< Place that is in view.
     };
 
-    [[nodiscard]] const Berg& berg(int iceberg) const
-    {
-        return m_bergs[static_cast<std::size_t>(iceberg)];
-    }
+    [[nodiscard]] const Berg& berg(ModelPlace iceberg) const { return m_bergs[toIndex(iceberg)]; }
     /** Returns the growth since `paid_s`; none if that is later than `time_s`. */
     [[nodiscard]] VisitCovariance::Growth
-    growthUntil(int iceberg, const CoverageState::Account& account, double time_s) const
+    growthUntil(ModelPlace iceberg, const CoverageState::Account& account, double time_s) const
     {
         return berg(iceberg).account.growth(account.known, std::max(0.0, time_s - account.paid_s));
     }
 
     [[nodiscard]] double totalWithTail_m2s(const CoverageState& state) const;
     /** Returns the cost to the horizon if only the others see the iceberg. */
-    [[nodiscard]] double restOf_m2s(int iceberg, const CoverageState::Account& account) const;
+    [[nodiscard]] double restOf_m2s(ModelPlace iceberg,
+                                    const CoverageState::Account& account) const;
     /** Updates the account by a view. Returns the cost of the view and of the time before it. */
-    double view_m2s(int iceberg, CoverageState::Account& account, double enter_s,
+    double view_m2s(ModelPlace iceberg, CoverageState::Account& account, double enter_s,
                     double leave_s) const;
     /**
      * Updates the account by a view of a place of a lost iceberg. Returns the cost of the time
      * before it. A second view of the place changes nothing.
      */
-    double viewPlace_m2s(int place, CoverageState::Account& account, double time_s) const;
+    double viewPlace_m2s(ModelPlace place, CoverageState::Account& account, double time_s) const;
     /** Updates the account by the others' views that have begun by then. Returns their cost. */
-    double passOthers_m2s(int iceberg, CoverageState::Account& account, double time_s) const
+    double passOthers_m2s(ModelPlace iceberg, CoverageState::Account& account, double time_s) const
     {
         double cost_m2s = 0;
         while (m_others[account.next].enter_s <= time_s) {
@@ -274,7 +274,7 @@ private:
     void passOthers(CoverageState& state) const;
 
     /** Returns the view that surely holds an iceberg with this sigma. */
-    [[nodiscard]] ViewWindow windowOf(int iceberg, double sigma_m2) const
+    [[nodiscard]] ViewWindow windowOf(ModelPlace iceberg, double sigma_m2) const
     {
         if (berg(iceberg).bit != 0)
             return m_placeWindow;
@@ -282,14 +282,14 @@ private:
                                 : m_window;
     }
     /** Returns the window in which a leg to the iceberg ends; null if its view ends the leg. */
-    [[nodiscard]] const ViewWindow* reachOf(int iceberg) const
+    [[nodiscard]] const ViewWindow* reachOf(ModelPlace iceberg) const
     {
         return m_reachWindow && !(berg(iceberg).chance < 1) ? &*m_reachWindow : nullptr;
     }
     [[nodiscard]] const CoverageState::Account& accountOf(const CoverageState& state,
-                                                          int iceberg) const
+                                                          ModelPlace iceberg) const
     {
-        return state.accounts[static_cast<std::size_t>(berg(iceberg).owner)];
+        return state.accounts[toIndex(berg(iceberg).owner)];
     }
     [[nodiscard]] TangentTurn turnOf(const CoverageState& state, const CoverageLeg& leg) const;
     [[nodiscard]] TangentTurn holdTurn(const CoverageState& state, const CoverageLeg& leg) const;

@@ -49,7 +49,7 @@ auto at(CoveragePlan& plan, std::size_t place)
  * Returns the iceberg of the last leg before the place that has one, or of the first such leg after
  * it.
  */
-int icebergBefore(const CoveragePlan& plan, std::size_t place)
+ModelPlace icebergBefore(const CoveragePlan& plan, std::size_t place)
 {
     for (std::size_t k = place; k-- > 0;)
         if (!plan[k].isHold())
@@ -57,7 +57,7 @@ int icebergBefore(const CoveragePlan& plan, std::size_t place)
     for (std::size_t k = place; k < plan.size(); ++k)
         if (!plan[k].isHold())
             return plan[k].iceberg;
-    return 0;
+    return {};
 }
 
 } // namespace
@@ -70,20 +70,20 @@ CoverageMoves::CoverageMoves(const CoverageModel& model, const Random& random,
     , m_paysForSamples(model.paysForSamples())
     , m_random(random)
 {
-    for (int i = 0; i < model.placeCount(); ++i)
+    for (const ModelPlace i : model.places())
         m_places_m.push_back(model.place_m(i, 0));
 }
 
-const std::vector<int>& CoverageMoves::neighbours(int iceberg)
+const std::vector<ModelPlace>& CoverageMoves::neighbours(ModelPlace iceberg)
 {
-    const auto i = static_cast<std::size_t>(iceberg);
-    std::vector<int>& others = m_neighbours[i];
+    const std::size_t i = toIndex(iceberg);
+    std::vector<ModelPlace>& others = m_neighbours[i];
     if (!others.empty())
         return others;
-    std::vector<std::pair<double, int>> distances;
+    std::vector<std::pair<double, ModelPlace>> distances;
     for (std::size_t j = 0; j < m_places_m.size(); ++j)
         if (j != i && (m_allowed.empty() || m_allowed[j]))
-            distances.emplace_back((m_places_m[i] - m_places_m[j]).norm(), static_cast<int>(j));
+            distances.emplace_back((m_places_m[i] - m_places_m[j]).norm(), ModelPlace::of(j));
     std::ranges::sort(distances);
     for (const auto& [distance_m, j] : distances)
         others.push_back(j);
@@ -203,9 +203,9 @@ std::size_t CoverageMoves::placeNear(std::size_t place, std::size_t count)
 
 CoverageLeg CoverageMoves::anyLeg(const CoveragePlan& plan, std::size_t place)
 {
-    const int before = icebergBefore(plan, place);
-    const std::vector<int>& others = neighbours(before);
-    const int iceberg = others.empty() ? before : others[drawn(others.size(), kNearPower)];
+    const ModelPlace before = icebergBefore(plan, place);
+    const std::vector<ModelPlace>& others = neighbours(before);
+    const ModelPlace iceberg = others.empty() ? before : others[drawn(others.size(), kNearPower)];
     CoverageLeg leg{.iceberg = iceberg, .offset_m = anyOffset_m()};
     if (m_paysForSamples && m_random.below(3) != 0) {
         const double share = m_random.uniform() * m_random.uniform();

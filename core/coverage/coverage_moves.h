@@ -40,13 +40,14 @@ private:
     /** Returns a leg to any place, most often to a neighbour of the place of the leg before. */
     [[nodiscard]] CoverageLeg anyLeg(const CoveragePlan& plan, std::size_t place);
     /** Returns all other allowed icebergs, nearest first. */
-    [[nodiscard]] const std::vector<int>& neighbours(int iceberg);
+    [[nodiscard]] const std::vector<ModelPlace>& neighbours(ModelPlace iceberg);
     [[nodiscard]] double anyOffset_m();
     [[nodiscard]] double nearOffset_m(double offset_m);
 
     std::vector<bool> m_allowed;
     std::vector<Point> m_places_m; ///< Places of the icebergs at the start of the prediction.
-    std::vector<std::vector<int>> m_neighbours; ///< For each iceberg; empty until they are needed.
+    /** For each iceberg; empty until they are needed. */
+    std::vector<std::vector<ModelPlace>> m_neighbours;
     double m_edge_m;
     bool m_paysForSamples;
     Random m_random;

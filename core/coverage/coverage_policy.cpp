@@ -153,8 +153,8 @@ CoverageLimits CoveragePolicy::limitsOf(const PlanRequest& request, std::size_t 
     const UavRequest& own = request.uavs[uav];
     const std::vector<bool> any = availableToAny(request);
     CoverageLimits limits;
-    for (int place = 0; place < model.placeCount(); ++place) {
-        const auto k = static_cast<std::size_t>(model.icebergAt(place));
+    for (const ModelPlace place : model.places()) {
+        const std::size_t k = toIndex(model.icebergAt(place));
         const bool searches =
             k < own.prediction->places.size() && !own.prediction->places[k].empty();
         limits.first.push_back(own.available[k] || searches);
@@ -335,12 +335,12 @@ PatrolRoutes CoveragePolicy::restOfPatrol(const PlanRequest& request,
             for (const CoverageLeg& leg : restOf({kept[k]}, models[u], request.ids)) {
                 if (leg.isHold())
                     continue;
-                const int iceberg = models[u].icebergAt(leg.iceberg);
-                const auto i = static_cast<std::size_t>(iceberg);
+                const ModelPlace iceberg = models[u].icebergAt(leg.iceberg);
+                const std::size_t i = toIndex(iceberg);
                 if (k < last->second.legs && isVisited[i])
                     isVisited[i] = false; // Its later visits remain.
                 else
-                    routes[u].push_back(iceberg);
+                    routes[u].push_back(iceberg.number());
             }
         isEmpty = isEmpty && routes[u].empty();
     }

@@ -203,7 +203,7 @@ bool CoverageSearch::mayFly(const CoverageLeg& leg, bool isFirst) const
 {
     if (leg.isHold())
         return true;
-    const auto i = static_cast<std::size_t>(leg.iceberg);
+    const std::size_t i = toIndex(leg.iceberg);
     return (m_limits.any.empty() || m_limits.any[i]) &&
            (!isFirst || m_limits.first.empty() || m_limits.first[i]);
 }
@@ -217,7 +217,7 @@ std::optional<CoverageLeg> CoverageSearch::greedyLeg(const CoverageState& state,
     constexpr double kShortestPath_m = 50;
     std::optional<CoverageLeg> best;
     double bestScore = 0;
-    for (int i = 0; i < m_model.placeCount(); ++i) {
+    for (const ModelPlace i : m_model.places()) {
         if (m_model.inView(state, i) || !mayFly({.iceberg = i}, isFirst))
             continue;
         const double path_m =

@@ -94,8 +94,8 @@ CoveragePlan straightPlan(const VisitOrder& order, int rounds)
 {
     CoveragePlan plan;
     for (int round = 0; round < rounds; ++round)
-        for (const int node : order)
-            plan.push_back({.iceberg = node - 1, .offset_m = 0});
+        for (const NodeIndex node : order)
+            plan.push_back({.iceberg = placeOf(node), .offset_m = 0});
     return plan;
 }
 
@@ -107,7 +107,7 @@ KeptPlan keptPlan(const CoveragePlan& plan, const CoverageModel& model,
         kept.push_back({.leg = leg});
         if (leg.isHold())
             continue;
-        kept.back().id = ids[static_cast<std::size_t>(model.icebergAt(leg.iceberg))];
+        kept.back().id = ids[toIndex(model.icebergAt(leg.iceberg))];
         kept.back().offset_m = model.offset_m(leg.iceberg);
     }
     return kept;
@@ -123,7 +123,7 @@ CoveragePlan restOf(const KeptPlan& plan, const CoverageModel& model,
             continue;
         rest.push_back(leg);
         if (id)
-            rest.back().iceberg = model.placeNear(static_cast<int>(it - ids.begin()), offset_m);
+            rest.back().iceberg = model.placeNear(ModelPlace::of(it - ids.begin()), offset_m);
     }
     return rest;
 }
@@ -140,7 +140,7 @@ void shorten(CoveragePlan& plan, const CoverageModel& model, const PredictionInp
         first.stay_s -= flown_s;
         if (first.stay_s < kLeastOfHold_s)
             plan.erase(plan.begin());
-    } else if (input.tracks[static_cast<std::size_t>(model.icebergAt(first.iceberg))].inView &&
+    } else if (input.tracks[toIndex(model.icebergAt(first.iceberg))].inView &&
                first.stay_s > kLeastStay_s) {
         first = holdOf(first.stay_s);
     }

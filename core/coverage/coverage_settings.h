@@ -66,8 +66,7 @@ inline constexpr int kRounds = 20;
 [[nodiscard]] bool isWeighted(const PredictionInput& input);
 
 /**
- * Returns legs straight to the icebergs in this order, this many times. The order has nodes,
- * numbered from 1.
+ * Returns legs straight to the icebergs in this order of nodes, this many times.
  */
 [[nodiscard]] CoveragePlan straightPlan(const VisitOrder& order, int rounds);
 

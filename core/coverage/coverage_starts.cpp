@@ -5,7 +5,6 @@
 #include "core/plan/problem/tuning.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace berg {
 
@@ -39,8 +38,8 @@ VisitOrder tourOf(TvpProblem problem, const VisitOrder& nodes, const SolveOption
     const VisitOrder found =
         makeSolver(Backend::Auto)->solve(restrictedTo(problem, nodes), limits).order();
     VisitOrder tour;
-    for (const int node : found)
-        tour.push_back(nodes[static_cast<std::size_t>(node - 1)]);
+    for (const NodeIndex node : found)
+        tour.push_back(nodes[toIndex(node) - 1]);
     return tour;
 }
 
@@ -73,9 +72,7 @@ std::vector<CoveragePlans> firstPlansAlone(const PlanRequest& request, const Sol
         soonest = solver->solve(problem, limits).order();
         problem.criterion = Criterion::Visitation;
     }
-    VisitOrder all(request.ids.size());
-    std::iota(all.begin(), all.end(), 1);
-    VisitOrder tour = tourOf(problem, all, limits);
+    VisitOrder tour = tourOf(problem, ascendingOrder(problem.icebergCount()), limits);
     std::vector<CoveragePlans> starts{{{}}, {straightPlan(order, 1)}, {straightPlan(soonest, 1)}};
     starts.push_back({straightPlan(tour, kRounds)});
     std::reverse(tour.begin(), tour.end());

@@ -168,8 +168,8 @@ void FleetCoverageSearch::updateOthers(std::size_t member)
         const Member& other = *m_members[v];
         views.insert(views.end(), other.effect.views.begin(), other.effect.views.end());
         shifts_s[v] = other.effect.shift_s;
-        if (const std::optional<int> iceberg = firstIceberg(other.plan))
-            first[static_cast<std::size_t>(*iceberg)] = false;
+        if (const std::optional<ModelPlace> iceberg = firstIceberg(other.plan))
+            first[toIndex(*iceberg)] = false;
     }
     own.model.setOthers(std::move(views));
     if (m_tails)

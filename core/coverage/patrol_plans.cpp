@@ -273,7 +273,7 @@ CoveragePlan legsOf(const PatrolSearch& search, std::size_t uav, const PatrolPar
     for (std::size_t k = part.begin; k < part.end; ++k) {
         const PatrolStop& stop = search.stops(uav)[k];
         const int iceberg = search.visits(uav)[k];
-        CoverageLeg& leg = plan.emplace_back(CoverageLeg{.iceberg = iceberg});
+        CoverageLeg& leg = plan.emplace_back(CoverageLeg{.iceberg = ModelPlace::of(iceberg)});
         const Point from_m =
             k > 0 ? search.stops(uav)[k - 1].place_m : search.problem().uavs[uav].start.position_m;
         const Point path_m = stop.place_m - from_m;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/random.h"
+#include "core/coverage/model_place.h"
 #include "core/coverage/patrol_problem.h"
 #include "core/plan/solve/solve_watch.h"
 
@@ -12,7 +13,10 @@
 
 namespace berg {
 
-/** The icebergs that each UAV visits, in order. */
+/**
+ * The icebergs that each UAV visits, in order, as rows of `PatrolProblem::icebergs`: the numbers of
+ * their places in a model (`ModelPlace`).
+ */
 using PatrolRoutes = std::vector<std::vector<int>>;
 
 /**

@@ -52,7 +52,7 @@ PatrolTails::PatrolTails(const PatrolSearch& patrol, std::span<const std::size_t
             if (k < cuts[u])
                 ++m_before[static_cast<std::size_t>(patrol.visits(u)[k])];
             else
-                m_visits[u].push_back({.iceberg = patrol.visits(u)[k],
+                m_visits[u].push_back({.iceberg = ModelPlace::of(patrol.visits(u)[k]),
                                        .time_s = stop.time_s,
                                        .place_m = stop.place_m});
         }
@@ -66,7 +66,7 @@ PatrolTail PatrolTails::tailOf(std::size_t uav, std::span<const double> shifts_s
                     .nextOther_s = std::vector<double>(m_icebergs.size(), kNever_s)};
     const std::vector<PatrolVisit>& own = m_visits[uav];
     for (std::size_t k = 0; k < std::min(own.size(), tail.first.size()); ++k)
-        tail.first[k] = m_icebergs[static_cast<std::size_t>(own[k].iceberg)].place;
+        tail.first[k] = m_icebergs[toIndex(own[k].iceberg)].place;
     if (!own.empty())
         tail.planned_s = own[std::min<std::size_t>(1, own.size() - 1)].time_s;
     struct Seen
@@ -77,7 +77,7 @@ PatrolTail PatrolTails::tailOf(std::size_t uav, std::span<const double> shifts_s
     std::vector<std::vector<Seen>> seen(m_icebergs.size());
     for (std::size_t u = 0; u < m_visits.size(); ++u)
         for (const PatrolVisit& visit : m_visits[u]) {
-            const auto i = static_cast<std::size_t>(visit.iceberg);
+            const std::size_t i = toIndex(visit.iceberg);
             const double time_s = visit.time_s + (u == uav ? 0 : shifts_s[u]);
             double& next_s = (u == uav ? tail.nextOwn_s : tail.nextOther_s)[i];
             next_s = std::min(next_s, time_s);

@@ -12,7 +12,7 @@ namespace berg {
 /** One visit of the patrol after the aimed legs. */
 struct PatrolVisit
 {
-    int iceberg = 0;
+    ModelPlace iceberg;
     double time_s = 0;
     Point place_m = Point::Zero(); ///< Position of the UAV in the air's frame.
 };

@@ -19,16 +19,16 @@ void orderBySighting(DescribedPlan& described, const UavRequest& request,
                      [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
     std::vector<bool> wanted = request.available;
     for (const CoverageSighting& sighting : sightings) {
-        const auto i = static_cast<std::size_t>(sighting.iceberg);
+        const std::size_t i = toIndex(sighting.iceberg);
         if (!wanted[i])
             continue;
-        described.nodes.push_back(sighting.iceberg + 1);
+        described.nodes.push_back(nodeOf(sighting.iceberg));
         described.outlook.sightings_s.push_back(request.prediction->time_s + sighting.time_s);
         wanted[i] = false;
     }
     for (std::size_t i = 0; i < wanted.size(); ++i)
         if (wanted[i])
-            described.nodes.push_back(static_cast<int>(i) + 1);
+            described.nodes.push_back(nodeOf(ModelPlace::of(i)));
 }
 
 /**
@@ -37,7 +37,7 @@ void orderBySighting(DescribedPlan& described, const UavRequest& request,
  * no sighting ends a leg whose target is in view.
  */
 double firstSighting_s(const UavRequest& request, const std::vector<CoverageSighting>& sightings,
-                       int target, double latest_s)
+                       ModelPlace target, double latest_s)
 {
     double near_s = std::numeric_limits<double>::infinity();
     for (const CoverageSighting& sighting : sightings)
@@ -45,8 +45,7 @@ double firstSighting_s(const UavRequest& request, const std::vector<CoverageSigh
             near_s = std::min(near_s, sighting.time_s);
     double first_s = latest_s;
     for (const CoverageSighting& sighting : sightings)
-        if (request.available[static_cast<std::size_t>(sighting.iceberg)] &&
-            sighting.time_s < near_s)
+        if (request.available[toIndex(sighting.iceberg)] && sighting.time_s < near_s)
             first_s = std::min(first_s, sighting.time_s);
     return first_s;
 }
@@ -61,7 +60,7 @@ void addSearches(DescribedPlan& described, const CoverageModel& model, const Uav
         if (!model.isSearched(view.iceberg) ||
             std::ranges::find(described.searched, view.iceberg) != described.searched.end())
             continue;
-        const auto iceberg = static_cast<std::size_t>(model.icebergAt(view.iceberg));
+        const std::size_t iceberg = toIndex(model.icebergAt(view.iceberg));
         const double time_s = request.prediction->time_s + view.enter_s;
         described.searched.push_back(view.iceberg);
         described.outlook.searches.push_back(
@@ -83,17 +82,17 @@ void addFirstOfPatrol(std::vector<CoverageSighting>& sightings, const CoverageMo
     for (std::size_t i = 0; i < model.tail()->nextOwn_s.size(); ++i) {
         const double time_s = std::max(state.time_s, model.tail()->nextOwn_s[i] + shift_s);
         if (time_s < model.horizon().length_s)
-            sightings.push_back({.iceberg = static_cast<int>(i), .time_s = time_s});
+            sightings.push_back({.iceberg = ModelPlace::of(i), .time_s = time_s});
     }
 }
 
 /** Returns the iceberg of a leg; a hold has that of the next leg with one, or of the first. */
-int icebergOf(const CoveragePlan& plan, std::size_t leg)
+ModelPlace placeOf(const CoveragePlan& plan, std::size_t leg)
 {
     const auto isAim = [](const CoverageLeg& other) { return !other.isHold(); };
     const auto from = plan.begin() + static_cast<std::ptrdiff_t>(leg);
     const auto next = std::find_if(from, plan.end(), isAim);
-    return next != plan.end() ? next->iceberg : firstIceberg(plan).value_or(0);
+    return next != plan.end() ? next->iceberg : firstIceberg(plan).value_or(ModelPlace());
 }
 
 } // namespace
@@ -112,9 +111,9 @@ DescribedPlan describe(const CoverageModel& model, const UavRequest& request,
         onLeg.clear();
         const double stay_s = leg.isHold() ? 0 : std::exchange(leg.stay_s, 0);
         model.fly(state, leg, &onLeg, &views);
-        const int iceberg = model.icebergAt(icebergOf(plan, k));
+        const ModelPlace iceberg = model.icebergAt(placeOf(plan, k));
         described.legs.push_back(
-            {.iceberg = ids[static_cast<std::size_t>(iceberg)],
+            {.iceberg = ids[toIndex(iceberg)],
              .turn_rad = course.turn.turn_rad,
              .from_m = course.turn.end.position_m,
              .abeam_m = course.abeam_m,
@@ -142,8 +141,7 @@ std::vector<double> sightingsOf(const DescribedPlan& described, std::size_t iceb
 {
     std::vector<double> times_s(icebergs, std::numeric_limits<double>::infinity());
     for (std::size_t j = 0; j < described.outlook.sightings_s.size(); ++j)
-        times_s[static_cast<std::size_t>(described.nodes[j] - 1)] =
-            described.outlook.sightings_s[j];
+        times_s[toIndex(placeOf(described.nodes[j]))] = described.outlook.sightings_s[j];
     return times_s;
 }
 
@@ -164,8 +162,8 @@ void assignToEach(std::vector<std::optional<int>>& owner, std::span<const Covera
         return !uav || count[static_cast<std::size_t>(*uav)] > 1;
     };
     for (std::size_t u = 0; u < plans.size(); ++u)
-        if (const std::optional<int> iceberg = firstIceberg(plans[u]))
-            isFirst[static_cast<std::size_t>(models[u].icebergAt(*iceberg))] = true;
+        if (const std::optional<ModelPlace> iceberg = firstIceberg(plans[u]))
+            isFirst[toIndex(models[u].icebergAt(*iceberg))] = true;
     for (std::size_t u = 0; u < plans.size(); ++u) {
         const UavRequest& own = request.uavs[u];
         std::optional<std::size_t> nearest;
@@ -208,8 +206,8 @@ std::vector<std::optional<int>> owners(std::span<const CoverageModel> models,
                 owner[k] = static_cast<int>(u);
         }
     for (std::size_t u = 0; u < plans.size(); ++u)
-        if (const std::optional<int> iceberg = firstIceberg(plans[u]))
-            owner[static_cast<std::size_t>(models[u].icebergAt(*iceberg))] = static_cast<int>(u);
+        if (const std::optional<ModelPlace> iceberg = firstIceberg(plans[u]))
+            owner[toIndex(models[u].icebergAt(*iceberg))] = static_cast<int>(u);
     assignToEach(owner, models, request, plans);
     return owner;
 }
@@ -217,7 +215,7 @@ std::vector<std::optional<int>> owners(std::span<const CoverageModel> models,
 /** Assigns each place to the UAV that has it in view first. */
 void shareSearches(std::vector<DescribedPlan>& described)
 {
-    std::map<int, double> first_s;
+    std::map<ModelPlace, double> first_s;
     for (const DescribedPlan& plan : described)
         for (std::size_t k = 0; k < plan.searched.size(); ++k) {
             const double time_s = plan.outlook.searches[k].time_s;
@@ -240,8 +238,8 @@ UavPlan answerOf(DescribedPlan described, std::span<const double> sightings_s,
     UavPlan answer{.legs = std::move(described.legs),
                    .outlook = AimedOutlook{.until_s = described.outlook.until_s,
                                            .searches = std::move(described.outlook.searches)}};
-    for (const int node : described.nodes) {
-        const auto k = static_cast<std::size_t>(node - 1);
+    for (const NodeIndex node : described.nodes) {
+        const std::size_t k = toIndex(placeOf(node));
         if (!isOwn(k))
             continue;
         answer.order.push_back(request.ids[k]);
@@ -264,7 +262,7 @@ std::vector<PlannedVisit> laterVisits(const CoverageModel& model, const PlanRequ
     for (const PatrolVisit& visit : patrol) {
         const double time_s = std::max(state.time_s, visit.time_s + shift_s);
         if (time_s < model.horizon().length_s)
-            visits.push_back({.iceberg = request.ids[static_cast<std::size_t>(visit.iceberg)],
+            visits.push_back({.iceberg = request.ids[toIndex(visit.iceberg)],
                               .time_s = request.uavs.front().prediction->time_s + time_s});
     }
     return visits;

@@ -16,9 +16,9 @@ struct DescribedPlan
      * Available nodes of the request in the order of their first predicted sighting; nodes that the
      * plan does not see come last. The first leg is flown until the first node is seen.
      */
-    std::vector<int> nodes;
-    AimedOutlook outlook;      ///< Prediction for the plan, flown to the horizon of the model.
-    std::vector<int> searched; ///< Places of the model, one for each of `outlook.searches`.
+    VisitOrder nodes;
+    AimedOutlook outlook; ///< Prediction for the plan, flown to the horizon of the model.
+    std::vector<ModelPlace> searched; ///< One for each of `outlook.searches`.
 };
 
 /**

@@ -238,15 +238,15 @@ namespace {
 double weighedLength_m(const PlanRequest& request, const UavRequest& uav, const IcebergList& order,
                        Route route)
 {
-    const auto leg_m = [&uav](int from, int to) {
-        return (uav.distance_m(from, to) + uav.distance_m(to, from)) / 2;
+    const auto leg_m = [&uav](NodeIndex from, NodeIndex to) {
+        return (legBetween(uav.distance_m, from, to) + legBetween(uav.distance_m, to, from)) / 2;
     };
     double length_m = 0;
-    int at = 0;
+    NodeIndex at;
     for (const IcebergIndex iceberg : order)
         // Only one iceberg of each cluster is a node.
         if (std::ranges::find(request.ids, iceberg) != request.ids.end()) {
-            const int next = nodeOf(request, iceberg);
+            const NodeIndex next = nodeOf(request.ids, iceberg);
             length_m += leg_m(std::exchange(at, next), next);
         }
     return route == Route::Closed ? length_m + leg_m(at, 0) : length_m;

@@ -51,7 +51,7 @@ std::string stepText(const ProofStep& step)
         std::vector<std::string> bands;
         for (int band = 1; band <= n; ++band) {
             std::vector<std::string> sets;
-            for (int i = 1; i <= n; ++i)
+            for (const NodeIndex i : icebergNodes(n))
                 sets.push_back(setText(step.sets->at(band, i)));
             bands.push_back(jsonArrayOf(sets));
         }
@@ -84,12 +84,17 @@ std::string claimOf(const Proof& proof)
            " % of optimal";
 }
 
+std::string orderText(const VisitOrder& order)
+{
+    return jsonArrayOf(numbersOf(order));
+}
+
 std::string proofText(const Proof& proof)
 {
     JsonObject object;
     object.add("claim", claimOf(proof));
     object.add("mu", proof.mu);
-    object.addText("orders", jsonArray(textsOf(proof.orders, jsonArrayOf<int>)));
+    object.addText("orders", jsonArray(textsOf(proof.orders, orderText)));
     object.add("cost", proof.cost);
     object.add("bound", proof.bound);
     object.add("method", nameOf(kMethodNames, proof.method));

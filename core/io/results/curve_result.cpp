@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/io/results/result_csv.h"
 #include "core/io/text/json_writer.h"
+#include "core/plan/policy/fleet_task.h"
 #include "core/sim/clusters.h"
 
 namespace berg {
@@ -28,8 +29,8 @@ void addOrder(JsonObject& json, const CurveReport& report, const VisitOrder& ord
 std::vector<int> icebergNumbers(const CurveReport& report, const VisitOrder& order)
 {
     std::vector<int> numbers;
-    for (const int node : order) {
-        const IcebergIndex first = report.ids[toIndex(node - 1)];
+    for (const NodeIndex node : order) {
+        const IcebergIndex first = icebergOf(report.ids, node);
         const std::span<const IcebergIndex> members = clusterWith(report.clusters, first);
         for (const IcebergIndex iceberg : members.empty() ? std::span(&first, 1) : members)
             numbers.push_back(iceberg.number() + 1);

@@ -26,16 +26,16 @@ double ownDistance_m(const PlanRequest& request, const UavRequest& uav, const Sc
 {
     const double ownUnit = scenario.uavs[toIndex(uav.uav)].spec.airspeed_mps / request.speed_mps;
     double distance_m = 0;
-    int from = 0;
+    NodeIndex from;
     for (const IcebergIndex iceberg : order) {
         if (std::ranges::find(request.ids, iceberg) == request.ids.end())
             continue; // reached together with the first member of its cluster
-        const int to = nodeOf(request, iceberg);
-        distance_m += uav.distance_m(from, to) * ownUnit;
+        const NodeIndex to = nodeOf(request.ids, iceberg);
+        distance_m += legBetween(uav.distance_m, from, to) * ownUnit;
         from = to;
     }
     if (scenario.planner.route == Route::Closed)
-        distance_m += uav.distance_m(from, 0) * ownUnit;
+        distance_m += legBetween(uav.distance_m, from, 0) * ownUnit;
     return distance_m;
 }
 

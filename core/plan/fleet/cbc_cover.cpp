@@ -16,9 +16,9 @@ CbcPartition partitionOf(const FleetOrders& orders, double slack)
     CbcPartition partition{.rows = orders.uavs() + orders.icebergs(), .slack = slack};
     for (const FleetOrders::Order& order : orders.all()) {
         std::vector<int>& rows = partition.columns.emplace_back(1, order.uav);
-        for (int i = 1; i <= orders.icebergs(); ++i)
+        for (const NodeIndex i : icebergNodes(orders.icebergs()))
             if (order.visited.contains(i))
-                rows.push_back(orders.uavs() + i - 1);
+                rows.push_back(orders.uavs() + i.number() - 1);
         partition.costs.push_back(order.excess);
     }
     return partition;

@@ -106,7 +106,7 @@ bool FleetCosts::areAlike(int a, int b) const
 {
     if (m_problem->route == Route::Closed || &of(a).shared() != &of(b).shared())
         return false;
-    for (int i = 1; i <= icebergs(); ++i)
+    for (const NodeIndex i : icebergNodes(icebergs()))
         if (allows(a, i) != allows(b, i))
             return false;
     return true;
@@ -123,7 +123,7 @@ Eigen::VectorXd savings(const FleetCosts& costs, const FleetPlan& plan)
             others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
             // The saving is limited from below, else a long leg that no UAV flies would dominate
             // all the others.
-            lambda(order[k]) = std::max(cost - costs.total(uav, others), -cost);
+            lambda(order[k].number()) = std::max(cost - costs.total(uav, others), -cost);
         }
     }
     return lambda;

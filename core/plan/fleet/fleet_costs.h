@@ -22,30 +22,31 @@ public:
 
     [[nodiscard]] int icebergs() const { return m_shared->icebergs; }
     /** Returns the cost of a leg; `from` 0 is the start, `to` 0 the end of the route. */
-    [[nodiscard]] double leg(int from, int to) const
+    [[nodiscard]] double leg(NodeIndex from, NodeIndex to) const
     {
-        return to == 0 ? end(from) : legsFrom(from)[to];
+        return to == 0 ? end(from) : legsFrom(from)[to.number()];
     }
     /** Returns the legs to each iceberg; [0] is not the leg to the end. */
-    [[nodiscard]] const double* legsFrom(int from) const
+    [[nodiscard]] const double* legsFrom(NodeIndex from) const
     {
-        return from == 0 ? m_start.data() : m_between + std::ptrdiff_t{from} * m_start.size();
+        return from == 0 ? m_start.data()
+                         : m_between + std::ptrdiff_t{from.number()} * m_start.size();
     }
     /** Returns the cost of the return leg from `from`; 0 on open routes and from the start. */
-    [[nodiscard]] double end(int from) const { return m_end(from); }
-    [[nodiscard]] double sigmaOf(int iceberg) const { return m_sigma[iceberg]; }
+    [[nodiscard]] double end(NodeIndex from) const { return m_end(from.number()); }
+    [[nodiscard]] double sigmaOf(NodeIndex iceberg) const { return m_sigma[iceberg.number()]; }
     /** Returns the cost of visiting an iceberg at a position, counted from 1. */
-    [[nodiscard]] double visit(int iceberg, int position) const
+    [[nodiscard]] double visit(NodeIndex iceberg, int position) const
     {
         return sigmaOf(iceberg) * (position + 1);
     }
     /** Returns the cost of an order by Eq. (1), plus the shift. */
-    [[nodiscard]] double total(std::span<const int> order) const
+    [[nodiscard]] double total(std::span<const NodeIndex> order) const
     {
         return costOfVisits(*this, order);
     }
     /** Returns the cost of an order by latency. */
-    [[nodiscard]] double latency(std::span<const int> order) const
+    [[nodiscard]] double latency(std::span<const NodeIndex> order) const
     {
         return weightedLength(*this, order);
     }
@@ -91,12 +92,12 @@ public:
      */
     [[nodiscard]] bool weighted() const { return m_problem->criterion == Criterion::Latency; }
     [[nodiscard]] bool isPlan(const FleetPlan& plan) const { return isFleetPlan(*m_problem, plan); }
-    [[nodiscard]] bool allows(int uav, int iceberg) const
+    [[nodiscard]] bool allows(int uav, NodeIndex iceberg) const
     {
         return m_problem->allows(uav, iceberg);
     }
     /** Returns the cost of an order of one UAV by the criterion of the problem. */
-    [[nodiscard]] double total(int uav, std::span<const int> order) const
+    [[nodiscard]] double total(int uav, std::span<const NodeIndex> order) const
     {
         return weighted() ? of(uav).latency(order) : of(uav).total(order);
     }

@@ -33,7 +33,7 @@ void forEach(const NodeSet& set, const Visitor& visitor)
 {
     for (std::size_t word = 0; word < set.words.size(); ++word)
         for (std::uint64_t left = set.words[word]; left != 0; left &= left - 1)
-            visitor(static_cast<int>(64 * word) + std::countr_zero(left));
+            visitor(NodeIndex::of(static_cast<int>(64 * word) + std::countr_zero(left)));
 }
 
 bool disjoint(const NodeSet& a, const NodeSet& b)
@@ -53,7 +53,7 @@ public:
         , m_isStopped(isStopped)
         , m_byUav(static_cast<std::size_t>(orders.uavs()))
     {
-        for (int i = 1; i <= orders.icebergs(); ++i)
+        for (const NodeIndex i : icebergNodes(orders.icebergs()))
             m_all.insert(i);
         for (int uav = 0; uav < orders.uavs(); ++uav)
             acceptOrders(uav);
@@ -173,7 +173,7 @@ private:
     struct Row
     {
         std::optional<int> uav = {}; ///< nullopt if the row is of an iceberg
-        int iceberg = 0;             ///< valid without `uav`
+        NodeIndex iceberg;           ///< valid without `uav`
         [[nodiscard]] bool has(const Order& order) const
         {
             return uav ? order.uav == *uav : order.visited.contains(iceberg);
@@ -251,7 +251,7 @@ private:
         std::vector<std::size_t> byIceberg(static_cast<std::size_t>(m_orders.icebergs()) + 1, 0);
         for (const Order* order : candidates) {
             ++byUav[static_cast<std::size_t>(order->uav)];
-            forEach(order->visited, [&](int i) { ++byIceberg[static_cast<std::size_t>(i)]; });
+            forEach(order->visited, [&](NodeIndex i) { ++byIceberg[toIndex(i)]; });
         }
         Row row;
         std::size_t least = std::numeric_limits<std::size_t>::max();
@@ -260,9 +260,9 @@ private:
                 least = byUav[static_cast<std::size_t>(uav)];
                 row = {.uav = uav};
             }
-        for (int i = 1; i <= m_orders.icebergs(); ++i)
-            if (!choice.visited.contains(i) && byIceberg[static_cast<std::size_t>(i)] < least) {
-                least = byIceberg[static_cast<std::size_t>(i)];
+        for (const NodeIndex i : icebergNodes(m_orders.icebergs()))
+            if (!choice.visited.contains(i) && byIceberg[toIndex(i)] < least) {
+                least = byIceberg[toIndex(i)];
                 row = {.iceberg = i};
             }
         return row;

@@ -16,10 +16,10 @@ constexpr int kNodesPerCheck = 4096;
 /** New number of a node that a trim deletes. */
 constexpr int kDeleted = -1;
 
-std::vector<int> allowedOf(const FleetCosts& costs, int uav)
+VisitOrder allowedOf(const FleetCosts& costs, int uav)
 {
-    std::vector<int> allowed;
-    for (int i = 1; i <= costs.icebergs(); ++i)
+    VisitOrder allowed;
+    for (const NodeIndex i : icebergNodes(costs.icebergs()))
         if (costs.allows(uav, i))
             allowed.push_back(i);
     return allowed;
@@ -36,9 +36,9 @@ constexpr std::size_t kNodeWhileTrimming = sizeof(int) + sizeof(double);
 FleetGraph::FleetGraph(const FleetCosts& costs, std::vector<int> uavs, const StopCheck& isStopped)
     : m_costs(&costs), m_uavs(std::move(uavs))
 {
-    const std::vector<int> allowed = allowedOf(costs, m_uavs.front());
+    const VisitOrder allowed = allowedOf(costs, m_uavs.front());
     const int width = static_cast<int>(allowed.size());
-    m_iceberg.assign(m_uavs.size(), 0);
+    m_iceberg.assign(m_uavs.size(), NodeIndex());
     m_firstNode = {0, rootCount()};
     for (int layer = 1; layer <= width; ++layer) {
         m_iceberg.insert(m_iceberg.end(), allowed.begin(), allowed.end());
@@ -96,7 +96,7 @@ bool FleetGraph::sweep(const Eigen::VectorXd& lambda, const StopCheck& isStopped
         const double* const legs = costs(v).legsFrom(iceberg(v));
         double least = ending(v); // 0 at a root
         for (const int to : successors(v))
-            least = std::min(least, legs[iceberg(to)] + m_entry[at(to)]);
+            least = std::min(least, legs[iceberg(to).number()] + m_entry[at(to)]);
         m_completion[at(v)] = least;
         m_entry[at(v)] = layer > 0 ? least + visit(v, layer, lambda) : least;
     });
@@ -110,9 +110,9 @@ double FleetGraph::shortestSum() const
     return sum;
 }
 
-std::vector<int> FleetGraph::shortestPath(int root) const
+VisitOrder FleetGraph::shortestPath(int root) const
 {
-    std::vector<int> path;
+    VisitOrder path;
     for (int v = root;;) {
         double least = ending(v);
         std::optional<int> next;

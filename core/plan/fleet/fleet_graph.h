@@ -42,7 +42,7 @@ public:
     /** Returns the sum of the shortest lengths of all roots. */
     [[nodiscard]] double shortestSum() const;
     /** Returns the shortest path from a root at the last sweep: icebergs in visiting order. */
-    [[nodiscard]] std::vector<int> shortestPath(int root) const;
+    [[nodiscard]] VisitOrder shortestPath(int root) const;
 
     /**
      * Deletes everything that is on no path less than `slack` longer than the shortest of its root.
@@ -64,8 +64,8 @@ public:
     /** Returns the UAVs by root. */
     [[nodiscard]] const std::vector<int>& uavs() const { return m_uavs; }
     [[nodiscard]] int rootCount() const { return static_cast<int>(m_uavs.size()); }
-    /** Returns the iceberg of a node; 0 for a root. */
-    [[nodiscard]] int iceberg(int node) const { return m_iceberg[at(node)]; }
+    /** Returns the iceberg of a node of the graph; 0 for a root. */
+    [[nodiscard]] NodeIndex iceberg(int node) const { return m_iceberg[at(node)]; }
     [[nodiscard]] int nodeCount() const { return static_cast<int>(m_iceberg.size()); }
     [[nodiscard]] std::int64_t arcCount() const { return static_cast<std::int64_t>(m_arcs.size()); }
     /** Returns the memory in use, bytes. */
@@ -86,7 +86,7 @@ public:
     /** Returns the cost of the visit of a node in `layer`, less its multiplier. */
     [[nodiscard]] double visit(int node, int layer, const Eigen::VectorXd& lambda) const
     {
-        return costs(node).visit(iceberg(node), layer) - lambda(iceberg(node));
+        return costs(node).visit(iceberg(node), layer) - lambda(iceberg(node).number());
     }
     /** Returns the cost of ending at the node. */
     [[nodiscard]] double ending(int node) const { return costs(node).leg(iceberg(node), 0); }
@@ -116,7 +116,7 @@ private:
     const FleetCosts* m_costs;
     std::vector<int> m_uavs;             ///< by root; the first nodes are the roots
     std::vector<int> m_firstNode;        ///< layers + 1; layer 0 holds the roots
-    LargeVector<int> m_iceberg;          ///< by node; 0 for roots
+    LargeVector<NodeIndex> m_iceberg;    ///< by node; 0 for roots
     LargeVector<std::size_t> m_firstArc; ///< nodes + 1
     LargeVector<int> m_arcs;             ///< node each arc leads to
     LargeVector<double> m_completion;    ///< by node, at the last sweep

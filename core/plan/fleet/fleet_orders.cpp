@@ -40,7 +40,7 @@ bool FleetOrders::addPaths(const FleetGraph& graph, int root, const Eigen::Vecto
             const State from = m_states[k];
             for (const int to : graph.successors(from.node)) {
                 const double there = from.length + graph.leg(from.node, to);
-                const int iceberg = graph.iceberg(to);
+                const NodeIndex iceberg = graph.iceberg(to);
                 if (from.visited.contains(iceberg) || there + graph.entry(to) >= slack)
                     continue;
                 offer({.node = to,
@@ -65,7 +65,7 @@ void FleetOrders::offer(const State& state, NumberTable& states)
     const auto at = [this](int number) -> State& {
         return m_states[static_cast<std::size_t>(number)];
     };
-    const std::size_t last = static_cast<std::size_t>(state.iceberg) * 0x9e3779b97f4a7c15U;
+    const std::size_t last = toIndex(state.iceberg) * 0x9e3779b97f4a7c15U;
     int& number = states.entry(state.visited.hash() + last, [&](int other) {
         return at(other).iceberg == state.iceberg && at(other).visited == state.visited;
     });

@@ -49,7 +49,7 @@ private:
     struct State
     {
         int node = 0;
-        int iceberg = 0;
+        NodeIndex iceberg;
         NodeSet visited;
         double length = 0;     ///< length less the root's shortest one, own visit included
         int before = kNoState; ///< previous state; `kNoState` at a root

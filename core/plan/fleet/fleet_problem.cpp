@@ -14,11 +14,11 @@ bool isFleetPlan(const FleetProblem& problem, const FleetPlan& plan)
     std::vector<bool> seen(problem.sigma_m2.size(), false);
     int visits = 0;
     for (int uav = 0; uav < problem.uavCount(); ++uav)
-        for (const int node : plan[static_cast<std::size_t>(uav)]) {
-            if (node < 1 || node >= problem.nodeCount() || seen[static_cast<std::size_t>(node)] ||
+        for (const NodeIndex node : plan[static_cast<std::size_t>(uav)]) {
+            if (node < 1 || node.number() >= problem.nodeCount() || seen[toIndex(node)] ||
                 !problem.allows(uav, node))
                 return false;
-            seen[static_cast<std::size_t>(node)] = true;
+            seen[toIndex(node)] = true;
             ++visits;
         }
     return visits == problem.icebergCount();
@@ -28,11 +28,11 @@ FleetPlan validPart(const FleetProblem& problem, FleetPlan plan)
 {
     std::vector<bool> seen(problem.sigma_m2.size(), false);
     for (int uav = 0; uav < problem.uavCount(); ++uav)
-        std::erase_if(plan[static_cast<std::size_t>(uav)], [&](int node) {
-            if (node < 1 || node >= problem.nodeCount() || seen[static_cast<std::size_t>(node)] ||
+        std::erase_if(plan[static_cast<std::size_t>(uav)], [&](NodeIndex node) {
+            if (node < 1 || node.number() >= problem.nodeCount() || seen[toIndex(node)] ||
                 !problem.allows(uav, node))
                 return true;
-            seen[static_cast<std::size_t>(node)] = true;
+            seen[toIndex(node)] = true;
             return false;
         });
     return plan;
@@ -60,7 +60,8 @@ double fleetDistance(const FleetProblem& problem, const FleetPlan& plan)
 {
     double distance_m = 0;
     for (std::size_t uav = 0; uav < plan.size(); ++uav)
-        distance_m += follow(problem.distance_m[uav], problem.route, plan[uav], [](int, double) {});
+        distance_m +=
+            follow(problem.distance_m[uav], problem.route, plan[uav], [](NodeIndex, double) {});
     return distance_m;
 }
 
@@ -81,9 +82,8 @@ double fleetReward(const FleetProblem& problem, const FleetPlan& plan)
     double reward = 0;
     for (const VisitOrder& order : plan) {
         int t = 1;
-        for (const int node : order)
-            reward +=
-                problem.sigma_m2[static_cast<std::size_t>(node)] * (problem.nodeCount() - ++t);
+        for (const NodeIndex node : order)
+            reward += problem.sigma_m2[toIndex(node)] * (problem.nodeCount() - ++t);
     }
     return reward;
 }

@@ -37,10 +37,9 @@ struct FleetProblem
     [[nodiscard]] int nodeCount() const { return static_cast<int>(sigma_m2.size()); }
     [[nodiscard]] int icebergCount() const { return nodeCount() - 1; }
     /** Returns whether the UAV may visit the iceberg node. */
-    [[nodiscard]] bool allows(int uav, int node) const
+    [[nodiscard]] bool allows(int uav, NodeIndex node) const
     {
-        return allowed.empty() ||
-               allowed[static_cast<std::size_t>(uav)][static_cast<std::size_t>(node)];
+        return allowed.empty() || allowed[static_cast<std::size_t>(uav)][toIndex(node)];
     }
 };
 

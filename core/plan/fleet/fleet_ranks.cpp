@@ -28,7 +28,7 @@ FleetPlan byAssignment(const FleetProblem& problem, const std::function<bool()>&
         for (Eigen::Index place = 0; place < n; ++place)
             for (Eigen::Index uav = 0; uav < uavs; ++uav)
                 cost(place * uavs + uav, i) =
-                    problem.allows(static_cast<int>(uav), static_cast<int>(i) + 1)
+                    problem.allows(static_cast<int>(uav), NodeIndex::of(i + 1))
                         ? problem.sigma_m2[static_cast<std::size_t>(i) + 1] *
                               static_cast<double>(place + 2)
                         : barred;
@@ -36,9 +36,9 @@ FleetPlan byAssignment(const FleetProblem& problem, const std::function<bool()>&
     const std::vector<int> places = cheapestAssignment(cost, isStopped);
     if (places.empty())
         return {};
-    std::vector<int> icebergAt(static_cast<std::size_t>(uavs * n), 0);
+    VisitOrder icebergAt(static_cast<std::size_t>(uavs * n));
     for (std::size_t i = 0; i < places.size(); ++i)
-        icebergAt[static_cast<std::size_t>(places[i])] = static_cast<int>(i) + 1;
+        icebergAt[static_cast<std::size_t>(places[i])] = NodeIndex::of(i + 1);
     FleetPlan plan(static_cast<std::size_t>(uavs));
     for (std::size_t place = 0; place < icebergAt.size(); ++place)
         if (icebergAt[place] != 0)
@@ -50,12 +50,11 @@ FleetPlan byAssignment(const FleetProblem& problem, const std::function<bool()>&
 
 FleetPlan roundRobinPlan(const FleetProblem& problem)
 {
-    std::vector<int> icebergs(static_cast<std::size_t>(problem.icebergCount()));
-    std::iota(icebergs.begin(), icebergs.end(), 1);
-    const auto sigma_m2 = [&](int i) { return problem.sigma_m2[static_cast<std::size_t>(i)]; };
+    VisitOrder icebergs = ascendingOrder(problem.icebergCount());
+    const auto sigma_m2 = [&](NodeIndex i) { return problem.sigma_m2[toIndex(i)]; };
     std::ranges::stable_sort(icebergs, std::ranges::greater{}, sigma_m2);
     FleetPlan plan(static_cast<std::size_t>(problem.uavCount()));
-    for (const int i : icebergs) {
+    for (const NodeIndex i : icebergs) {
         std::optional<int> best;
         for (int uav = 0; uav < problem.uavCount(); ++uav)
             if (problem.allows(uav, i) &&

@@ -67,7 +67,7 @@ double FleetRoutes::cost(int uav, std::span<const RoutePiece> pieces) const
     const UavCosts& costs = m_costs->of(uav);
     double sum = 0;
     int place = 0; // position of the last iceberg so far
-    int last = 0;
+    NodeIndex last;
     for (const RoutePiece& piece : pieces) {
         if (piece.begin == piece.end)
             continue;
@@ -97,7 +97,7 @@ double FleetRoutes::latency(int uav, std::span<const RoutePiece> pieces) const
     const UavCosts& costs = m_costs->of(uav);
     double sum = 0;
     double length = 0; // length flown so far
-    int last = 0;
+    NodeIndex last;
     for (const RoutePiece& piece : pieces) {
         if (piece.begin == piece.end)
             continue;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace berg {
@@ -21,17 +20,17 @@ constexpr double kBlink = 0.01;
 constexpr double kFirstHeat = 1;
 constexpr double kLastHeat = 0.01;
 
-std::vector<std::vector<int>> nearestOf(const UavCosts& costs)
+std::vector<VisitOrder> nearestOf(const UavCosts& costs)
 {
-    std::vector<std::vector<int>> near(static_cast<std::size_t>(costs.icebergs()) + 1);
-    for (int i = 1; i <= costs.icebergs(); ++i) {
-        std::vector<int>& others = near[static_cast<std::size_t>(i)];
-        others.resize(static_cast<std::size_t>(costs.icebergs()));
-        std::iota(others.begin(), others.end(), 1);
-        const auto key = [&](int j) {
+    std::vector<VisitOrder> near(static_cast<std::size_t>(costs.icebergs()) + 1);
+    for (const NodeIndex i : icebergNodes(costs.icebergs())) {
+        VisitOrder& others = near[toIndex(i)];
+        others = ascendingOrder(costs.icebergs());
+        const auto key = [&](NodeIndex j) {
             return std::pair(j == i ? -1.0 : costs.leg(i, j) + costs.leg(j, i), j);
         };
-        std::sort(others.begin(), others.end(), [&](int a, int b) { return key(a) < key(b); });
+        std::sort(others.begin(), others.end(),
+                  [&](NodeIndex a, NodeIndex b) { return key(a) < key(b); });
     }
     return near;
 }
@@ -68,16 +67,16 @@ void FleetSearch::complete(FleetPlan plan)
 {
     std::vector<bool> there(static_cast<std::size_t>(m_costs.icebergs()) + 1, false);
     for (const VisitOrder& order : plan)
-        for (const int iceberg : order)
-            there[static_cast<std::size_t>(iceberg)] = true;
-    std::vector<int> icebergs;
-    for (int i = 1; i <= m_costs.icebergs(); ++i)
-        if (!there[static_cast<std::size_t>(i)])
+        for (const NodeIndex iceberg : order)
+            there[toIndex(iceberg)] = true;
+    VisitOrder icebergs;
+    for (const NodeIndex i : icebergNodes(m_costs.icebergs()))
+        if (!there[toIndex(i)])
             icebergs.push_back(i);
-    std::stable_sort(icebergs.begin(), icebergs.end(), [&](int a, int b) {
+    std::stable_sort(icebergs.begin(), icebergs.end(), [&](NodeIndex a, NodeIndex b) {
         return m_costs.of(0).sigmaOf(a) > m_costs.of(0).sigmaOf(b);
     });
-    for (const int iceberg : icebergs)
+    for (const NodeIndex iceberg : icebergs)
         insert(plan, iceberg, false);
     accept(plan);
 }
@@ -121,9 +120,9 @@ void FleetSearch::disturb(std::int64_t times)
     const double cooling = std::log(kLastHeat / kFirstHeat) / static_cast<double>(times);
     for (std::int64_t k = 0; k < times && !m_effort.spent(); ++k) {
         FleetPlan next = plan;
-        std::vector<int> out = removeStrings(next);
+        VisitOrder out = removeStrings(next);
         shuffleForInsertion(out);
-        for (const int iceberg : out)
+        for (const NodeIndex iceberg : out)
             insert(next, iceberg, true);
         const double nextCost = m_costs.total(next);
         m_effort.work += std::int64_t{4} * m_costs.icebergs();
@@ -138,15 +137,15 @@ void FleetSearch::disturb(std::int64_t times)
         descend();
 }
 
-std::vector<int> FleetSearch::removeStrings(FleetPlan& plan)
+VisitOrder FleetSearch::removeStrings(FleetPlan& plan)
 {
     const auto seed = static_cast<std::size_t>(1 + random(m_costs.icebergs()));
     const auto mostStrings = static_cast<std::int64_t>(m_costs.uavs());
     const auto strings = static_cast<std::size_t>(1 + random(mostStrings));
     std::vector<bool> ruined(plan.size(), false);
-    std::vector<int> out;
+    VisitOrder out;
     std::size_t done = 0;
-    for (const int iceberg : m_near[seed]) {
+    for (const NodeIndex iceberg : m_near[seed]) {
         const auto order = std::find_if(plan.begin(), plan.end(), [&](const VisitOrder& other) {
             return std::find(other.begin(), other.end(), iceberg) != other.end();
         });
@@ -160,7 +159,7 @@ std::vector<int> FleetSearch::removeStrings(FleetPlan& plan)
     return out;
 }
 
-void FleetSearch::removeString(VisitOrder& order, int iceberg, std::vector<int>& out)
+void FleetSearch::removeString(VisitOrder& order, NodeIndex iceberg, VisitOrder& out)
 {
     const auto size = static_cast<std::int64_t>(order.size());
     const std::int64_t length = 1 + random(std::min<std::int64_t>(size, kLongestString));
@@ -172,18 +171,18 @@ void FleetSearch::removeString(VisitOrder& order, int iceberg, std::vector<int>&
     order.erase(begin, begin + length);
 }
 
-void FleetSearch::shuffleForInsertion(std::vector<int>& icebergs)
+void FleetSearch::shuffleForInsertion(VisitOrder& icebergs)
 {
     for (std::size_t k = icebergs.size(); k > 1; --k)
         std::swap(icebergs[k - 1],
                   icebergs[static_cast<std::size_t>(random(static_cast<std::int64_t>(k)))]);
     if (random(2) == 0)
-        std::stable_sort(icebergs.begin(), icebergs.end(), [&](int a, int b) {
+        std::stable_sort(icebergs.begin(), icebergs.end(), [&](NodeIndex a, NodeIndex b) {
             return m_costs.of(0).sigmaOf(a) > m_costs.of(0).sigmaOf(b);
         });
 }
 
-void FleetSearch::insert(FleetPlan& plan, int iceberg, bool blink)
+void FleetSearch::insert(FleetPlan& plan, NodeIndex iceberg, bool blink)
 {
     Place best{.cost = std::numeric_limits<double>::infinity()};
     for (int uav = 0; uav < m_costs.uavs(); ++uav) {
@@ -201,7 +200,7 @@ void FleetSearch::insert(FleetPlan& plan, int iceberg, bool blink)
 }
 
 template <bool kWeighted>
-void FleetSearch::offerPlaces(const VisitOrder& order, int uav, int iceberg, bool blink,
+void FleetSearch::offerPlaces(const VisitOrder& order, int uav, NodeIndex iceberg, bool blink,
                               Place& best)
 {
     const UavCosts& costs = m_costs.of(uav);
@@ -209,15 +208,15 @@ void FleetSearch::offerPlaces(const VisitOrder& order, int uav, int iceberg, boo
     double flown = 0; // length flown until `last`
     if constexpr (kWeighted)
         for (std::size_t k = 0; k < order.size(); ++k)
-            flown += costs.leg(k > 0 ? order[k - 1] : 0, order[k]);
+            flown += costs.leg(k > 0 ? order[k - 1] : NodeIndex(), order[k]);
     const double* const onwards = costs.legsFrom(iceberg);
-    int next = 0;
+    NodeIndex next;
     for (auto index = static_cast<std::ptrdiff_t>(order.size()); index >= 0; --index) {
-        const int last = index > 0 ? order[static_cast<std::size_t>(index - 1)] : 0;
+        const NodeIndex last = index > 0 ? order[static_cast<std::size_t>(index - 1)] : NodeIndex();
         const double* const legs = costs.legsFrom(last);
-        const double there = legs[iceberg];
+        const double there = legs[iceberg.number()];
         const double detour = next == 0 ? there + costs.end(iceberg) - costs.end(last)
-                                        : there + onwards[next] - legs[next];
+                                        : there + onwards[next.number()] - legs[next.number()];
         double cost = 0;
         if constexpr (kWeighted)
             cost = detour * sigmaBehind + (flown + there) * costs.sigmaOf(iceberg);
@@ -229,8 +228,8 @@ void FleetSearch::offerPlaces(const VisitOrder& order, int uav, int iceberg, boo
         sigmaBehind += costs.sigmaOf(last);
         if constexpr (kWeighted)
             if (index > 0)
-                flown -=
-                    costs.leg(index > 1 ? order[static_cast<std::size_t>(index - 2)] : 0, last);
+                flown -= costs.leg(
+                    index > 1 ? order[static_cast<std::size_t>(index - 2)] : NodeIndex(), last);
         next = last;
     }
 }

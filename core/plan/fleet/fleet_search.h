@@ -60,18 +60,18 @@ private:
     [[nodiscard]] std::int64_t random(std::int64_t count);
     void storeIfBetter(const FleetPlan& plan, double cost);
     /** Removes strings of icebergs near a random one from the plan and returns them. */
-    [[nodiscard]] std::vector<int> removeStrings(FleetPlan& plan);
-    void removeString(VisitOrder& order, int iceberg, std::vector<int>& out);
-    void shuffleForInsertion(std::vector<int>& icebergs);
-    void insert(FleetPlan& plan, int iceberg, bool blink);
+    [[nodiscard]] VisitOrder removeStrings(FleetPlan& plan);
+    void removeString(VisitOrder& order, NodeIndex iceberg, VisitOrder& out);
+    void shuffleForInsertion(VisitOrder& icebergs);
+    void insert(FleetPlan& plan, NodeIndex iceberg, bool blink);
     template <bool kWeighted>
-    void offerPlaces(const VisitOrder& order, int uav, int iceberg, bool blink, Place& best);
+    void offerPlaces(const VisitOrder& order, int uav, NodeIndex iceberg, bool blink, Place& best);
 
     const FleetCosts& m_costs;
     SearchEffort& m_effort;
     Random m_random;
     /** By iceberg: all icebergs, the nearest first, itself included. */
-    std::vector<std::vector<int>> m_near;
+    std::vector<VisitOrder> m_near;
     FleetPlan m_best;
     double m_bestCost = 0;
 };

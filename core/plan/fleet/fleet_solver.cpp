@@ -249,7 +249,7 @@ SolveOutcome solve(const FleetProblem& problem, Backend backend, const TvpSolver
     withHint.hint = usablePart(problem, std::move(withHint.hint));
     // Icebergs that the last plan did not hold (new, or then in view) go to the end of the hint.
     for (VisitOrder& order : withHint.hint)
-        for (int node = 1; node <= problem.icebergCount(); ++node)
+        for (const NodeIndex node : icebergNodes(problem.icebergCount()))
             if (std::ranges::find(order, node) == order.end())
                 order.push_back(node);
     return alone.solve(problemOfUav(problem, 0), withHint);

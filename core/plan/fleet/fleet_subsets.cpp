@@ -15,13 +15,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Set = std::uint32_t; ///< bit i - 1 is iceberg i
 
-int firstOf(Set set)
+NodeIndex firstOf(Set set)
 {
-    return std::countr_zero(set) + 1;
+    return NodeIndex::of(std::countr_zero(set) + 1);
 }
-Set without(Set set, int iceberg)
+Set without(Set set, NodeIndex iceberg)
 {
-    return set & ~(Set{1} << (iceberg - 1));
+    return set & ~(Set{1} << (iceberg.number() - 1));
 }
 
 /**
@@ -40,9 +40,9 @@ public:
         , m_sigma(std::size_t{1} << m_n, 0.0)
         , m_onwards(m_sigma.size() * static_cast<std::size_t>(m_n), kInfinity)
     {
-        for (int i = 1; i <= m_n; ++i)
+        for (const NodeIndex i : icebergNodes(m_n))
             if (costs.allows(uav, i))
-                m_allowed |= Set{1} << (i - 1);
+                m_allowed |= Set{1} << (i.number() - 1);
         m_allowed &= among;
     }
 
@@ -54,7 +54,7 @@ public:
                 return false;
             if (set != 0)
                 m_sigma[set] = m_sigma[without(set, firstOf(set))] + m_costs.sigmaOf(firstOf(set));
-            for (int i = 1; i <= m_n; ++i)
+            for (const NodeIndex i : icebergNodes(m_n))
                 if (without(set, i) == set)
                     onwards(set, i) = set == 0 ? m_costs.leg(i, 0) : cheapest(set, i).cost;
             if (set == m_allowed)
@@ -72,7 +72,7 @@ public:
     [[nodiscard]] VisitOrder order(Set set) const
     {
         VisitOrder order;
-        for (int at = 0; set != 0; set = without(set, at)) {
+        for (NodeIndex at; set != 0; set = without(set, at)) {
             at = cheapest(set, at).next;
             order.push_back(at);
         }
@@ -83,14 +83,14 @@ private:
     struct Step
     {
         double cost = kInfinity;
-        int next = 0;
+        NodeIndex next;
     };
 
-    [[nodiscard]] Step cheapest(Set set, int from) const
+    [[nodiscard]] Step cheapest(Set set, NodeIndex from) const
     {
         Step step;
         for (Set left = set; left != 0; left &= left - 1) {
-            const int i = firstOf(left);
+            const NodeIndex i = firstOf(left);
             const double leg = m_costs.leg(from, i);
             const double cost = (m_weighted ? leg * m_sigma[set] : leg + m_sigma[set]) +
                                 m_onwards[index(without(set, i), i)];
@@ -99,11 +99,11 @@ private:
         }
         return step;
     }
-    [[nodiscard]] std::size_t index(Set set, int at) const
+    [[nodiscard]] std::size_t index(Set set, NodeIndex at) const
     {
-        return std::size_t{set} * static_cast<std::size_t>(m_n) + static_cast<std::size_t>(at - 1);
+        return std::size_t{set} * static_cast<std::size_t>(m_n) + toIndex(at) - 1;
     }
-    [[nodiscard]] double& onwards(Set set, int at) { return m_onwards[index(set, at)]; }
+    [[nodiscard]] double& onwards(Set set, NodeIndex at) { return m_onwards[index(set, at)]; }
 
     const UavCosts& m_costs;
     bool m_weighted;

@@ -10,21 +10,21 @@ namespace {
 double distanceOf(const PlanRequest& request, const UavRequest& uav, const IcebergList& order,
                   Route route)
 {
-    std::vector<int> nodes;
+    VisitOrder nodes;
     for (const IcebergIndex iceberg : order)
-        nodes.push_back(nodeOf(request, iceberg));
-    return follow(uav.distance_m, route, nodes, [](int, double) {});
+        nodes.push_back(nodeOf(request.ids, iceberg));
+    return follow(uav.distance_m, route, nodes, [](NodeIndex, double) {});
 }
 
 std::vector<std::vector<bool>> allowedOf(const PlanRequest& request, const FleetTask& task,
-                                         const std::vector<int>& nodes)
+                                         const VisitOrder& nodes)
 {
     bool all = true;
     std::vector<std::vector<bool>> allowed;
     for (const int uav : task.uavs) {
         std::vector<bool>& row = allowed.emplace_back(1, false);
-        for (const int node : nodes) {
-            row.push_back(request.uavs[toIndex(uav)].available[toIndex(node - 1)]);
+        for (const NodeIndex node : nodes) {
+            row.push_back(request.uavs[toIndex(uav)].available[toIndex(node) - 1]);
             all = all && row.back();
         }
     }
@@ -33,16 +33,21 @@ std::vector<std::vector<bool>> allowedOf(const PlanRequest& request, const Fleet
 
 } // namespace
 
-int nodeOf(const PlanRequest& request, IcebergIndex iceberg)
+NodeIndex nodeOf(const IcebergList& ids, IcebergIndex iceberg)
 {
-    const auto it = std::ranges::find(request.ids, iceberg);
-    require(it != request.ids.end(), "nodeOf: not in the request");
-    return static_cast<int>(it - request.ids.begin()) + 1;
+    const auto it = std::ranges::find(ids, iceberg);
+    require(it != ids.end(), "nodeOf: not in the request");
+    return NodeIndex::of(it - ids.begin() + 1);
+}
+
+IcebergIndex icebergOf(const IcebergList& ids, NodeIndex node)
+{
+    return ids[toIndex(node) - 1];
 }
 
 bool isAvailable(const PlanRequest& request, const UavRequest& uav, IcebergIndex iceberg)
 {
-    return uav.available[toIndex(nodeOf(request, iceberg) - 1)];
+    return uav.available[toIndex(nodeOf(request.ids, iceberg)) - 1];
 }
 
 FleetTask fleetTask(const PlanRequest& request)
@@ -58,14 +63,15 @@ FleetTask fleetTask(const PlanRequest& request)
         for (std::size_t k = 0; k < wanted.size(); ++k)
             wanted[k] = wanted[k] || available[k];
     }
-    std::vector<int> nodes;
+    VisitOrder nodes;
     for (std::size_t k = 0; k < wanted.size(); ++k)
         if (wanted[k]) {
-            nodes.push_back(static_cast<int>(k) + 1);
+            nodes.push_back(NodeIndex::of(k + 1));
             task.ids.push_back(request.ids[k]);
         }
     std::vector<int> all{0};
-    all.insert(all.end(), nodes.begin(), nodes.end());
+    for (const NodeIndex node : nodes)
+        all.push_back(node.number());
     for (const int uav : task.uavs)
         task.problem.distance_m.emplace_back(request.uavs[toIndex(uav)].distance_m(all, all));
     for (const int node : all)
@@ -94,8 +100,8 @@ std::vector<IcebergList> ordersInIds(const PlanRequest& request, const FleetTask
 {
     std::vector<IcebergList> orders(request.uavs.size());
     for (std::size_t k = 0; k < plan.size(); ++k)
-        for (const int node : plan[k])
-            orders[toIndex(task.uavs[k])].push_back(task.ids[toIndex(node - 1)]);
+        for (const NodeIndex node : plan[k])
+            orders[toIndex(task.uavs[k])].push_back(icebergOf(task.ids, node));
     return orders;
 }
 
@@ -104,8 +110,8 @@ FleetPlan lastRests(const PlanRequest& request, const FleetTask& task)
     FleetPlan plan(task.uavs.size());
     for (std::size_t k = 0; k < plan.size(); ++k)
         for (const IcebergIndex id : request.uavs[toIndex(task.uavs[k])].lastRest)
-            if (const auto it = std::ranges::find(task.ids, id); it != task.ids.end())
-                plan[k].push_back(static_cast<int>(it - task.ids.begin()) + 1);
+            if (std::ranges::find(task.ids, id) != task.ids.end())
+                plan[k].push_back(nodeOf(task.ids, id));
     return validPart(task.problem, std::move(plan));
 }
 

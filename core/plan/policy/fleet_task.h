@@ -9,8 +9,9 @@ namespace berg {
 
 /**
  * The plannable part of a request: the UAVs that have an iceberg to visit, and the icebergs that at
- * least one of them may visit. This is the door to the solvers: behind it nodes and the rows of
- * matrices are plain ints (`VisitOrder`), before it icebergs are `IcebergIndex`.
+ * least one of them may visit. This is the door to the solvers: before it icebergs are
+ * `IcebergIndex`, behind it they are `NodeIndex`, and only `nodeOf` and `icebergOf` lead from one
+ * to the other.
  */
 struct FleetTask
 {
@@ -64,8 +65,12 @@ struct FleetTask
                                IcebergIndex iceberg);
 
 /**
- * Returns the node (1 ..) of an iceberg; throws `std::logic_error` if the request does not hold it.
+ * Returns the node (1 ..) of an iceberg of a problem, `ids` being the icebergs of its nodes; throws
+ * `std::logic_error` if it is none of them.
  */
-[[nodiscard]] int nodeOf(const PlanRequest& request, IcebergIndex iceberg);
+[[nodiscard]] NodeIndex nodeOf(const IcebergList& ids, IcebergIndex iceberg);
+
+/** Returns the iceberg of a node (1 ..) of a problem, `ids` being the icebergs of its nodes. */
+[[nodiscard]] IcebergIndex icebergOf(const IcebergList& ids, NodeIndex node);
 
 } // namespace berg

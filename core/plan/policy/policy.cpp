@@ -165,7 +165,7 @@ private:
         double sigma_m2 = 0;
         double distance_m = 0;
         int uav = 0;
-        int node = 0;
+        NodeIndex node;
         bool isFirst = false; ///< whether it is the first iceberg of the UAV
     };
 
@@ -177,14 +177,15 @@ private:
                                 const std::vector<bool>& done) const
     {
         std::optional<Next> best;
-        for (int node = 1; node < problem.nodeCount(); ++node)
+        for (const NodeIndex node : icebergNodes(problem.icebergCount()))
             for (int uav = 0; uav < problem.uavCount(); ++uav) {
                 const auto k = toIndex(uav);
                 if (done[toIndex(node)] || !problem.allows(uav, node))
                     continue;
                 const Next next{
                     .sigma_m2 = problem.sigma_m2[toIndex(node)],
-                    .distance_m = problem.distance_m[k](plan[k].empty() ? 0 : plan[k].back(), node),
+                    .distance_m = legBetween(problem.distance_m[k],
+                                             plan[k].empty() ? NodeIndex() : plan[k].back(), node),
                     .uav = uav,
                     .node = node,
                     .isFirst = plan[k].empty()};

@@ -14,7 +14,7 @@ namespace berg {
 namespace {
 
 /** Nodes of the request in the order of the cycle. */
-using Cycle = std::vector<int>;
+using Cycle = VisitOrder;
 
 /** Entries of UAVs into a cycle: by UAV the position in the cycle, and sum sigma_i t_i. */
 struct Entries
@@ -63,7 +63,7 @@ private:
         std::vector<double> lengths_m{0};
         for (std::size_t k = 0; k < cycle.size(); ++k)
             lengths_m.push_back(lengths_m.back() +
-                                m_distance_m(cycle[k], cycle[(k + 1) % cycle.size()]));
+                                legBetween(m_distance_m, cycle[k], cycle[(k + 1) % cycle.size()]));
         return lengths_m;
     }
 
@@ -99,9 +99,8 @@ private:
         Eigen::MatrixXd path_m(count, count);
         for (Eigen::Index k = 0; k < count; ++k)
             for (Eigen::Index place = 0; place < count; ++place)
-                path_m(place, k) =
-                    uav(static_cast<std::size_t>(k))
-                        .distance_m(0, cycle[places[static_cast<std::size_t>(place)]]);
+                path_m(place, k) = legBetween(uav(static_cast<std::size_t>(k)).distance_m, 0,
+                                              cycle[places[static_cast<std::size_t>(place)]]);
         Entries entries{.cycle = cycle, .places = std::vector<std::size_t>(m_uavs.size())};
         const std::vector<int> placeOf = cheapestAssignment(path_m);
         for (std::size_t k = 0; k < m_uavs.size(); ++k) {
@@ -122,10 +121,10 @@ private:
     {
         double distance_m = 0;
         double sum = 0;
-        int from = 0;
+        NodeIndex from;
         for (std::size_t k = 0; k < steps; ++k) {
-            const int node = cycle[(begin + k) % cycle.size()];
-            distance_m += uav.distance_m(from, node);
+            const NodeIndex node = cycle[(begin + k) % cycle.size()];
+            distance_m += legBetween(uav.distance_m, from, node);
             sum += m_request.sigma_m2[toIndex(node)] * distance_m;
             from = node;
         }
@@ -160,8 +159,8 @@ MadeCycle makeCycle(const PlanRequest& request, const Eigen::MatrixXd& distance_
     outcome = solver.solve(round, options);
     if (outcome.status != SolveStatus::None && outcome.reason != StopReason::Cancelled) {
         made.cycle = {1};
-        for (const int node : outcome.order())
-            made.cycle.push_back(node + 1);
+        for (const NodeIndex node : outcome.order())
+            made.cycle.push_back(NodeIndex::of(node.number() + 1));
         made.answer.distance_m = flownDistance(round, outcome.order());
         if (outcome.bound)
             made.answer.gap = relativeGap(round, outcome.objective, *outcome.bound);
@@ -221,7 +220,7 @@ private:
                 progress.orders.clear();
                 for (const VisitOrder& order : progress.plan) {
                     IcebergList& icebergs = progress.orders.emplace_back();
-                    for (const int node : order)
+                    for (const NodeIndex node : order)
                         icebergs.push_back(request.ids[toIndex(node)]);
                 }
                 report(progress);
@@ -236,7 +235,7 @@ private:
         m_cycle.clear();
         for (std::size_t step = 0; step < entries.cycle.size(); ++step) {
             const std::size_t at = (entries.places.front() + step) % entries.cycle.size();
-            m_cycle.push_back(request.ids[toIndex(entries.cycle[at] - 1)]);
+            m_cycle.push_back(icebergOf(request.ids, entries.cycle[at]));
         }
     }
 
@@ -332,14 +331,14 @@ private:
                         place = at;
                         firsts.insert(at);
                     }
-                    round.push_back(request.ids[toIndex(m_cycle[at] - 1)]);
+                    round.push_back(icebergOf(request.ids, m_cycle[at]));
                 }
             }
         return rounds;
     }
     [[nodiscard]] bool isAvailableAt(const UavRequest& uav, std::size_t place) const
     {
-        return uav.available[toIndex(m_cycle[place] - 1)];
+        return uav.available[toIndex(m_cycle[place]) - 1];
     }
 
     Cycle m_cycle;

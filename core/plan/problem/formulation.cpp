@@ -52,7 +52,7 @@ void addPrintedColumns(const TvpProblem& problem, MilpModel& model)
     for (int i = 0; i < nodes; ++i)
         for (int j = 0; j < nodes; ++j) {
             const bool selfLoop = i == j;
-            model.arcs.push_back({.from = i, .to = j});
+            model.arcs.push_back({.from = NodeIndex::of(i), .to = NodeIndex::of(j)});
             model.columns.push_back(
                 {.name = label("y", {i, j}),
                  .upper = selfLoop ? 0.0 : 1.0,
@@ -107,12 +107,13 @@ void addPrintedSequence(MilpModel& model)
 void addPositionColumns(const TvpProblem& problem, MilpModel& model)
 {
     for (const MilpArc& arc : model.arcs) {
-        double distance_m = problem.distance_m(arc.from, arc.to);
+        double distance_m = legBetween(problem.distance_m, arc.from, arc.to);
         if (problem.route == Route::Closed && arc.position == problem.icebergCount())
-            distance_m += problem.distance_m(arc.to, 0);
-        model.columns.push_back({.name = label("z", {arc.from, arc.to, *arc.position}),
-                                 .objective = problem.mu * distance_m +
-                                              problem.sigma_m2[at(arc.to)] * (*arc.position + 1)});
+            distance_m += legBetween(problem.distance_m, arc.to, 0);
+        model.columns.push_back(
+            {.name = label("z", {arc.from.number(), arc.to.number(), *arc.position}),
+             .objective = problem.mu * distance_m +
+                          problem.sigma_m2[toIndex(arc.to)] * (*arc.position + 1)});
     }
 }
 
@@ -131,13 +132,13 @@ void addPositionRows(MilpModel& model)
     for (int k = 2; k <= icebergs; ++k)
         for (int j = 1; j <= icebergs; ++j)
             flows.push_back({.name = label("flow", {j, k}), .lower = 0, .upper = 0, .terms = {}});
-    const auto flow = [&](int j, int k) -> MilpRow& {
-        return flows[at((k - 2) * icebergs + j - 1)];
+    const auto flow = [&](NodeIndex j, int k) -> MilpRow& {
+        return flows[at((k - 2) * icebergs + j.number() - 1)];
     };
 
     for (int c = 0; c < static_cast<int>(model.arcs.size()); ++c) {
         const MilpArc& arc = model.arcs[at(c)];
-        visits[at(arc.to - 1)].terms.push_back({c, 1});
+        visits[toIndex(arc.to) - 1].terms.push_back({c, 1});
         MilpRow& source = arc.position == 1 ? start : flow(arc.from, *arc.position);
         source.terms.push_back({c, arc.position == 1 ? 1.0 : -1.0});
         if (*arc.position < icebergs)
@@ -164,11 +165,11 @@ MilpModel printedModel(const TvpProblem& problem)
 std::vector<MilpArc> allPositionArcs(int icebergs)
 {
     std::vector<MilpArc> arcs;
-    for (int j = 1; j <= icebergs; ++j)
+    for (const NodeIndex j : icebergNodes(icebergs))
         arcs.push_back({.from = 0, .to = j, .position = 1});
     for (int k = 2; k <= icebergs; ++k)
-        for (int i = 1; i <= icebergs; ++i)
-            for (int j = 1; j <= icebergs; ++j)
+        for (const NodeIndex i : icebergNodes(icebergs))
+            for (const NodeIndex j : icebergNodes(icebergs))
                 if (i != j)
                     arcs.push_back({.from = i, .to = j, .position = k});
     return arcs;
@@ -191,40 +192,40 @@ MilpModel positionModel(const TvpProblem& problem, std::vector<MilpArc> arcs)
 VisitOrder decode(const MilpModel& model, std::span<const double> solution)
 {
     require(solution.size() == model.columns.size(), "decode: one value per column expected");
-    std::vector<int> next(at(model.nodeCount), 0);
+    VisitOrder next(at(model.nodeCount));
     for (std::size_t c = 0; c < model.arcs.size(); ++c)
         if (solution[c] > 0.5)
-            next[at(model.arcs[c].from)] = model.arcs[c].to;
+            next[toIndex(model.arcs[c].from)] = model.arcs[c].to;
 
     VisitOrder order;
     std::vector<bool> seen(at(model.nodeCount), false);
-    for (int node = next[0]; node != 0 && !seen[at(node)]; node = next[at(node)]) {
-        seen[at(node)] = true;
+    for (NodeIndex node = next[0]; node != 0 && !seen[toIndex(node)]; node = next[toIndex(node)]) {
+        seen[toIndex(node)] = true;
         order.push_back(node);
     }
     return static_cast<int>(order.size()) == model.nodeCount - 1 ? order : VisitOrder{};
 }
 
-std::vector<double> encode(const MilpModel& model, std::span<const int> order)
+std::vector<double> encode(const MilpModel& model, std::span<const NodeIndex> order)
 {
     require(static_cast<int>(order.size()) == model.nodeCount - 1,
             "encode: a visiting order of all icebergs expected");
-    std::vector<std::optional<int>> next(at(model.nodeCount));
+    std::vector<std::optional<NodeIndex>> next(at(model.nodeCount));
     std::vector<int> position(at(model.nodeCount), 1);
-    int from = 0;
-    for (const int to : order) {
-        next[at(from)] = to;
-        position[at(to)] = position[at(from)] + 1;
+    NodeIndex from;
+    for (const NodeIndex to : order) {
+        next[toIndex(from)] = to;
+        position[toIndex(to)] = position[toIndex(from)] + 1;
         from = to;
     }
     // Only the printed model has an arc back to the UAV.
-    next[at(from)] = model.route == Route::Closed ? std::optional(0) : std::nullopt;
+    next[toIndex(from)] = model.route == Route::Closed ? std::optional(NodeIndex()) : std::nullopt;
 
     std::vector<double> solution(model.columns.size(), 0.0);
     for (std::size_t c = 0; c < model.arcs.size(); ++c) {
         const MilpArc& arc = model.arcs[c];
-        const bool flown = next[at(arc.from)] == arc.to;
-        if (flown && (!arc.position || arc.position == position[at(arc.from)]))
+        const bool flown = next[toIndex(arc.from)] == arc.to;
+        if (flown && (!arc.position || arc.position == position[toIndex(arc.from)]))
             solution[c] = 1;
     }
     if (model.hasOrderColumns)

@@ -45,8 +45,8 @@ struct MilpRow
 /** Meaning of an arc column: if it is 1, the UAV flies from node `from` to node `to`. */
 struct MilpArc
 {
-    int from = 0;
-    int to = 0;
+    NodeIndex from;
+    NodeIndex to;
     /** Position that the arc leaves, 1 = UAV; nullopt if the formulation has none. */
     std::optional<int> position = {};
     bool operator==(const MilpArc&) const = default;
@@ -113,6 +113,6 @@ struct MilpModel
  * Returns the solution (one value per column) of a visiting order with each iceberg node exactly
  * once, whose arcs the model must hold. Throws `std::logic_error` if the order has another length.
  */
-[[nodiscard]] std::vector<double> encode(const MilpModel& model, std::span<const int> order);
+[[nodiscard]] std::vector<double> encode(const MilpModel& model, std::span<const NodeIndex> order);
 
 } // namespace berg

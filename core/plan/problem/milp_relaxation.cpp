@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 namespace berg {
 
 namespace {
 
-std::size_t slot(const MilpModel& model, int position, int node)
+std::size_t slot(const MilpModel& model, int position, NodeIndex node)
 {
     const auto nodes = static_cast<std::size_t>(model.nodeCount);
-    return static_cast<std::size_t>(position) * nodes + static_cast<std::size_t>(node);
+    return static_cast<std::size_t>(position) * nodes + toIndex(node);
 }
 
 VisitOrder byMeanPosition(const MilpModel& model, std::span<const double> relaxed)
@@ -25,13 +24,11 @@ VisitOrder byMeanPosition(const MilpModel& model, std::span<const double> relaxe
                     mean.begin());
     else
         for (std::size_t c = 0; c < model.arcs.size(); ++c)
-            mean[static_cast<std::size_t>(model.arcs[c].to)] +=
-                relaxed[c] * *model.arcs[c].position;
+            mean[toIndex(model.arcs[c].to)] += relaxed[c] * *model.arcs[c].position;
 
-    VisitOrder order(mean.size() - 1);
-    std::iota(order.begin(), order.end(), 1);
-    std::stable_sort(order.begin(), order.end(), [&mean](int a, int b) {
-        return mean[static_cast<std::size_t>(a)] < mean[static_cast<std::size_t>(b)];
+    VisitOrder order = ascendingOrder(model.nodeCount - 1);
+    std::stable_sort(order.begin(), order.end(), [&mean](NodeIndex a, NodeIndex b) {
+        return mean[toIndex(a)] < mean[toIndex(b)];
     });
     return order;
 }

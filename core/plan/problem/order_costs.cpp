@@ -33,7 +33,7 @@ Eigen::ArrayXd unseenByLevel(const LatencyCosts& costs)
     Eigen::ArrayXd unseen = Eigen::ArrayXd::Constant(costs.lastLevel() + 1, kInfinity);
     unseen(costs.lastLevel()) = 0;
     int reached = costs.lastLevel();
-    for (int i = 1; i <= costs.icebergs; ++i) {
+    for (const NodeIndex i : icebergNodes(costs.icebergs)) {
         const int step = costs.step(i);
         for (int level = reached; level <= costs.lastLevel(); ++level)
             unseen(level - step) = std::min(unseen(level - step), unseen(level) + costs.sigmaOf(i));

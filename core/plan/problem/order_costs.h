@@ -11,12 +11,12 @@ namespace berg {
 
 /** Returns the sum of the legs and visits of an order. */
 template <class Costs>
-[[nodiscard]] double costOfVisits(const Costs& costs, std::span<const int> order)
+[[nodiscard]] double costOfVisits(const Costs& costs, std::span<const NodeIndex> order)
 {
     double sum = 0;
-    int from = 0;
+    NodeIndex from;
     int position = 0;
-    for (const int node : order) {
+    for (const NodeIndex node : order) {
         sum += costs.leg(from, node) + costs.visit(node, ++position);
         from = node;
     }
@@ -25,12 +25,12 @@ template <class Costs>
 
 /** Returns the sum of the sigmas, each times the length flown until there. */
 template <class Costs>
-[[nodiscard]] double weightedLength(const Costs& costs, std::span<const int> order)
+[[nodiscard]] double weightedLength(const Costs& costs, std::span<const NodeIndex> order)
 {
     double length = 0;
     double sum = 0;
-    int from = 0;
-    for (const int node : order) {
+    NodeIndex from;
+    for (const NodeIndex node : order) {
         length += costs.leg(from, node);
         sum += costs.sigmaOf(node) * length;
         from = node;
@@ -52,8 +52,11 @@ struct LegTable
     explicit LegTable(const TvpProblem& problem);
 
     /** Returns the cost of a leg; `from` 0 is the UAV, `to` 0 the end of the route. */
-    [[nodiscard]] double leg(int from, int to) const { return legs(to, from); }
-    [[nodiscard]] double sigmaOf(int node) const { return sigma[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] double leg(NodeIndex from, NodeIndex to) const
+    {
+        return legs(to.number(), from.number());
+    }
+    [[nodiscard]] double sigmaOf(NodeIndex node) const { return sigma[toIndex(node)]; }
     int icebergs = 0;
     /**
      * N x N, column = from, row = to, mu d; row 0 is the end of the route: 0 if open, the return
@@ -73,14 +76,14 @@ struct VisitCosts : LegTable
 
     explicit VisitCosts(const TvpProblem& problem) : LegTable(problem) {}
 
-    [[nodiscard]] static int step(int /*iceberg*/) { return 1; }
+    [[nodiscard]] static int step(NodeIndex /*iceberg*/) { return 1; }
     [[nodiscard]] int lastLevel() const { return icebergs; }
-    [[nodiscard]] double visit(int node, int position) const
+    [[nodiscard]] double visit(NodeIndex node, int position) const
     {
         return sigmaOf(node) * (position + 1);
     }
     /** Returns the sum of an order's costs: `objective` + `objectiveShift`. */
-    [[nodiscard]] double total(std::span<const int> order) const
+    [[nodiscard]] double total(std::span<const NodeIndex> order) const
     {
         return costOfVisits(*this, order);
     }
@@ -99,11 +102,11 @@ struct LatencyCosts : LegTable
 
     explicit LatencyCosts(const TvpProblem& problem);
 
-    [[nodiscard]] int step(int iceberg) const { return steps[static_cast<std::size_t>(iceberg)]; }
+    [[nodiscard]] int step(NodeIndex iceberg) const { return steps[toIndex(iceberg)]; }
     [[nodiscard]] int lastLevel() const { return last; }
-    [[nodiscard]] static double visit(int /*node*/, int /*level*/) { return 0; }
+    [[nodiscard]] static double visit(NodeIndex /*node*/, int /*level*/) { return 0; }
     /** Returns the sum of an order's costs: `objective`. */
-    [[nodiscard]] double total(std::span<const int> order) const
+    [[nodiscard]] double total(std::span<const NodeIndex> order) const
     {
         return weightedLength(*this, order);
     }

@@ -6,46 +6,67 @@
 
 namespace berg {
 
-bool isVisitOrder(const TvpProblem& problem, std::span<const int> order)
+VisitOrder ascendingOrder(int icebergs)
+{
+    VisitOrder order(static_cast<std::size_t>(icebergs));
+    std::iota(order.begin(), order.end(), NodeIndex(1));
+    return order;
+}
+
+VisitOrder nodesOf(std::span<const int> numbers)
+{
+    VisitOrder nodes(numbers.size());
+    std::ranges::transform(numbers, nodes.begin(),
+                           [](int number) { return NodeIndex::of(number); });
+    return nodes;
+}
+
+std::vector<int> numbersOf(std::span<const NodeIndex> nodes)
+{
+    std::vector<int> numbers(nodes.size());
+    std::ranges::transform(nodes, numbers.begin(), &NodeIndex::number);
+    return numbers;
+}
+
+bool isVisitOrder(const TvpProblem& problem, std::span<const NodeIndex> order)
 {
     if (static_cast<int>(order.size()) != problem.icebergCount())
         return false;
     std::vector<bool> seen(problem.sigma_m2.size(), false);
-    for (const int node : order) {
-        if (node < 1 || node >= problem.nodeCount() || seen[static_cast<std::size_t>(node)])
+    for (const NodeIndex node : order) {
+        if (node < 1 || node.number() >= problem.nodeCount() || seen[toIndex(node)])
             return false;
-        seen[static_cast<std::size_t>(node)] = true;
+        seen[toIndex(node)] = true;
     }
     return true;
 }
 
 double weightedLatency(const Eigen::MatrixXd& distance_m, std::span<const double> sigma_m2,
-                       std::span<const int> order)
+                       std::span<const NodeIndex> order)
 {
     double sum = 0;
-    follow(distance_m, Route::Open, order, [&](int node, double flown_m) {
-        sum += sigma_m2[static_cast<std::size_t>(node)] * flown_m;
-    });
+    follow(distance_m, Route::Open, order,
+           [&](NodeIndex node, double flown_m) { sum += sigma_m2[toIndex(node)] * flown_m; });
     return sum;
 }
 
-double flownDistance(const TvpProblem& problem, std::span<const int> order)
+double flownDistance(const TvpProblem& problem, std::span<const NodeIndex> order)
 {
-    return follow(problem.distance_m, problem.route, order, [](int, double) {});
+    return follow(problem.distance_m, problem.route, order, [](NodeIndex, double) {});
 }
 
-double uncertaintyReward(const TvpProblem& problem, std::span<const int> order)
+double uncertaintyReward(const TvpProblem& problem, std::span<const NodeIndex> order)
 {
     double reward = 0;
     int t = 1; // t(UAV) = 1, Eq. (6)
-    for (const int node : order) {
+    for (const NodeIndex node : order) {
         ++t;
-        reward += problem.sigma_m2[static_cast<std::size_t>(node)] * (problem.nodeCount() - t);
+        reward += problem.sigma_m2[toIndex(node)] * (problem.nodeCount() - t);
     }
     return reward;
 }
 
-double objective(const TvpProblem& problem, std::span<const int> order)
+double objective(const TvpProblem& problem, std::span<const NodeIndex> order)
 {
     require(isVisitOrder(problem, order), "objective: not a visiting order of this problem");
     if (problem.criterion == Criterion::Latency)
@@ -53,10 +74,10 @@ double objective(const TvpProblem& problem, std::span<const int> order)
     return problem.mu * flownDistance(problem, order) - uncertaintyReward(problem, order);
 }
 
-TvpProblem restrictedTo(const TvpProblem& problem, std::span<const int> nodes)
+TvpProblem restrictedTo(const TvpProblem& problem, std::span<const NodeIndex> nodes)
 {
     const auto size = static_cast<Eigen::Index>(nodes.size()) + 1;
-    std::vector<int> all{0};
+    VisitOrder all{0};
     all.insert(all.end(), nodes.begin(), nodes.end());
     TvpProblem sub{.distance_m = Eigen::MatrixXd(size, size),
                    .sigma_m2 = {},
@@ -65,10 +86,10 @@ TvpProblem restrictedTo(const TvpProblem& problem, std::span<const int> nodes)
                    .criterion = problem.criterion};
     for (Eigen::Index j = 0; j < size; ++j)
         for (Eigen::Index i = 0; i < size; ++i)
-            sub.distance_m(i, j) = problem.distance_m(all[static_cast<std::size_t>(i)],
-                                                      all[static_cast<std::size_t>(j)]);
-    for (const int node : all)
-        sub.sigma_m2.push_back(problem.sigma_m2[static_cast<std::size_t>(node)]);
+            sub.distance_m(i, j) = legBetween(problem.distance_m, all[static_cast<std::size_t>(i)],
+                                              all[static_cast<std::size_t>(j)]);
+    for (const NodeIndex node : all)
+        sub.sigma_m2.push_back(problem.sigma_m2[toIndex(node)]);
     return sub;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 
 #include <Eigen/Core>
 
@@ -45,31 +46,53 @@ struct TvpProblem
 };
 
 /** Iceberg nodes 1 .. N-1, each once, in visiting order. */
-using VisitOrder = std::vector<int>;
+using VisitOrder = std::vector<NodeIndex>;
 
 /** One order for each UAV, which may be empty. */
 using FleetPlan = std::vector<VisitOrder>;
 
+/** Returns the nodes 1 .. of so many icebergs, for loops. */
+[[nodiscard]] constexpr NodeRange icebergNodes(int icebergs)
+{
+    return {1, NodeIndex::of(std::max(icebergs, 0) + 1)};
+}
+
+/** Returns the nodes 1 .. of so many icebergs as an order. */
+[[nodiscard]] VisitOrder ascendingOrder(int icebergs);
+
+/** Returns the nodes with these numbers, as files and messages hold them. */
+[[nodiscard]] VisitOrder nodesOf(std::span<const int> numbers);
+
+/** Returns the numbers of nodes, the reverse of `nodesOf`. */
+[[nodiscard]] std::vector<int> numbersOf(std::span<const NodeIndex> nodes);
+
+/** Returns the length of a leg by a matrix with one row and column for each node. */
+[[nodiscard]] inline double legBetween(const Eigen::MatrixXd& distance_m, NodeIndex from,
+                                       NodeIndex to)
+{
+    return distance_m(from.number(), to.number());
+}
+
 /** Returns whether `order` holds each iceberg node of the problem exactly once. */
-[[nodiscard]] bool isVisitOrder(const TvpProblem& problem, std::span<const int> order);
+[[nodiscard]] bool isVisitOrder(const TvpProblem& problem, std::span<const NodeIndex> order);
 
 /**
  * Returns the length of the order's route; calls `visit` with each node and the distance flown to
  * it.
  */
 template <class Visit>
-double follow(const Eigen::MatrixXd& distance_m, Route route, std::span<const int> order,
+double follow(const Eigen::MatrixXd& distance_m, Route route, std::span<const NodeIndex> order,
               const Visit& visit)
 {
     double flown_m = 0;
-    int from = 0;
-    for (const int node : order) {
-        flown_m += distance_m(from, node);
+    NodeIndex from;
+    for (const NodeIndex node : order) {
+        flown_m += legBetween(distance_m, from, node);
         visit(node, flown_m);
         from = node;
     }
     if (route == Route::Closed && !order.empty())
-        flown_m += distance_m(from, 0);
+        flown_m += legBetween(distance_m, from, 0);
     return flown_m;
 }
 
@@ -78,10 +101,11 @@ double follow(const Eigen::MatrixXd& distance_m, Route route, std::span<const in
  * times the sigma still unvisited.
  */
 [[nodiscard]] double weightedLatency(const Eigen::MatrixXd& distance_m,
-                                     std::span<const double> sigma_m2, std::span<const int> order);
+                                     std::span<const double> sigma_m2,
+                                     std::span<const NodeIndex> order);
 
 /** Returns D of Eq. (2), m, with the return leg of a closed route. */
-[[nodiscard]] double flownDistance(const TvpProblem& problem, std::span<const int> order);
+[[nodiscard]] double flownDistance(const TvpProblem& problem, std::span<const NodeIndex> order);
 
 /**
  * Returns the objective, by which all plans are compared. Visitation: F of Eq. (1) with t(UAV) = 1,
@@ -89,10 +113,10 @@ double follow(const Eigen::MatrixXd& distance_m, Route route, std::span<const in
  * i; with mu = 1 / airspeed it is sum sigma_i t_i in m^2 s, t_i the arrival time. Throws
  * `std::logic_error` unless `isVisitOrder`.
  */
-[[nodiscard]] double objective(const TvpProblem& problem, std::span<const int> order);
+[[nodiscard]] double objective(const TvpProblem& problem, std::span<const NodeIndex> order);
 
 /** Returns the reward sum sigma_i (N - t_i), the negative of the first term of Eq. (1). */
-[[nodiscard]] double uncertaintyReward(const TvpProblem& problem, std::span<const int> order);
+[[nodiscard]] double uncertaintyReward(const TvpProblem& problem, std::span<const NodeIndex> order);
 
 /**
  * Returns the constant that makes the objective a sum of costs, which is never negative: N
@@ -120,7 +144,7 @@ template <class Problem>
 /**
  * Returns the sub-problem of the UAV and `nodes` (iceberg nodes of `problem`), in the order given.
  */
-[[nodiscard]] TvpProblem restrictedTo(const TvpProblem& problem, std::span<const int> nodes);
+[[nodiscard]] TvpProblem restrictedTo(const TvpProblem& problem, std::span<const NodeIndex> nodes);
 
 /** Returns the Euclidean distances, m, between points given as rows of an N x 2 matrix. */
 [[nodiscard]] Eigen::MatrixXd euclideanDistances(const Eigen::MatrixX2d& points_m);

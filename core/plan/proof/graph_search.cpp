@@ -120,7 +120,7 @@ private:
 
     [[nodiscard]] std::size_t slotOf(const State& state) const
     {
-        const auto last = static_cast<std::size_t>(m_graph.iceberg(state.node));
+        const std::size_t last = toIndex(m_graph.iceberg(state.node));
         return (state.visited.hash() + last * 0x9e3779b97f4a7c15U) & (m_slots.size() - 1);
     }
     void prune()
@@ -160,7 +160,7 @@ double legWeight(const Costs& costs, const NodeSet& visited)
     double unseen = 1;
     if constexpr (Costs::kWeighted) {
         unseen = 0;
-        for (int i = 1; i <= costs.icebergs; ++i)
+        for (const NodeIndex i : icebergNodes(costs.icebergs))
             if (!visited.contains(i))
                 unseen += costs.sigmaOf(i);
     }
@@ -199,14 +199,14 @@ GraphSearchResult searchGraph(const LayeredGraph<Costs>& graph, const Multiplier
                 result.bound = -std::numeric_limits<double>::infinity();
                 return result;
             }
-            const int i = graph.iceberg(from[k].node);
+            const NodeIndex i = graph.iceberg(from[k].node);
             const double weight = legWeight(costs, from[k].visited);
             for (const int to : graph.successors(from[k].node)) {
-                const int j = graph.iceberg(to);
+                const NodeIndex j = graph.iceberg(to);
                 if (from[k].visited.contains(j))
                     continue;
                 const double length = from[k].length + weight * costs.leg(i, j) +
-                                      costs.visit(j, p + 1) - multipliers.lambda(j);
+                                      costs.visit(j, p + 1) - multipliers.lambda(j.number());
                 const double estimate = length + graph.completion(to);
                 if (estimate < allowed)
                     table.offer({.visited = from[k].visited.with(j),

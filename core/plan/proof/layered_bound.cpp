@@ -255,7 +255,7 @@ private:
         m_result.work += workOfSweep(graph);
         if (isStopped())
             return std::nullopt;
-        std::vector<int> path = graph.shortestPath();
+        VisitOrder path = graph.shortestPath();
         if (path.empty()) {
             acceptBound(kInfinity); // nothing below the cutoff is left
             return std::nullopt;

@@ -25,7 +25,7 @@ template <class Costs>
 int longestStep(const Costs& costs)
 {
     int longest = 1;
-    for (int i = 1; i <= costs.icebergs; ++i)
+    for (const NodeIndex i : icebergNodes(costs.icebergs))
         longest = std::max(longest, costs.step(i));
     return longest;
 }
@@ -65,7 +65,8 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
     Eigen::ArrayXd onwards(n);
     const auto enter = [&](int p) {
         for (int j = 1; j <= n; ++j)
-            onwards(j - 1) = costs.visit(j, p) - multipliers.lambda(j) + completion(j - 1, p - 1);
+            onwards(j - 1) =
+                costs.visit(NodeIndex::of(j), p) - multipliers.lambda(j) + completion(j - 1, p - 1);
     };
     for (int p = n - 1; p >= 1; --p) {
         if (isStopped && isStopped())
@@ -84,9 +85,9 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
     m_firstNode = {0, 1};
     for (int p = 1; p <= n; ++p) {
         for (int i = 1; i <= n; ++i)
-            if (paths.length(i, p) + completion(i - 1, p - 1) < allowed) {
+            if (paths.length(NodeIndex::of(i), p) + completion(i - 1, p - 1) < allowed) {
                 id(i - 1, p - 1) = nodeCount();
-                m_iceberg.push_back(i);
+                m_iceberg.push_back(NodeIndex::of(i));
             }
         m_firstNode.push_back(nodeCount());
     }
@@ -96,13 +97,15 @@ void LayeredGraph<VisitCosts>::build(const LayeredPaths<VisitCosts>& paths,
             return;
         enter(p + 1);
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
-            const int i = iceberg(v);
+            const NodeIndex i = iceberg(v);
             m_firstArc.push_back(arcs.size());
             const double length = p == 0 ? 0.0 : paths.length(i, p);
-            for (int j = 1; j <= n; ++j)
-                if (j != i && id(j - 1, p) != kNoNode &&
-                    length + costs.leg(i, j) + onwards(j - 1) < allowed)
-                    arcs.push_back(id(j - 1, p));
+            for (const NodeIndex j : icebergNodes(n)) {
+                const int row = j.number() - 1;
+                if (j != i && id(row, p) != kNoNode &&
+                    length + costs.leg(i, j) + onwards(row) < allowed)
+                    arcs.push_back(id(row, p));
+            }
         }
     }
     m_firstArc.resize(m_iceberg.size() + 1, arcs.size());
@@ -145,20 +148,21 @@ void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
     Eigen::ArrayXXd length = Eigen::ArrayXXd::Constant(n, lastLayer() + 1, kInfinity);
     // Calls `visitor(j, level, length)` for every leg from the node that is on a path below the
     // cutoff.
-    const auto forLegs = [&](int i, int level, const auto& visitor) {
+    const auto forLegs = [&](NodeIndex i, int level, const auto& visitor) {
         const double weight = costs.leastUnseen(level);
-        const double here = i == 0 ? 0.0 : length(i - 1, level);
-        for (int j = 1; j <= n; ++j) {
+        const double here = i == 0 ? 0.0 : length(i.number() - 1, level);
+        for (const NodeIndex j : icebergNodes(n)) {
             const int next = level + costs.step(j);
             if (j == i || next > lastLayer())
                 continue;
-            const double there = here + weight * costs.leg(i, j) - multipliers.lambda(j);
+            const double there = here + weight * costs.leg(i, j) - multipliers.lambda(j.number());
             if (there + paths.completion(j, next) < allowed)
                 visitor(j, next, there);
         }
     };
-    const auto offer = [&length](int j, int level, double there) {
-        length(j - 1, level) = std::min(length(j - 1, level), there);
+    const auto offer = [&length](NodeIndex j, int level, double there) {
+        double& least = length(j.number() - 1, level);
+        least = std::min(least, there);
     };
     Eigen::ArrayXXi id = Eigen::ArrayXXi::Constant(n, lastLayer() + 1, kNoNode);
     m_iceberg.push_back(0);
@@ -167,9 +171,9 @@ void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
     for (int level = 1; level <= lastLayer(); ++level) {
         if (isStopped && isStopped())
             return;
-        for (int i = 1; i <= n; ++i)
-            if (length(i - 1, level) < kInfinity) {
-                id(i - 1, level) = nodeCount();
+        for (const NodeIndex i : icebergNodes(n))
+            if (length(i.number() - 1, level) < kInfinity) {
+                id(i.number() - 1, level) = nodeCount();
                 m_iceberg.push_back(i);
                 forLegs(i, level, offer);
             }
@@ -181,8 +185,9 @@ void LayeredGraph<LatencyCosts>::build(const LayeredPaths<LatencyCosts>& paths,
             return;
         for (int v = layerBegin(level); v < layerBegin(level + 1); ++v) {
             m_firstArc.push_back(arcs.size());
-            forLegs(iceberg(v), level,
-                    [&](int j, int next, double) { arcs.push_back(id(j - 1, next)); });
+            forLegs(iceberg(v), level, [&](NodeIndex j, int next, double) {
+                arcs.push_back(id(j.number() - 1, next));
+            });
         }
     }
     m_firstArc.push_back(arcs.size());
@@ -215,11 +220,11 @@ double LayeredGraph<Costs>::sweep(const Multipliers& multipliers, const StopChec
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
             if (v % kNodesPerCheck == 0 && isStopped && isStopped())
                 return -kInfinity;
-            const int i = iceberg(v);
+            const NodeIndex i = iceberg(v);
             const double least = p == lastLayer() ? m_costs->leg(i, 0) : leastOnwards(v);
             m_completion[static_cast<std::size_t>(v)] = least;
             m_entry[static_cast<std::size_t>(v)] =
-                least + m_costs->visit(i, p) - multipliers.lambda(i);
+                least + m_costs->visit(i, p) - multipliers.lambda(i.number());
         }
     }
     return multipliers.sum + completion(0);
@@ -228,10 +233,10 @@ double LayeredGraph<Costs>::sweep(const Multipliers& multipliers, const StopChec
 template <class Costs>
 double LayeredGraph<Costs>::leastOnwards(int node) const
 {
-    const double* const legs = m_costs->legs.col(iceberg(node)).data();
+    const double* const legs = m_costs->legs.col(iceberg(node).number()).data();
     const double factor = weight(node);
     const auto onwards = [this, legs, factor](int to) {
-        return factor * legs[iceberg(to)] + m_entry[static_cast<std::size_t>(to)];
+        return factor * legs[iceberg(to).number()] + m_entry[static_cast<std::size_t>(to)];
     };
     // Four minima run in parallel: a single one would wait for each comparison.
     std::array<double, 4> least{kInfinity, kInfinity, kInfinity, kInfinity};
@@ -246,9 +251,9 @@ double LayeredGraph<Costs>::leastOnwards(int node) const
 }
 
 template <class Costs>
-std::vector<int> LayeredGraph<Costs>::shortestPath() const
+VisitOrder LayeredGraph<Costs>::shortestPath() const
 {
-    std::vector<int> path;
+    VisitOrder path;
     if (completion(0) == kInfinity)
         return path;
     path.reserve(static_cast<std::size_t>(icebergs()));
@@ -281,9 +286,9 @@ std::vector<double> LayeredGraph<Costs>::lengthsFromStart(const Multipliers& mul
         for (int v = layerBegin(p); v < layerBegin(p + 1); ++v) {
             if (v % kNodesPerCheck == 0 && isStopped && isStopped())
                 return {};
-            const int i = iceberg(v);
+            const NodeIndex i = iceberg(v);
             double& here = length[static_cast<std::size_t>(v)];
-            here += m_costs->visit(i, p) - multipliers.lambda(i);
+            here += m_costs->visit(i, p) - multipliers.lambda(i.number());
             for (const int to : successors(v)) {
                 double& there = length[static_cast<std::size_t>(to)];
                 there = std::min(there, here + weight(v) * m_costs->leg(i, iceberg(to)));
@@ -363,7 +368,7 @@ struct LayeredGraph<Costs>::Construction
     LayeredGraph graph;
     LabelTables tables;
     PieceList<int> labelOf; ///< number of each node's label
-    PieceList<int> icebergs;
+    PieceList<NodeIndex> icebergs;
     PieceList<std::size_t> firstArc;
     PieceList<int> arcs; ///< numbers of the labels that arcs lead to
 };
@@ -391,14 +396,15 @@ Refinement<Costs> LayeredGraph<Costs>::refined(const NgSets& sets, const Multipl
             }
             if constexpr (Costs::kWeighted)
                 labelOf.push_back(label.number);
-            const int i = iceberg(label.node);
-            const double length = label.length + m_costs->visit(i, level) - multipliers.lambda(i);
+            const NodeIndex i = iceberg(label.node);
+            const double length =
+                label.length + m_costs->visit(i, level) - multipliers.lambda(i.number());
             const double factor = weight(label.node);
             const NodeSet visited = i == 0 ? label.memory : label.memory.with(i);
             icebergs.push_back(i);
             firstArc.push_back(arcs.size());
             for (const int to : onwards) {
-                const int j = iceberg(to);
+                const NodeIndex j = iceberg(to);
                 const double leg = factor * m_costs->leg(i, j);
                 if (label.memory.contains(j) ||
                     length + leg + m_entry[static_cast<std::size_t>(to)] >= allowed)

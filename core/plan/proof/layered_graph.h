@@ -17,12 +17,12 @@ struct NodeSet
 {
     static constexpr int kCapacity = 128;
 
-    [[nodiscard]] bool contains(int node) const { return (word(node) >> (node & 63) & 1U) != 0; }
-    void insert(int node)
+    [[nodiscard]] bool contains(NodeIndex node) const
     {
-        words[static_cast<std::size_t>(node >> 6)] |= std::uint64_t{1} << (node & 63);
+        return (words[wordOf(node)] >> bitOf(node) & 1U) != 0;
     }
-    [[nodiscard]] NodeSet with(int node) const
+    void insert(NodeIndex node) { words[wordOf(node)] |= std::uint64_t{1} << bitOf(node); }
+    [[nodiscard]] NodeSet with(NodeIndex node) const
     {
         NodeSet result = *this;
         result.insert(node);
@@ -39,10 +39,11 @@ struct NodeSet
     std::array<std::uint64_t, 2> words{};
 
 private:
-    [[nodiscard]] std::uint64_t word(int node) const
+    [[nodiscard]] static std::size_t wordOf(NodeIndex node)
     {
-        return words[static_cast<std::size_t>(node >> 6)];
+        return static_cast<std::size_t>(node.number() >> 6);
     }
+    [[nodiscard]] static int bitOf(NodeIndex node) { return node.number() & 63; }
 };
 
 /** Memory of each node: one set of icebergs per band 1 .. n (`bandOf`) and iceberg 1 .. n. */
@@ -55,17 +56,17 @@ public:
     {
     }
     /** Returns the memory of an iceberg in a band. */
-    [[nodiscard]] const NodeSet& at(int band, int iceberg) const
+    [[nodiscard]] const NodeSet& at(int band, NodeIndex iceberg) const
     {
         return m_sets[index(band, iceberg)];
     }
-    [[nodiscard]] NodeSet& at(int band, int iceberg) { return m_sets[index(band, iceberg)]; }
+    [[nodiscard]] NodeSet& at(int band, NodeIndex iceberg) { return m_sets[index(band, iceberg)]; }
 
 private:
-    [[nodiscard]] std::size_t index(int band, int iceberg) const
+    [[nodiscard]] std::size_t index(int band, NodeIndex iceberg) const
     {
         return static_cast<std::size_t>(band) * static_cast<std::size_t>(m_icebergs + 1) +
-               static_cast<std::size_t>(iceberg);
+               toIndex(iceberg);
     }
 
     int m_icebergs;
@@ -129,7 +130,7 @@ public:
      * Returns the shortest path of the last sweep, icebergs in visiting order; empty if there is
      * none.
      */
-    [[nodiscard]] std::vector<int> shortestPath() const;
+    [[nodiscard]] VisitOrder shortestPath() const;
     /** Returns the length from `node` to the end at the last sweep's multipliers. */
     [[nodiscard]] double completion(int node) const
     {
@@ -154,8 +155,11 @@ public:
 
     [[nodiscard]] const Costs& costs() const { return *m_costs; }
     [[nodiscard]] int icebergs() const { return m_costs->icebergs; }
-    /** Returns the iceberg of a node; 0 for the UAV. */
-    [[nodiscard]] int iceberg(int node) const { return m_iceberg[static_cast<std::size_t>(node)]; }
+    /** Returns the iceberg of a node of the graph; 0 for the UAV. */
+    [[nodiscard]] NodeIndex iceberg(int node) const
+    {
+        return m_iceberg[static_cast<std::size_t>(node)];
+    }
     [[nodiscard]] int nodeCount() const { return static_cast<int>(m_iceberg.size()); }
     /**
      * Returns the end of the node numbers of `layer` 0 .. `lastLevel`, which begin at
@@ -204,7 +208,7 @@ private:
 
     const Costs* m_costs;
     std::vector<int> m_firstNode;        ///< levels + 2; nodes of layer p are [p] .. [p + 1] - 1
-    LargeVector<int> m_iceberg;          ///< by node
+    LargeVector<NodeIndex> m_iceberg;    ///< by node
     LargeVector<std::size_t> m_firstArc; ///< nodes + 1
     LargeVector<int> m_arcs;             ///< node each arc leads to; its cost follows from its ends
     LargeVector<double> m_unseen; ///< by node, the least sigma unseen; empty if legs have no weight

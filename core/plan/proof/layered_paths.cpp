@@ -58,20 +58,20 @@ double LayeredPaths<VisitCosts>::sweep(const Multipliers& multipliers, const Sto
     Eigen::Index last = 0;
     const Eigen::ArrayXd pathBack = m_costs->legs.row(0).tail(n).transpose().array();
     const double length = (m_lengths.col(n - 1) + pathBack).minCoeff(&last);
-    m_last = static_cast<int>(last) + 1;
+    m_last = NodeIndex::of(last + 1);
     return multipliers.sum + length;
 }
 
-std::vector<int> LayeredPaths<VisitCosts>::shortestPath() const
+VisitOrder LayeredPaths<VisitCosts>::shortestPath() const
 {
-    std::vector<int> path(static_cast<std::size_t>(m_costs->icebergs));
+    VisitOrder path(static_cast<std::size_t>(m_costs->icebergs));
     path.back() = m_last;
     for (int p = m_costs->icebergs - 1; p >= 1; --p) {
         Eigen::Index before = 0;
-        const int to = path[static_cast<std::size_t>(p)];
+        const NodeIndex to = path[static_cast<std::size_t>(p)];
         // Only the least one matters: the cost of the visit is the same for all.
-        (m_lengths.col(p - 1) + m_legs.row(to - 1).transpose()).minCoeff(&before);
-        path[static_cast<std::size_t>(p) - 1] = static_cast<int>(before) + 1;
+        (m_lengths.col(p - 1) + m_legs.row(to.number() - 1).transpose()).minCoeff(&before);
+        path[static_cast<std::size_t>(p) - 1] = NodeIndex::of(before + 1);
     }
     return path;
 }
@@ -88,10 +88,10 @@ Eigen::ArrayXd LayeredPaths<LatencyCosts>::onwards(int level) const
 {
     const int n = m_costs->icebergs;
     Eigen::ArrayXd result(n);
-    for (int j = 1; j <= n; ++j) {
+    for (const NodeIndex j : icebergNodes(n)) {
         const int next = level + m_costs->step(j);
-        result(j - 1) =
-            next <= m_costs->lastLevel() ? completion(j, next) - m_lambda(j) : kInfinity;
+        result(j.number() - 1) =
+            next <= m_costs->lastLevel() ? completion(j, next) - m_lambda(j.number()) : kInfinity;
     }
     return result;
 }
@@ -137,18 +137,18 @@ double LayeredPaths<LatencyCosts>::sweep(const Multipliers& multipliers, const S
     return multipliers.sum + (m_costs->leastUnseen(0) * legs + onwards(0)).minCoeff();
 }
 
-std::vector<int> LayeredPaths<LatencyCosts>::shortestPath() const
+VisitOrder LayeredPaths<LatencyCosts>::shortestPath() const
 {
-    std::vector<int> path;
+    VisitOrder path;
     int level = 0;
-    int from = 0;
+    NodeIndex from;
     while (level < m_costs->lastLevel()) {
         const Eigen::ArrayXd after = onwards(level);
         double least = kInfinity;
-        int next = 0;
-        for (int j = 1; j <= m_costs->icebergs; ++j) {
+        NodeIndex next;
+        for (const NodeIndex j : icebergNodes(m_costs->icebergs)) {
             const double length =
-                m_costs->leastUnseen(level) * m_costs->leg(from, j) + after(j - 1);
+                m_costs->leastUnseen(level) * m_costs->leg(from, j) + after(j.number() - 1);
             if (j != from && length < least) {
                 least = length;
                 next = j;

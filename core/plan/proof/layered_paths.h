@@ -41,13 +41,13 @@ public:
      * Returns the shortest path of the last sweep, which must not have been stopped: icebergs by
      * position.
      */
-    [[nodiscard]] std::vector<int> shortestPath() const;
+    [[nodiscard]] VisitOrder shortestPath() const;
     /**
      * Returns the length from the UAV to `iceberg` (1 .. n) at `position`, its multiplier included.
      */
-    [[nodiscard]] double length(int iceberg, int position) const
+    [[nodiscard]] double length(NodeIndex iceberg, int position) const
     {
-        return m_lengths(iceberg - 1, position - 1);
+        return m_lengths(iceberg.number() - 1, position - 1);
     }
     /** Returns the work of a sweep, in arcs of a `LayeredGraph`. */
     [[nodiscard]] std::int64_t workOfSweep() const
@@ -60,7 +60,7 @@ private:
     const VisitCosts* m_costs;
     Eigen::ArrayXXd m_legs;    ///< n x n, column = from; the diagonal is infinite
     Eigen::ArrayXXd m_lengths; ///< n x n, column = position
-    int m_last = 0;            ///< last iceberg of the shortest path
+    NodeIndex m_last;          ///< last iceberg of the shortest path
 };
 
 /**
@@ -82,14 +82,14 @@ public:
      * Returns the shortest path of the last sweep, which must not have been stopped: icebergs in
      * order.
      */
-    [[nodiscard]] std::vector<int> shortestPath() const;
+    [[nodiscard]] VisitOrder shortestPath() const;
     /**
      * Returns the length from `iceberg` (1 .. n) at `level` to the end, its own multiplier not
      * included.
      */
-    [[nodiscard]] double completion(int iceberg, int level) const
+    [[nodiscard]] double completion(NodeIndex iceberg, int level) const
     {
-        return m_completion(iceberg - 1, level);
+        return m_completion(iceberg.number() - 1, level);
     }
     /** Returns the work of a sweep, in arcs of a `LayeredGraph`. */
     [[nodiscard]] std::int64_t workOfSweep() const

@@ -10,11 +10,12 @@ namespace {
 Eigen::VectorXd shortestLegs(const LegTable& costs)
 {
     Eigen::VectorXd shortest = Eigen::VectorXd::Zero(costs.icebergs + 1);
-    for (int j = 1; j <= costs.icebergs; ++j) {
-        shortest(j) = costs.leg(0, j);
-        for (int i = 1; i <= costs.icebergs; ++i)
+    for (const NodeIndex j : icebergNodes(costs.icebergs)) {
+        double& least = shortest(j.number());
+        least = costs.leg(0, j);
+        for (const NodeIndex i : icebergNodes(costs.icebergs))
             if (i != j)
-                shortest(j) = std::min(shortest(j), costs.leg(i, j));
+                least = std::min(least, costs.leg(i, j));
     }
     return shortest;
 }
@@ -52,8 +53,8 @@ bool MultiplierAscent::step(const Relaxed& relaxed, double target)
     Eigen::VectorXd gradient = Eigen::VectorXd::Ones(m_lambda.size());
     gradient(0) = 0;
     for (const VisitOrder& path : relaxed.paths)
-        for (const int i : path)
-            gradient(i) -= 1;
+        for (const NodeIndex i : path)
+            gradient(i.number()) -= 1;
     if (gradient.isZero(0)) {
         m_direction.setZero();
         return false;
@@ -71,7 +72,7 @@ Eigen::VectorXd firstMultipliers(const VisitCosts& costs, const VisitOrder& orde
     const Eigen::VectorXd sigma = Eigen::Map<const Eigen::VectorXd>(costs.sigma.data(), n + 1);
     Eigen::VectorXd t = Eigen::VectorXd::Zero(n + 1);
     for (int k = 0; k < n; ++k)
-        t(order[static_cast<std::size_t>(k)]) = k + 2;
+        t(order[static_cast<std::size_t>(k)].number()) = k + 2;
     const double meanSigma = sigma.tail(n).mean();
     const double meanT = t.tail(n).mean();
     const Eigen::ArrayXd deviation = sigma.tail(n).array() - meanSigma;
@@ -89,8 +90,8 @@ Eigen::VectorXd firstMultipliers(const VisitCosts& costs, const VisitOrder& orde
 Eigen::VectorXd firstMultipliers(const LatencyCosts& costs, const VisitOrder& order)
 {
     double length = 0;
-    int from = 0;
-    for (const int to : order) {
+    NodeIndex from;
+    for (const NodeIndex to : order) {
         length += costs.leg(from, to);
         from = to;
     }

@@ -1,7 +1,6 @@
 #include "core/plan/proof/ng_memory.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace berg {
@@ -15,20 +14,20 @@ constexpr int kMemoryWindow = 10;
 /** A path's return to an iceberg, which is at positions `first` and `last`, but not between. */
 struct Cycle
 {
-    const std::vector<int>* path = nullptr;
+    const VisitOrder* path = nullptr;
     int first = 0;
     int last = 0;
 };
 
 /** Returns all cycles of the paths, the shortest first. */
-std::vector<Cycle> cyclesOf(std::span<const std::vector<int>> paths, int icebergs)
+std::vector<Cycle> cyclesOf(std::span<const VisitOrder> paths, int icebergs)
 {
     std::vector<Cycle> cycles;
     std::vector<int> seen;
-    for (const std::vector<int>& path : paths) {
+    for (const VisitOrder& path : paths) {
         seen.assign(static_cast<std::size_t>(icebergs) + 1, 0);
         for (std::size_t k = 0; k < path.size(); ++k) {
-            int& before = seen[static_cast<std::size_t>(path[k])];
+            int& before = seen[toIndex(path[k])];
             const int position = static_cast<int>(k) + 1;
             if (before > 0)
                 cycles.push_back({&path, before, position});
@@ -48,26 +47,23 @@ NgSets nearestSets(const LegTable& costs, int count)
 {
     const int n = costs.icebergs;
     NgSets sets(n);
-    std::vector<int> others;
-    for (int i = 1; i <= n; ++i) {
-        others.resize(static_cast<std::size_t>(n));
-        std::iota(others.begin(), others.end(), 1);
-        others.erase(others.begin() + (i - 1));
-        const auto distance = [&](int j) { return costs.leg(i, j) + costs.leg(j, i); };
-        std::sort(others.begin(), others.end(), [&](int a, int b) {
+    for (const NodeIndex i : icebergNodes(n)) {
+        VisitOrder others = ascendingOrder(n);
+        others.erase(others.begin() + (i.number() - 1));
+        const auto distance = [&](NodeIndex j) { return costs.leg(i, j) + costs.leg(j, i); };
+        std::sort(others.begin(), others.end(), [&](NodeIndex a, NodeIndex b) {
             return std::pair(distance(a), a) < std::pair(distance(b), b);
         });
         others.resize(std::min(others.size(), static_cast<std::size_t>(count)));
         for (int p = 1; p <= n; ++p)
-            for (const int j : others)
+            for (const NodeIndex j : others)
                 sets.at(p, i).insert(j);
     }
     return sets;
 }
 
 template <class Costs>
-void forbidCycles(NgSets& sets, const Costs& costs, std::span<const std::vector<int>> paths,
-                  int cap)
+void forbidCycles(NgSets& sets, const Costs& costs, std::span<const VisitOrder> paths, int cap)
 {
     std::vector<int> bands; // bands of the path, by position from 1
     for (const Cycle& cycle : cyclesOf(paths, costs.icebergs)) {
@@ -81,7 +77,7 @@ void forbidCycles(NgSets& sets, const Costs& costs, std::span<const std::vector<
             bands.push_back(bandOf(costs, level));
         }
         const auto band = [&](int position) { return bands[static_cast<std::size_t>(position)]; };
-        const int twice = node(cycle.first);
+        const NodeIndex twice = node(cycle.first);
         bool hasSpace = true;
         for (int p = cycle.first + 1; p < cycle.last; ++p) {
             const NodeSet& memory = sets.at(band(p), node(p));
@@ -98,7 +94,7 @@ void forbidCycles(NgSets& sets, const Costs& costs, std::span<const std::vector<
     }
 }
 
-template void forbidCycles(NgSets&, const VisitCosts&, std::span<const std::vector<int>>, int);
-template void forbidCycles(NgSets&, const LatencyCosts&, std::span<const std::vector<int>>, int);
+template void forbidCycles(NgSets&, const VisitCosts&, std::span<const VisitOrder>, int);
+template void forbidCycles(NgSets&, const LatencyCosts&, std::span<const VisitOrder>, int);
 
 } // namespace berg

@@ -18,7 +18,6 @@ namespace berg {
  * would make the graph explode.
  */
 template <class Costs>
-void forbidCycles(NgSets& sets, const Costs& costs, std::span<const std::vector<int>> paths,
-                  int cap);
+void forbidCycles(NgSets& sets, const Costs& costs, std::span<const VisitOrder> paths, int cap);
 
 } // namespace berg

@@ -132,16 +132,17 @@ std::int32_t numberOf(Choice value)
     return static_cast<std::int32_t>(value);
 }
 
-VisitOrder onlyOrder(const FleetPlan& plan)
+std::vector<int> onlyOrder(const FleetPlan& plan)
 {
-    return plan.empty() ? VisitOrder{} : plan.front();
+    return plan.empty() ? std::vector<int>{} : numbersOf(plan.front());
 }
 
 /** Returns the plan of one UAV; empty if the order is empty. */
-FleetPlan planOf(const VisitOrder& order, const TvpProblem& problem)
+FleetPlan planOf(const std::vector<int>& numbers, const TvpProblem& problem)
 {
-    if (order.empty())
+    if (numbers.empty())
         return {};
+    const VisitOrder order = nodesOf(numbers);
     if (!isVisitOrder(problem, order))
         throw CbcWireFault("it sent an order that does not fit the problem");
     return {order};
@@ -216,7 +217,7 @@ CbcProblem cbcProblemOf(const CbcFrame& frame)
     reader.read(options.workLimit);
     reader.read(options.memoryLimit_bytes);
     reader.read(options.gap);
-    VisitOrder hint;
+    std::vector<int> hint;
     reader.read(hint);
     reader.end();
     if (tvp.icebergCount() < 1 || !validate(tvp).empty())
@@ -265,7 +266,7 @@ SolveProgress cbcProgressOf(const CbcFrame& frame, const TvpProblem& problem)
 {
     PayloadReader reader(frame, CbcFrameKind::Progress);
     SolveProgress progress;
-    VisitOrder order;
+    std::vector<int> order;
     reader.read(order);
     reader.read(progress.objective);
     reader.read(progress.bound);
@@ -287,7 +288,7 @@ SolveOutcome cbcOutcomeOf(const CbcFrame& frame, const TvpProblem& problem)
 {
     PayloadReader reader(frame, CbcFrameKind::Outcome);
     SolveOutcome outcome;
-    VisitOrder order;
+    std::vector<int> order;
     reader.readEnum(SolveStatus::None, outcome.status);
     reader.readEnum(StopReason::Unable, outcome.reason);
     reader.read(order);

@@ -41,7 +41,7 @@ void putReturnLast(const TvpProblem& withReturn, SolveOutcome& outcome)
     if (outcome.status == SolveStatus::None)
         return;
     VisitOrder& order = outcome.plan.front();
-    const auto place = std::ranges::find(order, withReturn.icebergCount());
+    const auto place = std::ranges::find(order, NodeIndex::of(withReturn.icebergCount()));
     std::rotate(place, place + 1, order.end());
     outcome.objective = objective(withReturn, order);
     if (outcome.bound)

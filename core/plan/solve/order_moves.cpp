@@ -4,15 +4,14 @@
 #include "core/plan/solve/search_effort.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace berg {
 
 template <class Costs>
-OrderMoves<Costs>::OrderMoves(const Costs& costs, std::span<const int> order)
+OrderMoves<Costs>::OrderMoves(const Costs& costs, std::span<const NodeIndex> order)
     : m_costs(costs)
-    , m_node(static_cast<std::size_t>(costs.icebergs) + 2, 0)
+    , m_node(static_cast<std::size_t>(costs.icebergs) + 2)
     , m_position(static_cast<std::size_t>(costs.icebergs) + 1, 0)
     , m_sums(static_cast<std::size_t>(costs.icebergs) + 2)
 {
@@ -20,7 +19,7 @@ OrderMoves<Costs>::OrderMoves(const Costs& costs, std::span<const int> order)
 }
 
 template <class Costs>
-void OrderMoves<Costs>::assign(std::span<const int> order)
+void OrderMoves<Costs>::assign(std::span<const NodeIndex> order)
 {
     std::copy(order.begin(), order.end(), m_node.begin() + 1);
     refresh(1);
@@ -59,7 +58,7 @@ double OrderMoves<Costs>::rounding() const
 template <class Costs>
 OrderSums<Costs> OrderMoves<Costs>::next(const Sums& last, int position) const
 {
-    const int node = at(position);
+    const NodeIndex node = at(position);
     const double sigma = m_costs.sigmaOf(node);
     const double forward = m_costs.leg(at(position - 1), node);
     const double backward = m_costs.leg(node, at(position - 1));
@@ -80,7 +79,7 @@ void OrderMoves<Costs>::refresh(int firstChanged)
 {
     for (int p = firstChanged; p <= icebergs() + 1; ++p) {
         m_sums[static_cast<std::size_t>(p)] = next(sums(p - 1), p);
-        m_position[static_cast<std::size_t>(at(p))] = p;
+        m_position[toIndex(at(p))] = p;
     }
     m_position[0] = 0;
 }
@@ -100,7 +99,7 @@ double OrderMoves<Costs>::rearrangement(const std::array<Piece, Count>& pieces) 
 
     double unseen = m_costs.sigmaSum - before.sigma;
     double cost = 0;
-    int from = at(first - 1);
+    NodeIndex from = at(first - 1);
     for (const Piece& piece : pieces) {
         const Sums& head = sums(piece.first);
         const Sums& tail = sums(piece.last);
@@ -153,18 +152,18 @@ double OrderMoves<Costs>::exchange(int a, int b) const
     if constexpr (Costs::kWeighted) {
         return rearrangement(std::array{Piece{b, b}, Piece{a + 1, b - 1}, Piece{a, a}});
     } else {
-        const int x = at(a);
-        const int y = at(b);
-        const int beforeX = at(a - 1);
-        const int afterX = at(a + 1);
-        const int beforeY = at(b - 1);
-        const int afterY = at(b + 1);
+        const NodeIndex x = at(a);
+        const NodeIndex y = at(b);
+        const NodeIndex beforeX = at(a - 1);
+        const NodeIndex afterX = at(a + 1);
+        const NodeIndex beforeY = at(b - 1);
+        const NodeIndex afterY = at(b + 1);
         const double gained = m_costs.leg(beforeX, y) + m_costs.leg(y, afterX) +
                               m_costs.leg(beforeY, x) + m_costs.leg(x, afterY);
         const double saved = m_costs.leg(beforeX, x) + m_costs.leg(x, afterX) +
                              m_costs.leg(beforeY, y) + m_costs.leg(y, afterY);
-        const double sigmaX = m_costs.sigma[static_cast<std::size_t>(x)];
-        const double sigmaY = m_costs.sigma[static_cast<std::size_t>(y)];
+        const double sigmaX = m_costs.sigmaOf(x);
+        const double sigmaY = m_costs.sigmaOf(y);
         return gained - saved + (sigmaX - sigmaY) * (b - a);
     }
 }
@@ -178,10 +177,10 @@ double OrderMoves<Costs>::relocation(int first, int last, int after, bool turned
                    : rearrangement(
                          std::array{Piece{first, last, turned}, Piece{after + 1, first - 1}});
     } else {
-        const int before = at(first - 1);
-        const int behind = at(last + 1);
-        const int head = turned ? at(last) : at(first);
-        const int tail = turned ? at(first) : at(last);
+        const NodeIndex before = at(first - 1);
+        const NodeIndex behind = at(last + 1);
+        const NodeIndex head = turned ? at(last) : at(first);
+        const NodeIndex tail = turned ? at(first) : at(last);
         double delta = m_costs.leg(before, behind) - m_costs.leg(before, at(first)) -
                        m_costs.leg(at(last), behind);
         delta += m_costs.leg(at(after), head) + m_costs.leg(tail, at(after + 1)) -
@@ -271,13 +270,12 @@ template class OrderMoves<LatencyCosts>;
 
 VisitOrder sigmaOrder(const TvpProblem& problem)
 {
-    VisitOrder order(static_cast<std::size_t>(problem.icebergCount()));
-    std::iota(order.begin(), order.end(), 1);
-    std::sort(order.begin(), order.end(), [&problem](int a, int b) {
-        const double sigmaA = problem.sigma_m2[static_cast<std::size_t>(a)];
-        const double sigmaB = problem.sigma_m2[static_cast<std::size_t>(b)];
-        return std::tuple(-sigmaA, problem.distance_m(0, a), a) <
-               std::tuple(-sigmaB, problem.distance_m(0, b), b);
+    VisitOrder order = ascendingOrder(problem.icebergCount());
+    std::sort(order.begin(), order.end(), [&problem](NodeIndex a, NodeIndex b) {
+        const double sigmaA = problem.sigma_m2[toIndex(a)];
+        const double sigmaB = problem.sigma_m2[toIndex(b)];
+        return std::tuple(-sigmaA, legBetween(problem.distance_m, 0, a), a) <
+               std::tuple(-sigmaB, legBetween(problem.distance_m, 0, b), b);
     });
     return order;
 }

@@ -59,20 +59,20 @@ class OrderMoves
 {
 public:
     /** `order` must hold each iceberg once. `costs` must outlive the object. */
-    OrderMoves(const Costs& costs, std::span<const int> order);
+    OrderMoves(const Costs& costs, std::span<const NodeIndex> order);
 
     [[nodiscard]] int icebergs() const { return m_costs.icebergs; }
     /**
      * Returns the node at position 0 (the UAV) .. n, and 0 again at n + 1 (the end of the route).
      */
-    [[nodiscard]] int at(int position) const { return m_node[static_cast<std::size_t>(position)]; }
-    [[nodiscard]] int positionOf(int node) const
+    [[nodiscard]] NodeIndex at(int position) const
     {
-        return m_position[static_cast<std::size_t>(node)];
+        return m_node[static_cast<std::size_t>(position)];
     }
+    [[nodiscard]] int positionOf(NodeIndex node) const { return m_position[toIndex(node)]; }
     [[nodiscard]] VisitOrder order() const;
     /** Replaces the order by one that holds each iceberg once. */
-    void assign(std::span<const int> order);
+    void assign(std::span<const NodeIndex> order);
     /** Returns the cost of the whole order, equal to `Costs::total` up to rounding. */
     [[nodiscard]] double cost() const;
     /**
@@ -118,7 +118,7 @@ private:
     void refresh(int firstChanged);
 
     const Costs& m_costs;
-    std::vector<int> m_node;     ///< n + 2
+    VisitOrder m_node;           ///< n + 2
     std::vector<int> m_position; ///< N, by node
     std::vector<Sums> m_sums;    ///< n + 2
 };

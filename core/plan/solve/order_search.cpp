@@ -37,7 +37,7 @@ public:
         const int end = m_moves.icebergs() + 1;
         for (const int position : {move.first - 1, move.first, move.first + 1, move.last - 1,
                                    move.last, move.last + 1, move.after, move.after + 1})
-            m_active[static_cast<std::size_t>(m_moves.at(std::clamp(position, 0, end)))] = true;
+            m_active[toIndex(m_moves.at(std::clamp(position, 0, end)))] = true;
         m_moves.apply(move);
     }
 
@@ -48,7 +48,7 @@ public:
         for (bool again = true; again;) {
             again = false;
             for (int position = 1; position <= m_moves.icebergs(); ++position) {
-                const auto node = static_cast<std::size_t>(m_moves.at(position));
+                const std::size_t node = toIndex(m_moves.at(position));
                 if (!m_active[node])
                     continue;
                 m_effort.work += kWorkOfNeighbour<Costs> * m_moves.icebergs();
@@ -111,21 +111,20 @@ VisitOrder greedyOrder(const LegTable& costs, GreedyCriterion criterion)
     VisitOrder order;
     std::vector<bool> used(costs.sigma.size(), false);
     for (int left = costs.icebergs; left > 0; --left) {
-        const int from = order.empty() ? 0 : order.back();
-        int best = 0;
+        const NodeIndex from = order.empty() ? NodeIndex() : order.back();
+        NodeIndex best;
         std::pair<double, double> least;
-        for (int j = 1; j <= costs.icebergs; ++j) {
-            if (used[static_cast<std::size_t>(j)])
+        for (const NodeIndex j : icebergNodes(costs.icebergs)) {
+            if (used[toIndex(j)])
                 continue;
             const double leg = costs.leg(from, j);
-            const std::pair value{
-                greedyValue(criterion, leg, costs.sigma[static_cast<std::size_t>(j)], left), leg};
+            const std::pair value{greedyValue(criterion, leg, costs.sigmaOf(j), left), leg};
             if (best == 0 || value < least) {
                 best = j;
                 least = value;
             }
         }
-        used[static_cast<std::size_t>(best)] = true;
+        used[toIndex(best)] = true;
         order.push_back(best);
     }
     return order;

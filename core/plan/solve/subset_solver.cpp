@@ -107,7 +107,7 @@ public:
         VisitOrder result;
         result.reserve(static_cast<std::size_t>(m_icebergs));
         std::uint32_t set = subsets() - 1;
-        for (int from = 0; set != 0; from = result.back()) {
+        for (NodeIndex from; set != 0; from = result.back()) {
             const double t = visitNumber(set);
             const double weight = legWeight(set);
             double least = std::numeric_limits<double>::infinity();
@@ -117,13 +117,13 @@ public:
                 const int j = std::countr_zero(rest);
                 const double onwards = visit(j, t) + row(set & ~(std::uint32_t{1} << j))[j];
                 const double cost =
-                    weight * (m_problem.mu * m_problem.distance_m(from, j + 1)) + onwards;
+                    weight * (m_problem.mu * m_problem.distance_m(from.number(), j + 1)) + onwards;
                 if (cost < least) {
                     least = cost;
                     next = j;
                 }
             }
-            result.push_back(next + 1);
+            result.push_back(NodeIndex::of(next + 1));
             set &= ~(std::uint32_t{1} << next);
         }
         return result;

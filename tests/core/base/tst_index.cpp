@@ -9,13 +9,14 @@ using namespace berg;
 
 namespace {
 
-using NodeIndex = Index<class OtherKind>;
-
 // One kind of number never stands for another, nor for a plain number.
 static_assert(!std::is_convertible_v<IcebergIndex, int>);
 static_assert(!std::is_convertible_v<IcebergIndex, std::size_t>);
 static_assert(!std::is_constructible_v<int, IcebergIndex>);
 static_assert(!std::is_constructible_v<IcebergIndex, NodeIndex>);
+static_assert(!std::is_constructible_v<NodeIndex, IcebergIndex>);
+static_assert(!std::is_convertible_v<NodeIndex, int>);
+static_assert(!std::is_constructible_v<int, NodeIndex>);
 static_assert(!std::is_assignable_v<IcebergIndex&, NodeIndex>);
 static_assert(sizeof(IcebergIndex) == sizeof(int));
 static_assert(std::is_trivially_copyable_v<IcebergIndex>);
@@ -35,6 +36,11 @@ private slots:
         QVERIFY((icebergs == IcebergList{0, 1, 2}));
         for (const IcebergIndex iceberg : IcebergRange(0))
             QFAIL(qPrintable(QString::number(iceberg.number())));
+
+        std::vector<NodeIndex> nodes;
+        for (const NodeIndex node : NodeRange(2, 4))
+            nodes.push_back(node);
+        QVERIFY((nodes == std::vector<NodeIndex>{2, 3}));
     }
 
     void numbersAreKept()

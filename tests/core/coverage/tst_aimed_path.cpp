@@ -43,7 +43,7 @@ DescribedPlan randomPlan(const PlanRequest& request, int legs, Random random)
     CoveragePlan plan;
     CoverageState state = model.start();
     while (static_cast<int>(plan.size()) < legs) {
-        const CoverageLeg leg{.iceberg = static_cast<int>(random.below(request.ids.size())),
+        const CoverageLeg leg{.iceberg = ModelPlace::of(random.below(request.ids.size())),
                               .offset_m = random.uniform(-1, 1) * model.largestOffset_m()};
         if (model.fly(state, leg))
             plan.push_back(leg);

@@ -51,8 +51,8 @@ FlownPlan flyRandomLegs(const Scenario& scenario, int legs, Random random)
         const CoverageModel model(*request.uavs[0].prediction, {.length_s = 1e6});
         CoverageLeg leg{.offset_m = random.uniform(-1, 1) * model.largestOffset_m()};
         do
-            leg.iceberg = static_cast<int>(random.below(scenario.icebergs.size()));
-        while (!request.uavs[0].available[static_cast<std::size_t>(leg.iceberg)]);
+            leg.iceberg = ModelPlace::of(random.below(scenario.icebergs.size()));
+        while (!request.uavs[0].available[toIndex(leg.iceberg)]);
         CoverageState state = model.start();
         if (!model.fly(state, leg))
             continue;
@@ -163,7 +163,7 @@ private slots:
         std::vector<CoverageSighting> sightings;
         QVERIFY(model.fly(state, {.iceberg = 0, .offset_m = 0}, &sightings));
         QCOMPARE(sightings.size(), std::size_t{2});
-        QCOMPARE(sightings[0].iceberg + sightings[1].iceberg, 1);
+        QCOMPARE(sightings[0].iceberg.number() + sightings[1].iceberg.number(), 1);
         const double unseen_s = state.time_s - (1500 + 300 - 10.0 / 3) / 22;
         QVERIFY(std::abs(model.sigma_m2(state, 1) - 0.025 * unseen_s) < 1e-9);
         QVERIFY(model.sigma_m2(state, 2) > 9);

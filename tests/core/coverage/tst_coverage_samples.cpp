@@ -328,7 +328,7 @@ private slots:
             std::vector<int> now;
             for (const CoverageLeg& leg :
                  restOf(kept, CoverageModel(input, {.length_s = 300}), ids))
-                now.push_back(leg.iceberg);
+                now.push_back(leg.iceberg.number());
             return now;
         };
         QCOMPARE(placesNow({north, south}), (std::vector{2, 1, 0}));

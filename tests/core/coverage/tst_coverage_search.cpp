@@ -44,7 +44,7 @@ CoveragePlan anyPlan(Random& random, int icebergs, std::size_t legs)
     CoveragePlan plan;
     for (std::size_t k = 0; k < legs; ++k)
         plan.push_back(
-            {.iceberg = static_cast<int>(random.below(static_cast<std::uint64_t>(icebergs))),
+            {.iceberg = ModelPlace::of(random.below(static_cast<std::uint64_t>(icebergs))),
              .offset_m = random.uniform(-250, 250)});
     return plan;
 }

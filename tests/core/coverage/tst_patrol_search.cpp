@@ -437,7 +437,7 @@ private slots:
                 std::vector<std::pair<double, double>> times_s;
                 for (std::size_t u = 0; u < uavs; ++u)
                     for (const PatrolVisit& visit : tails.visits(u))
-                        if (visit.iceberg == static_cast<int>(i))
+                        if (visit.iceberg == ModelPlace::of(i))
                             times_s.emplace_back(visit.time_s, visit.time_s + (u == 0 ? 1 : 0));
                 std::ranges::sort(times_s);
                 times_s.emplace_back(50'000, 50'000);

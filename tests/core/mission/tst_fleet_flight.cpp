@@ -357,12 +357,13 @@ private slots:
                      1e-9);
         for (const UavPlan& own : plan.uavs) {
             const auto k = static_cast<std::size_t>(own.uav);
-            int from = 0;
+            NodeIndex from;
             double t = 2;
             for (const IcebergIndex iceberg : own.order) {
-                distance_m += request.uavs[k].distance_m(from, nodeOf(request, iceberg));
+                const NodeIndex to = nodeOf(request.ids, iceberg);
+                distance_m += legBetween(request.uavs[k].distance_m, from, to);
                 reward_m2 += initialSigma_m2(scenario.icebergs[toIndex(iceberg)]) * (41 - t++);
-                from = nodeOf(request, iceberg);
+                from = to;
             }
         }
         COMPARE_NEAR(plan.distance_m, distance_m, 1e-6);

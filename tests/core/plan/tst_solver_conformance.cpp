@@ -70,10 +70,10 @@ double waiting(const TvpProblem& problem, const VisitOrder& order)
 {
     double sum = 0;
     double flown_m = 0;
-    int at = 0;
-    for (const int next : order) {
-        flown_m += problem.distance_m(at, next);
-        sum += problem.sigma_m2[static_cast<std::size_t>(next)] * flown_m;
+    NodeIndex at;
+    for (const NodeIndex next : order) {
+        flown_m += legBetween(problem.distance_m, at, next);
+        sum += problem.sigma_m2[toIndex(next)] * flown_m;
         at = next;
     }
     return sum;
@@ -149,7 +149,7 @@ private slots:
                      contestant().backend == Backend::Cbc);
             if (contestant().backend == Backend::Cbc)
                 continue;
-            VisitOrder order = ascending(icebergs);
+            VisitOrder order = ascendingOrder(icebergs);
             double least = waiting(problem, order);
             while (std::next_permutation(order.begin(), order.end()))
                 least = std::min(least, waiting(problem, order));
@@ -213,7 +213,7 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(90, 7, 1, Route::Closed, true);
         const test::BruteForce best = test::bruteForce(problem);
-        VisitOrder worst = ascending(7);
+        VisitOrder worst = ascendingOrder(7);
         for (VisitOrder order = worst; std::next_permutation(order.begin(), order.end());)
             if (objective(problem, order) > objective(problem, worst))
                 worst = order;

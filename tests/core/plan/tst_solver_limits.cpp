@@ -16,7 +16,7 @@ private slots:
     {
         std::stop_source stop;
         stop.request_stop();
-        SolveOptions options = hinted(ascending(6));
+        SolveOptions options = hinted(ascendingOrder(6));
         options.stop = stop.get_token();
         const TvpProblem problem = test::randomProblem(92, 6, 1, Route::Open);
         const SolveOutcome outcome = solver()->solve(problem, options);
@@ -49,7 +49,7 @@ private slots:
         const double optimum = test::bruteForce(problem).objective;
         SolveOptions options;
         if (withHint)
-            options.hint = {ascending(8)};
+            options.hint = {ascendingOrder(8)};
         if (workLimit >= 0)
             options.workLimit = workLimit;
         else
@@ -74,7 +74,7 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(94, 8, 1, Route::Open);
         std::stop_source stop;
-        SolveOptions options = hinted(ascending(8));
+        SolveOptions options = hinted(ascendingOrder(8));
         options.stop = stop.get_token();
         options.onProgress = [&stop](const SolveProgress&) { stop.request_stop(); };
         const SolveOutcome outcome = solver()->solve(problem, options);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace berg::test {
@@ -29,7 +28,7 @@ inline double costByVisitingNumbers(const TvpProblem& problem, const VisitOrder&
     std::vector<std::size_t> t(N, 0);
     t[0] = 1;
     for (std::size_t k = 0; k < order.size(); ++k)
-        t[static_cast<std::size_t>(order[k])] = k + 2;
+        t[toIndex(order[k])] = k + 2;
 
     double reward = 0;
     double distance_m = 0;
@@ -49,12 +48,12 @@ inline double costByVisitingNumbers(const TvpProblem& problem, const VisitOrder&
 inline double costByLegs(const TvpProblem& problem, const VisitOrder& order)
 {
     double cost = 0;
-    int from = 0;
+    NodeIndex from;
     for (std::size_t k = 0; k < order.size(); ++k) {
         double unseen_m2 = 0;
         for (std::size_t later = k; later < order.size(); ++later)
-            unseen_m2 += problem.sigma_m2[static_cast<std::size_t>(order[later])];
-        cost += problem.mu * problem.distance_m(from, order[k]) * unseen_m2;
+            unseen_m2 += problem.sigma_m2[toIndex(order[later])];
+        cost += problem.mu * legBetween(problem.distance_m, from, order[k]) * unseen_m2;
         from = order[k];
     }
     return cost;
@@ -70,8 +69,7 @@ inline double independentCost(const TvpProblem& problem, const VisitOrder& order
 /** Tries all permutations: (icebergs)! of them, meant for at most 8 icebergs. */
 inline BruteForce bruteForce(const TvpProblem& problem)
 {
-    VisitOrder order(static_cast<std::size_t>(problem.icebergCount()));
-    std::iota(order.begin(), order.end(), 1);
+    VisitOrder order = ascendingOrder(problem.icebergCount());
     BruteForce best{.objective = std::numeric_limits<double>::infinity(), .order = {}};
     do {
         const double cost = independentCost(problem, order);

@@ -2,8 +2,6 @@
 
 #include "core/plan/problem/tvp.h"
 
-#include <numeric>
-
 namespace berg::test {
 
 /**
@@ -16,9 +14,7 @@ inline double toleranceOf(const TvpProblem& problem, double objective)
 
 inline VisitOrder inNodeOrder(const TvpProblem& problem)
 {
-    VisitOrder order(static_cast<std::size_t>(problem.icebergCount()));
-    std::iota(order.begin(), order.end(), 1);
-    return order;
+    return ascendingOrder(problem.icebergCount());
 }
 
 } // namespace berg::test

@@ -81,17 +81,18 @@ inline double fleetCostByNumbers(const FleetProblem& problem, const FleetPlan& p
             for (std::size_t k = 0; k < order.size(); ++k)
                 for (std::size_t later = k; later < order.size(); ++later)
                     cost += problem.mu *
-                            problem.distance_m[uav](k == 0 ? 0 : order[k - 1], order[k]) *
-                            problem.sigma_m2[static_cast<std::size_t>(order[later])];
+                            legBetween(problem.distance_m[uav], k == 0 ? NodeIndex() : order[k - 1],
+                                       order[k]) *
+                            problem.sigma_m2[toIndex(order[later])];
             continue;
         }
         for (std::size_t k = 0; k < order.size(); ++k) {
-            cost -= problem.sigma_m2[static_cast<std::size_t>(order[k])] *
-                    static_cast<double>(N - (k + 2));
-            cost += problem.mu * problem.distance_m[uav](k == 0 ? 0 : order[k - 1], order[k]);
+            cost -= problem.sigma_m2[toIndex(order[k])] * static_cast<double>(N - (k + 2));
+            cost += problem.mu * legBetween(problem.distance_m[uav],
+                                            k == 0 ? NodeIndex() : order[k - 1], order[k]);
         }
         if (problem.route == Route::Closed && !order.empty())
-            cost += problem.mu * problem.distance_m[uav](order.back(), 0);
+            cost += problem.mu * legBetween(problem.distance_m[uav], order.back(), 0);
     }
     return cost;
 }
@@ -110,7 +111,7 @@ inline double bruteForceFleet(const FleetProblem& problem, FleetPlan plan = {}, 
         VisitOrder& order = plan[static_cast<std::size_t>(uav)];
         for (std::size_t place = 0; place <= order.size(); ++place) {
             const auto at = order.begin() + static_cast<std::ptrdiff_t>(place);
-            order.insert(at, iceberg);
+            order.insert(at, NodeIndex::of(iceberg));
             least = std::min(least, bruteForceFleet(problem, plan, iceberg + 1));
             order.erase(order.begin() + static_cast<std::ptrdiff_t>(place));
         }

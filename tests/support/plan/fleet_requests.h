@@ -64,7 +64,7 @@ inline PlanRequest withoutUav(PlanRequest request, std::size_t k)
 inline PlanRequest withoutIceberg(PlanRequest request, IcebergIndex id)
 {
     for (UavRequest& uav : request.uavs)
-        uav.available[toIndex(nodeOf(request, id) - 1)] = false;
+        uav.available[toIndex(nodeOf(request.ids, id)) - 1] = false;
     return request;
 }
 

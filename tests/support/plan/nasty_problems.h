@@ -85,11 +85,11 @@ public:
         return std::isfinite(usual) && usual > 0 ? usual : 1.0;
     }
 
-    [[nodiscard]] std::vector<int> shuffled(int count)
+    [[nodiscard]] VisitOrder shuffled(int count)
     {
-        std::vector<int> order;
-        for (int i = 1; i <= count; ++i)
-            order.insert(order.begin() + below(i), i);
+        VisitOrder order;
+        for (const NodeIndex i : icebergNodes(count))
+            order.insert(order.begin() + below(i.number()), i);
         return order;
     }
 

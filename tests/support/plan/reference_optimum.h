@@ -57,7 +57,7 @@ public:
                 at = i;
             }
         while (at != 0) {
-            best.order.push_back(at);
+            best.order.push_back(NodeIndex::of(at));
             const int next = cheapest(set, at).neighbour;
             set &= ~bit(at);
             at = next;
@@ -148,8 +148,8 @@ private:
     best.resize(std::size_t{1} << problem.icebergCount(), ReferenceTable::kInfinity);
     for (int uav = 0; uav < problem.uavCount(); ++uav) {
         Set allowed = 0;
-        for (int i = 1; i <= problem.icebergCount(); ++i)
-            allowed |= problem.allows(uav, i) ? Set{1} << (i - 1) : 0;
+        for (const NodeIndex i : icebergNodes(problem.icebergCount()))
+            allowed |= problem.allows(uav, i) ? Set{1} << (i.number() - 1) : 0;
         const TvpProblem own = problemOfUav(problem, uav);
         const ReferenceTable table(own);
         std::vector<long double> alone(best.size(), ReferenceTable::kInfinity);

@@ -78,10 +78,11 @@ inline PlanRequest without(PlanRequest request, const std::set<IcebergIndex>& in
 inline double pathLength_m(const PlanRequest& request, const IcebergList& ids)
 {
     double length_m = 0;
-    Eigen::Index from = 0;
+    NodeIndex from;
     for (const IcebergIndex id : ids) {
-        length_m += request.uavs[0].distance_m(from, nodeOf(request, id));
-        from = nodeOf(request, id);
+        const NodeIndex to = nodeOf(request.ids, id);
+        length_m += legBetween(request.uavs[0].distance_m, from, to);
+        from = to;
     }
     return length_m;
 }

@@ -3,7 +3,6 @@
 #include "core/plan/solve/engine.h"
 #include "core/plan/solve/solver.h"
 #include "tests/support/plan/brute_force.h"
-#include "tests/support/plan/orders.h"
 
 #include <QtTest>
 

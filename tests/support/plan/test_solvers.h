@@ -38,8 +38,7 @@ protected:
         if (m_script.answer)
             return m_script.answer(problem);
         SolveOutcome outcome{.status = SolveStatus::Feasible, .plan = FleetPlan(1)};
-        for (int node = 1; node <= problem.icebergCount(); ++node)
-            outcome.plan.front().push_back(node);
+        outcome.plan.front() = ascendingOrder(problem.icebergCount());
         return outcome;
     }
 

@@ -94,8 +94,9 @@ private slots:
             if (!curve.curve().complete || !at)
                 return false;
             IcebergList order;
-            for (const int node : curve.curve().intervals[static_cast<std::size_t>(*at)].order())
-                order.push_back(curve.problem().ids[static_cast<std::size_t>(node) - 1]);
+            for (const NodeIndex node :
+                 curve.curve().intervals[static_cast<std::size_t>(*at)].order())
+                order.push_back(icebergOf(curve.problem().ids, node));
             return order == f.record().shown().plan->uavs[0].order;
         };
         for (const double time_s : {5.0, 120.0, 250.0}) {

@@ -29,19 +29,20 @@ long double costOf(const TvpProblem& problem, const VisitOrder& order)
 {
     long double cost = 0;
     long double flown = 0;
-    int from = 0;
+    NodeIndex from;
     int position = 0;
-    for (const int to : order) {
-        const long double leg = static_cast<long double>(problem.mu) * problem.distance_m(from, to);
+    for (const NodeIndex to : order) {
+        const long double leg =
+            static_cast<long double>(problem.mu) * legBetween(problem.distance_m, from, to);
         flown += leg;
-        const long double sigma = problem.sigma_m2[static_cast<std::size_t>(to)];
+        const long double sigma = problem.sigma_m2[toIndex(to)];
         ++position;
         cost +=
             problem.criterion == Criterion::Latency ? sigma * flown : leg + sigma * (position + 1);
         from = to;
     }
     if (problem.criterion == Criterion::Visitation && problem.route == Route::Closed && from != 0)
-        cost += static_cast<long double>(problem.mu) * problem.distance_m(from, 0);
+        cost += static_cast<long double>(problem.mu) * legBetween(problem.distance_m, from, 0);
     return cost;
 }
 long double costOf(const FleetProblem& problem, const FleetPlan& plan)
@@ -127,9 +128,9 @@ QString faultOfArcs(const TvpProblem& problem, const VisitOrder& best, const Vis
 {
     const std::vector<MilpArc> arcs =
         survivingArcs(VisitCosts(problem), given, {.workLimit = workLimit});
-    int from = 0;
+    NodeIndex from;
     int position = 0;
-    for (const int to : best) {
+    for (const NodeIndex to : best) {
         const MilpArc arc{.from = std::exchange(from, to), .to = to, .position = ++position};
         if (std::find(arcs.begin(), arcs.end(), arc) == arcs.end())
             return QStringLiteral("arc %1 of the optimum lost").arg(position);
@@ -163,7 +164,7 @@ QString faultOfLatency(std::uint64_t seed)
 FleetPlan poorPlan(const FleetProblem& problem, test::NastyDraw& draw)
 {
     FleetPlan plan(problem.distance_m.size());
-    for (const int i : draw.shuffled(problem.icebergCount())) {
+    for (const NodeIndex i : draw.shuffled(problem.icebergCount())) {
         int uav = draw.below(problem.uavCount());
         while (!problem.allows(uav, i))
             uav = draw.below(problem.uavCount());

@@ -225,7 +225,7 @@ FleetPlan planOf(const QJsonValue& proof)
     for (const QJsonValue& order : proof.toObject()["orders"].toArray()) {
         plan.emplace_back();
         for (const double node : numbersOf(order))
-            plan.back().push_back(static_cast<int>(node));
+            plan.back().push_back(NodeIndex::of(static_cast<int>(node)));
     }
     return plan;
 }
@@ -302,7 +302,7 @@ Certificate sound(int k)
         const auto kind = static_cast<test::FleetKind>(k / 4 % 5);
         const FleetProblem problem = test::randomFleet(seed, 2, 4 + k % 3, 1, kind);
         FleetPlan plan(2);
-        for (int i = 1; i <= problem.icebergCount(); ++i)
+        for (const NodeIndex i : icebergNodes(problem.icebergCount()))
             plan[problem.allows(0, i) ? 0 : 1].push_back(i);
         return certificateOf(problem, plan);
     }

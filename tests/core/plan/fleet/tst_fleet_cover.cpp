@@ -80,9 +80,9 @@ private slots:
                 double length = 0;
                 const int uav = graph.uavs()[static_cast<std::size_t>(root)];
                 const VisitOrder path = graph.shortestPath(root);
-                for (const int i : path) {
+                for (const NodeIndex i : path) {
                     QVERIFY(problem.allows(uav, i));
-                    length -= relaxed.lambda(i);
+                    length -= relaxed.lambda(i.number());
                 }
                 length += relaxed.costs.of(uav).total(path);
                 QVERIFY(std::abs(length - graph.shortest(root)) <= kRounding * relaxed.optimum);

@@ -72,7 +72,7 @@ QString faultOf(const PlanRequest& request, const Plan& answer, bool round)
             return QStringLiteral("two to one iceberg");
         std::set<IcebergIndex> own;
         for (const IcebergIndex id : order) {
-            const auto node = static_cast<std::size_t>(nodeOf(request, id));
+            const std::size_t node = toIndex(nodeOf(request.ids, id));
             if (!request.uavs[k].available.at(node - 1))
                 return QStringLiteral("not available");
             if (!own.insert(id).second || (!round && !visited.insert(id).second))
@@ -285,7 +285,7 @@ private slots:
                 const Ids& order = answer.uavs[k].order;
                 const Ids until(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i) + 1);
                 sum += pathLength_m(aloneOf(request, k), until) / request.speed_mps *
-                       request.sigma_m2[static_cast<std::size_t>(nodeOf(request, order[i]))];
+                       request.sigma_m2[toIndex(nodeOf(request.ids, order[i]))];
             }
         COMPARE_NEAR(answer.outcome.objective, sum, 1e-9 * sum);
         QVERIFY(answer.outcome.status == SolveStatus::Optimal);
@@ -365,7 +365,7 @@ private slots:
         QVERIFY(ordersOf(same) == orders);
 
         const IcebergIndex handed = orders[0].back();
-        request.uavs[0].available[static_cast<std::size_t>(nodeOf(request, handed) - 1)] = false;
+        request.uavs[0].available[toIndex(nodeOf(request.ids, handed)) - 1] = false;
         request.uavs[1].lastRest.insert(request.uavs[1].lastRest.begin(), IcebergIndex(4711));
         const Plan repaired = flown.plan(request, {.workLimit = 1});
         QVERIFY(repaired.outcome.hintUsed);

@@ -12,9 +12,9 @@ namespace {
 FleetPlan anyPlan(const FleetProblem& problem)
 {
     FleetPlan plan(problem.distance_m.size());
-    for (int i = 1; i < problem.nodeCount(); ++i)
+    for (const NodeIndex i : icebergNodes(problem.icebergCount()))
         for (int k = 0;; ++k)
-            if (const int uav = (i + k) % problem.uavCount(); problem.allows(uav, i)) {
+            if (const int uav = (i.number() + k) % problem.uavCount(); problem.allows(uav, i)) {
                 plan[static_cast<std::size_t>(uav)].push_back(i);
                 break;
             }
@@ -29,7 +29,7 @@ bool isRelocationOptimum(const FleetProblem& problem, const FleetPlan& plan)
         for (std::size_t k = 0; k < plan[a].size(); ++k)
             for (std::size_t b = 0; b < plan.size(); ++b) {
                 FleetPlan other = plan;
-                const int iceberg = plan[a][k];
+                const NodeIndex iceberg = plan[a][k];
                 other[a].erase(other[a].begin() + static_cast<std::ptrdiff_t>(k));
                 if (!problem.allows(static_cast<int>(b), iceberg))
                     continue;
@@ -71,7 +71,7 @@ private slots:
             const int uav = static_cast<int>(random.below(2));
             const VisitOrder order = routes.joined(pieces);
             const bool allowed = std::all_of(order.begin(), order.end(),
-                                             [&](int i) { return problem.allows(uav, i); });
+                                             [&](NodeIndex i) { return problem.allows(uav, i); });
             const double cost = routes.cost(uav, pieces);
             QCOMPARE(std::isfinite(cost), allowed);
             constexpr double kRounding = 1e-12;

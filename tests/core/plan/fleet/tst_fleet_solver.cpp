@@ -328,7 +328,7 @@ private slots:
         const FleetProblem problem = test::randomFleet(52, 3, 20, 1);
         const FleetPlan best = solveFleet(problem, Backend::Exact, {}).plan;
         FleetPlan broken = best;
-        const int taken = broken[0].back();
+        const NodeIndex taken = broken[0].back();
         broken[0].pop_back();
         broken[1].push_back(broken[2].front()); // it is there twice; the second visit is removed
         broken[2].insert(broken[2].begin(), 99);
@@ -386,8 +386,8 @@ private slots:
     {
         FleetProblem problem = test::randomFleet(55, 3, 18, 1);
         const SolveOutcome free = solveFleet(problem, Backend::Auto, {});
-        const int handed = free.plan[0].front();
-        test::assign(problem, handed, 2);
+        const NodeIndex handed = free.plan[0].front();
+        test::assign(problem, handed.number(), 2);
         const SolveOutcome bound = solveFleet(problem, Backend::Auto, {.hint = free.plan});
         QVERIFY(bound.hintUsed);
         QVERIFY(bound.status == SolveStatus::Optimal);

@@ -19,8 +19,8 @@ double cycleLength_m(const PlanRequest& request, const Ids& ids)
 {
     double length_m = 0;
     for (std::size_t i = 0; i < ids.size(); ++i)
-        length_m += request.uavs[0].distance_m(nodeOf(request, ids[i]),
-                                               nodeOf(request, ids[(i + 1) % ids.size()]));
+        length_m += legBetween(request.uavs[0].distance_m, nodeOf(request.ids, ids[i]),
+                               nodeOf(request.ids, ids[(i + 1) % ids.size()]));
     return length_m;
 }
 
@@ -30,8 +30,8 @@ double waiting(const PlanRequest& request, const Ids& ids)
     double sum = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const Ids until(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-        sum += pathLength_m(request, until) *
-               request.sigma_m2[static_cast<std::size_t>(nodeOf(request, ids[i]))];
+        sum +=
+            pathLength_m(request, until) * request.sigma_m2[toIndex(nodeOf(request.ids, ids[i]))];
     }
     return sum;
 }

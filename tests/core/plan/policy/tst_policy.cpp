@@ -75,6 +75,16 @@ private slots:
         m_solver = std::make_unique<ScriptedSolver>(m_script);
     }
 
+    void nodesAndTheirIcebergs()
+    {
+        const IcebergList ids{10, 7, 42};
+        QVERIFY(nodeOf(ids, 42) == 3);
+        QVERIFY(icebergOf(ids, 1) == 10);
+        for (const IcebergIndex id : ids)
+            QVERIFY(icebergOf(ids, nodeOf(ids, id)) == id);
+        QVERIFY_THROWS_EXCEPTION(std::logic_error, (void)nodeOf(ids, 1));
+    }
+
     /** 10 is nearest; from there 7 (1803 m), 5 (2236 m), 42 (5000 m), 3. */
     void nearestByHand()
     {
@@ -143,12 +153,11 @@ private slots:
             COMPARE_NEAR(answer.outcome.objective, objective(expected, answer.outcome.order()),
                          1e-9);
             Ids ids;
-            for (const int node : answer.outcome.order())
-                ids.push_back(answer.solvedIds.at(static_cast<std::size_t>(node - 1)));
+            for (const NodeIndex node : answer.outcome.order())
+                ids.push_back(icebergOf(answer.solvedIds, node));
             QVERIFY(answer.uavs[0].order == ids);
             for (const IcebergIndex id : ids)
-                QVERIFY(
-                    request.uavs[0].available[static_cast<std::size_t>(nodeOf(request, id) - 1)]);
+                QVERIFY(request.uavs[0].available[toIndex(nodeOf(request.ids, id)) - 1]);
         }
     }
 
@@ -180,8 +189,9 @@ private slots:
         QVERIFY(answer.uavs[0].order == expected.uavs[0].order);
         COMPARE_NEAR(answer.problem.mu, expected.problem.mu, 1e-12);
         COMPARE_NEAR(answer.outcome.objective, expected.outcome.objective, 1e-9);
-        const auto end = route == Route::Closed ? 0 : nodeOf(calm, expected.uavs[0].order.back());
-        const double made_m = kPerPlace_m * static_cast<double>(end);
+        const NodeIndex end =
+            route == Route::Closed ? NodeIndex() : nodeOf(calm.ids, expected.uavs[0].order.back());
+        const double made_m = kPerPlace_m * end.number();
         COMPARE_NEAR(answer.distance_m, expected.distance_m - made_m, 1e-9);
     }
 
@@ -242,11 +252,11 @@ private slots:
         const auto waiting_m2s = [&](const Ids& ids) {
             double time_s = 0;
             double sum_m2s = 0;
-            Eigen::Index from = 0;
+            NodeIndex from;
             for (const IcebergIndex id : ids) {
-                const Eigen::Index to = nodeOf(request, id);
-                time_s += request.uavs[0].distance_m(from, to) / request.speed_mps;
-                sum_m2s += request.sigma_m2[static_cast<std::size_t>(to)] * time_s;
+                const NodeIndex to = nodeOf(request.ids, id);
+                time_s += legBetween(request.uavs[0].distance_m, from, to) / request.speed_mps;
+                sum_m2s += request.sigma_m2[toIndex(to)] * time_s;
                 from = to;
             }
             return sum_m2s;
@@ -303,8 +313,7 @@ private slots:
                 QCOMPARE(answer.uavs[0].order.empty(), bits == 0);
                 if (bits == 0)
                     continue;
-                const auto first =
-                    static_cast<std::size_t>(nodeOf(request, answer.uavs[0].order[0]) - 1);
+                const std::size_t first = toIndex(nodeOf(request.ids, answer.uavs[0].order[0])) - 1;
                 QVERIFY(request.uavs[0].available.at(first));
                 const std::set<IcebergIndex> different(answer.uavs[0].order.begin(),
                                                        answer.uavs[0].order.end());

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 
 using namespace berg;
@@ -75,8 +74,7 @@ double costAt(TvpProblem problem, const VisitOrder& order, double tau)
 std::vector<std::pair<double, double>> allLines(const TvpProblem& problem)
 {
     std::set<std::pair<double, double>> lines;
-    VisitOrder order(static_cast<std::size_t>(problem.icebergCount()));
-    std::iota(order.begin(), order.end(), 1);
+    VisitOrder order = ascendingOrder(problem.icebergCount());
     do
         lines.insert({flownDistance(problem, order), uncertaintyReward(problem, order)});
     while (std::next_permutation(order.begin(), order.end()));

@@ -6,7 +6,6 @@
 #include <QRegularExpression>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -26,16 +25,9 @@ MilpModel modelOf(bool printed, const TvpProblem& problem)
     return printed ? printedModel(problem) : positionModel(problem);
 }
 
-VisitOrder firstOrder(int icebergs)
-{
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
-    return order;
-}
-
 VisitOrder randomOrder(Random& random, int icebergs)
 {
-    VisitOrder order = firstOrder(icebergs);
+    VisitOrder order = ascendingOrder(icebergs);
     for (std::size_t i = order.size(); i > 1; --i)
         std::swap(order[i - 1], order[random.below(i)]);
     return order;
@@ -205,7 +197,7 @@ private slots:
         // The arcs are 0 -> 1 -> 2 and, separately, 3 -> 4 -> 3.
         std::vector<double> subtour = nothing;
         for (std::size_t c = 0; c < model.arcs.size(); ++c) {
-            const int arc = 10 * model.arcs[c].from + model.arcs[c].to;
+            const int arc = 10 * model.arcs[c].from.number() + model.arcs[c].to.number();
             if (arc == 1 || arc == 12 || arc == 34 || arc == 43)
                 subtour[c] = 1;
         }
@@ -222,7 +214,8 @@ private slots:
         const MilpModel model = positionModel(randomProblem(1, 3, 1, Route::Open));
         const std::vector<double> tooShort(3, 0.0);
         QVERIFY_THROWS_EXCEPTION(std::logic_error, static_cast<void>(decode(model, tooShort)));
-        QVERIFY_THROWS_EXCEPTION(std::logic_error, static_cast<void>(encode(model, firstOrder(2))));
+        QVERIFY_THROWS_EXCEPTION(std::logic_error,
+                                 static_cast<void>(encode(model, ascendingOrder(2))));
     }
 };
 

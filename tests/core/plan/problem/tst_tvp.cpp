@@ -38,6 +38,17 @@ class TestTvp : public QObject
 private slots:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
+    void nodesAndTheirNumbers()
+    {
+        QVERIFY(nodesOf(std::vector{2, 3, 1}) == kOrder);
+        QVERIFY(numbersOf(kOrder) == (std::vector{2, 3, 1}));
+        QVERIFY(ascendingOrder(3) == (VisitOrder{1, 2, 3}));
+        QVERIFY(ascendingOrder(0).empty());
+        for (const int icebergs : {0, -1}) // a problem without nodes has -1 icebergs
+            for (const NodeIndex node : icebergNodes(icebergs))
+                QFAIL(qPrintable(QString::number(node.number())));
+    }
+
     void recognisesOrders_data()
     {
         QTest::addColumn<VisitOrder>("order");

@@ -3,14 +3,12 @@
 #include "core/plan/solve/subset_solver.h"
 #include "tests/support/approx.h"
 #include "tests/support/plan/hard_problems.h"
-#include "tests/support/plan/orders.h"
 
 #include <QtTest>
 
 #include <tuple>
 
 using namespace berg;
-using berg::test::ascending;
 
 namespace {
 
@@ -18,7 +16,7 @@ constexpr std::int64_t kPlenty = 500'000'000;
 
 VisitOrder shuffled(int icebergs, std::uint64_t seed)
 {
-    VisitOrder order = ascending(icebergs);
+    VisitOrder order = ascendingOrder(icebergs);
     Random random(seed, 5);
     for (std::size_t k = order.size(); k > 1; --k)
         std::swap(order[k - 1], order[static_cast<std::size_t>(random.below(k))]);
@@ -62,9 +60,9 @@ bool runsOn(const std::vector<MilpArc>& arcs, const VisitOrder& order)
     const auto less = [](const MilpArc& a, const MilpArc& b) {
         return std::tie(a.position, a.from, a.to) < std::tie(b.position, b.from, b.to);
     };
-    int from = 0;
+    NodeIndex from;
     int position = 0;
-    for (const int to : order) {
+    for (const NodeIndex to : order) {
         if (!std::binary_search(arcs.begin(), arcs.end(), MilpArc{from, to, ++position}, less))
             return false;
         from = to;
@@ -130,7 +128,7 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(6, 15, 1, Route::Open);
         const VisitCosts costs(problem);
-        const BoundResult cold = improveBound(costs, ascending(15), {.workLimit = kPlenty});
+        const BoundResult cold = improveBound(costs, ascendingOrder(15), {.workLimit = kPlenty});
         QVERIFY(cold.reached);
         QCOMPARE(cold.step.lambda.size(), Eigen::Index{16});
         QCOMPARE(cold.step.lambda(0), 0.0);
@@ -145,7 +143,7 @@ private slots:
         for (double& value : *layered.lambda)
             value = random.uniform(-1, 1) * 1e4;
         const BoundResult rough =
-            improveBound(costs, ascending(15), {.workLimit = kPlenty}, layered);
+            improveBound(costs, ascendingOrder(15), {.workLimit = kPlenty}, layered);
         QVERIFY(rough.reached);
         COMPARE_NEAR(rough.bound, cold.bound, 3e-9 * cold.bound);
     }
@@ -162,9 +160,9 @@ private slots:
         BoundOptions options{.gap = 1, .workLimit = kPlenty};
         options.suggest = [&](std::int64_t work, std::int64_t most) {
             ++asked;
-            return Suggestion{{work + most == kPlenty ? best : ascending(13)}, 1000};
+            return Suggestion{{work + most == kPlenty ? best : ascendingOrder(13)}, 1000};
         };
-        const BoundResult result = improveBound(costs, ascending(13), options);
+        const BoundResult result = improveBound(costs, ascendingOrder(13), options);
         QCOMPARE(asked, 1); // before the gap is checked
         QVERIFY(result.plan.front() == best);
         QVERIFY(result.work > 1000);
@@ -184,10 +182,10 @@ private slots:
         const TvpProblem problem = test::variedProblem(6, number);
         const VisitCosts costs(problem);
         const VisitOrder optimal = test::bruteForce(problem).order;
-        for (const VisitOrder& given : {optimal, shuffled(6, 1), ascending(6)})
+        for (const VisitOrder& given : {optimal, shuffled(6, 1), ascendingOrder(6)})
             for (const std::int64_t limit : {std::int64_t{0}, std::int64_t{20'000}, kPlenty}) {
                 const std::vector<MilpArc> arcs = survivingArcs(costs, given, {.workLimit = limit});
-                VisitOrder order = ascending(6);
+                VisitOrder order = ascendingOrder(6);
                 do
                     QVERIFY(costs.total(order) > costs.total(given) || runsOn(arcs, order));
                 while (std::next_permutation(order.begin(), order.end()));
@@ -214,9 +212,9 @@ private slots:
         problem.distance_m.setConstant(1000);
         std::fill(problem.sigma_m2.begin() + 1, problem.sigma_m2.end(), 3.0);
         const VisitCosts costs(problem);
-        const BoundResult result = improveBound(costs, ascending(9), {.workLimit = kPlenty});
+        const BoundResult result = improveBound(costs, ascendingOrder(9), {.workLimit = kPlenty});
         QVERIFY(result.reached);
-        COMPARE_NEAR(result.bound, costs.total(ascending(9)), 1e-8 * result.bound);
+        COMPARE_NEAR(result.bound, costs.total(ascendingOrder(9)), 1e-8 * result.bound);
     }
 
     void stopsAtTheRequestedGap()
@@ -226,7 +224,7 @@ private slots:
         const double optimum = costs.total(SubsetSolver().solve(problem, {}).order());
         for (const double gap : {0.3, 0.05, 0.01}) {
             const BoundResult result =
-                improveBound(costs, ascending(14), {.gap = gap, .workLimit = kPlenty});
+                improveBound(costs, ascendingOrder(14), {.gap = gap, .workLimit = kPlenty});
             const double cost = costs.total(result.plan.front());
             QVERIFY(result.reached);
             QVERIFY(result.bound >= cost * (1 - gap) * (1 - 1e-12));
@@ -242,7 +240,8 @@ private slots:
         const double optimum = costs.total(SubsetSolver().solve(problem, {}).order());
         double last = 0;
         for (const std::int64_t limit : {0, 1, 10'000, 100'000, 200'000, 1'000'000, 50'000'000}) {
-            const BoundResult result = improveBound(costs, ascending(14), {.workLimit = limit});
+            const BoundResult result =
+                improveBound(costs, ascendingOrder(14), {.workLimit = limit});
             QVERIFY(isVisitOrder(problem, result.plan.front()));
             QVERIFY(result.bound >= last);
             QVERIFY(result.bound <= optimum * (1 + 1e-12));
@@ -261,7 +260,7 @@ private slots:
         for (bool reached = false; !reached; allowed = 2 * allowed + 1) {
             int asked = 0;
             const BoundResult result = improveBound(
-                costs, ascending(14),
+                costs, ascendingOrder(14),
                 {.workLimit = kPlenty, .isStopped = [&] { return asked++ >= allowed; }});
             QVERIFY(isVisitOrder(problem, result.plan.front()));
             QVERIFY(result.bound <= optimum * (1 + 1e-12));
@@ -275,7 +274,7 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(4, 16, 1, Route::Open);
         const VisitCosts costs(problem);
-        double cost = costs.total(ascending(16));
+        double cost = costs.total(ascendingOrder(16));
         double bound = 0;
         int reports = 0;
         BoundOptions options{.workLimit = kPlenty};
@@ -287,7 +286,7 @@ private slots:
             cost = costs.total(order);
             bound = newBound;
         };
-        const BoundResult result = improveBound(costs, ascending(16), options);
+        const BoundResult result = improveBound(costs, ascendingOrder(16), options);
         QVERIFY(reports > 0);
         QVERIFY(costs.total(result.plan.front()) <= cost);
         QVERIFY(result.bound >= bound);
@@ -300,13 +299,14 @@ private slots:
     {
         const TvpProblem problem = test::randomProblem(5, 140, 1, Route::Open);
         const VisitCosts costs(problem);
-        const BoundResult result = improveBound(costs, ascending(140), {.workLimit = 100'000'000});
+        const BoundResult result =
+            improveBound(costs, ascendingOrder(140), {.workLimit = 100'000'000});
         QVERIFY(!result.reached);
         // No order can avoid each iceberg's shortest leg.
         double shortestLegs = 0;
-        for (int j = 1; j <= 140; ++j) {
+        for (const NodeIndex j : icebergNodes(140)) {
             double shortest = costs.leg(0, j);
-            for (int i = 1; i <= 140; ++i)
+            for (const NodeIndex i : icebergNodes(140))
                 if (i != j)
                     shortest = std::min(shortest, costs.leg(i, j));
             shortestLegs += shortest;

@@ -26,8 +26,7 @@ Multipliers roughMultipliers(const VisitCosts& costs, double cutoff, std::uint64
 
 std::vector<VisitOrder> allOrders(int icebergs)
 {
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
+    VisitOrder order = ascendingOrder(icebergs);
     std::vector<VisitOrder> all;
     do
         all.push_back(order);
@@ -39,7 +38,7 @@ std::vector<VisitOrder> allOrders(int icebergs)
 bool holds(const LayeredGraph<VisitCosts>& graph, const VisitOrder& order)
 {
     int node = 0;
-    for (const int iceberg : order) {
+    for (const NodeIndex iceberg : order) {
         const std::span<const int> next = graph.successors(node);
         const auto found = std::find_if(next.begin(), next.end(),
                                         [&](int to) { return graph.iceberg(to) == iceberg; });
@@ -55,8 +54,8 @@ NgSets fullMemory(int icebergs)
 {
     NgSets sets(icebergs);
     for (int p = 1; p <= icebergs; ++p)
-        for (int i = 1; i <= icebergs; ++i)
-            for (int j = 1; j <= icebergs; ++j)
+        for (const NodeIndex i : icebergNodes(icebergs))
+            for (const NodeIndex j : icebergNodes(icebergs))
                 sets.at(p, i).insert(j);
     return sets;
 }
@@ -68,14 +67,14 @@ NgSets someMemory(int icebergs)
     for (int p = 2; p <= icebergs; p += 2)
         for (int i = 2; i <= icebergs; i += 2)
             for (int j = i + 1; j <= std::min(i + 2, icebergs); ++j)
-                sets.at(p, i).insert(j);
+                sets.at(p, NodeIndex::of(i)).insert(NodeIndex::of(j));
     return sets;
 }
 
-bool isElementary(const std::vector<int>& path)
+bool isElementary(const VisitOrder& path)
 {
     NodeSet visited;
-    for (const int i : path)
+    for (const NodeIndex i : path)
         visited.insert(i);
     return visited.size() == static_cast<int>(path.size());
 }
@@ -93,7 +92,7 @@ private slots:
     {
         NodeSet set;
         QCOMPARE(set.size(), 0);
-        for (const int node : {0, 1, 63, 64, 127}) {
+        for (const NodeIndex node : VisitOrder{0, 1, 63, 64, 127}) {
             QVERIFY(!set.contains(node));
             set.insert(node);
             QVERIFY(set.contains(node));

@@ -16,8 +16,7 @@ constexpr double kRounding = 1e-11;
 
 VisitOrder shuffled(int icebergs, std::uint64_t seed)
 {
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
+    VisitOrder order = ascendingOrder(icebergs);
     Random random(seed, 5);
     for (std::size_t k = order.size(); k > 1; --k)
         std::swap(order[k - 1], order[static_cast<std::size_t>(random.below(k))]);

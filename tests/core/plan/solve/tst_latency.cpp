@@ -4,12 +4,10 @@
 #include "core/plan/solve/subset_solver.h"
 #include "tests/support/approx.h"
 #include "tests/support/plan/hard_problems.h"
-#include "tests/support/plan/orders.h"
 
 #include <QtTest>
 
 using namespace berg;
-using berg::test::ascending;
 
 namespace {
 
@@ -72,9 +70,9 @@ private slots:
     {
         for (int k = 0; k < 48; ++k) {
             const TvpProblem problem = test::variedLatencyProblem(9, k);
-            const double cost = objective(problem, ascending(9));
-            COMPARE_NEAR(test::costByLegs(problem, ascending(9)), cost, kRounding * cost);
-            COMPARE_NEAR(LatencyCosts(problem).total(ascending(9)), cost, kRounding * cost);
+            const double cost = objective(problem, ascendingOrder(9));
+            COMPARE_NEAR(test::costByLegs(problem, ascendingOrder(9)), cost, kRounding * cost);
+            COMPARE_NEAR(LatencyCosts(problem).total(ascendingOrder(9)), cost, kRounding * cost);
         }
     }
 
@@ -83,10 +81,10 @@ private slots:
         for (int k = 12; k < 144; k += 24) {
             const TvpProblem problem = test::variedLatencyProblem(7, k);
             const LatencyCosts costs(problem);
-            const double cost = costs.total(ascending(7));
-            const OrderMoves start(costs, ascending(7));
+            const double cost = costs.total(ascendingOrder(7));
+            const OrderMoves start(costs, ascendingOrder(7));
             const auto check = [&](double delta, OrderMove move) {
-                OrderMoves changed(costs, ascending(7));
+                OrderMoves changed(costs, ascendingOrder(7));
                 changed.apply(move);
                 COMPARE_NEAR(costs.total(changed.order()) - cost, delta, kRounding * cost);
                 COMPARE_NEAR(changed.cost(), cost + delta, kRounding * cost);
@@ -165,7 +163,7 @@ private slots:
                 QVERIFY(bound <= optimum * (1 + kRounding));
             };
             const LatencyCosts costs(problem);
-            const BoundResult result = improveBound(costs, ascending(icebergs), options);
+            const BoundResult result = improveBound(costs, ascendingOrder(icebergs), options);
             QVERIFY2(result.reached, qPrintable(QString::number(k)));
             QVERIFY(result.bound <= optimum * (1 + kRounding));
             QVERIFY(costs.total(result.plan.front()) <= optimum * (1 + kProof));
@@ -217,7 +215,7 @@ private slots:
             QVERIFY(first.status == SolveStatus::Optimal);
             QVERIFY(makeSolver(Backend::Auto)->solve(problem, {}).order() == first.order());
             if (n <= 16)
-                QVERIFY(first.order() == ascending(n));
+                QVERIFY(first.order() == ascendingOrder(n));
         }
     }
 

@@ -17,16 +17,15 @@ double costWithReturn(const TvpProblem& problem, const VisitOrder& order)
     double now = 0;
     double cost = 0;
     for (std::size_t k = 0; k < order.size(); ++k) {
-        now += problem.distance_m(k == 0 ? 0 : order[k - 1], order[k]);
-        cost += problem.sigma_m2[static_cast<std::size_t>(order[k])] * now;
+        now += legBetween(problem.distance_m, k == 0 ? NodeIndex() : order[k - 1], order[k]);
+        cost += problem.sigma_m2[toIndex(order[k])] * now;
     }
-    return order.empty() ? 0 : cost + now + problem.distance_m(order.back(), 0);
+    return order.empty() ? 0 : cost + now + legBetween(problem.distance_m, order.back(), 0);
 }
 
 double leastWithReturn(const TvpProblem& problem)
 {
-    VisitOrder order(static_cast<std::size_t>(problem.icebergCount()));
-    std::iota(order.begin(), order.end(), 1);
+    VisitOrder order = ascendingOrder(problem.icebergCount());
     double least = costWithReturn(problem, order);
     while (std::next_permutation(order.begin(), order.end()))
         least = std::min(least, costWithReturn(problem, order));

@@ -2,13 +2,11 @@
 #include "core/plan/solve/order_moves.h"
 #include "tests/support/approx.h"
 #include "tests/support/plan/brute_force.h"
-#include "tests/support/plan/orders.h"
 #include "tests/support/plan/problem_rows.h"
 
 #include <QtTest>
 
 using namespace berg;
-using berg::test::ascending;
 
 namespace {
 
@@ -122,7 +120,7 @@ private slots:
         const SolveOutcome exact = ExactSolver().solve(problem, {});
         SolveOptions options;
         options.inFlight = true;
-        options.hint = {ascending(18)};
+        options.hint = {ascendingOrder(18)};
         options.multipliers.assign(19, 0);
         for (std::size_t node = 1; node < 19; node += 2)
             options.multipliers[node] = multiplier;
@@ -256,7 +254,7 @@ private slots:
         QVERIFY(gapOf(problem, outcome) <= gap + 1e-12);
         const double sorted = objective(problem, sigmaOrder(problem));
         QVERIFY(outcome.objective < sorted);
-        QVERIFY(outcome.objective < objective(problem, ascending(icebergs)));
+        QVERIFY(outcome.objective < objective(problem, ascendingOrder(icebergs)));
     }
 };
 

@@ -13,8 +13,7 @@ constexpr double kRounding = 1e-9;
 
 VisitOrder shuffled(Random& random, int icebergs)
 {
-    VisitOrder order(static_cast<std::size_t>(icebergs));
-    std::iota(order.begin(), order.end(), 1);
+    VisitOrder order = ascendingOrder(icebergs);
     for (std::size_t k = order.size(); k > 1; --k)
         std::swap(order[k - 1], order[random.below(k)]);
     return order;

@@ -60,8 +60,7 @@ private slots:
         SearchEffort effort;
         OrderSearch search(costs, effort);
         QVERIFY(search.best().empty());
-        VisitOrder order(12);
-        std::iota(order.begin(), order.end(), 1);
+        VisitOrder order = ascendingOrder(12);
         search.accept(order);
         QVERIFY(search.best() == order);
         search.descend();

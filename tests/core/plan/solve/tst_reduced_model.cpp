@@ -7,7 +7,6 @@
 #include <QtTest>
 
 #include <algorithm>
-#include <numeric>
 
 using namespace berg;
 using namespace berg::test;
@@ -64,8 +63,7 @@ private slots:
         const ReducedModel reduced = reducedModel(problem, {});
         QVERIFY(isVisitOrder(problem, reduced.incumbent));
         const double best = bruteForce(problem).objective;
-        VisitOrder order(static_cast<std::size_t>(problem.icebergCount()));
-        std::iota(order.begin(), order.end(), 1);
+        VisitOrder order = ascendingOrder(problem.icebergCount());
         int optimal = 0;
         do {
             const double value = objective(problem, order);
