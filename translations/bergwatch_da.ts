@@ -4571,6 +4571,38 @@ Tilstødende område %4</translation>
         <source>only %1 of %2 icebergs found a place at least %3 from the others: choose fewer icebergs, a smaller spacing or a larger area</source>
         <translation>kun %1 af %2 isbjerge fandt en plads mindst %3 fra de andre: vælg færre isbjerge, en mindre afstand eller et større område</translation>
     </message>
+    <message>
+        <source>a forecast holds from 1 to %1 places, not %2</source>
+        <translation>en prognose har fra 1 til %1 steder, ikke %2</translation>
+    </message>
+    <message>
+        <source>a forecast holds at most %1 entries at all places together, not %2</source>
+        <translation>en prognose har højst %1 poster for alle steder tilsammen, ikke %2</translation>
+    </message>
+    <message>
+        <source>the places must be a complete grid: rows from south to north, each from west to east</source>
+        <translation>stederne skal være et fuldstændigt gitter: rækker fra syd til nord, hver fra vest til øst</translation>
+    </message>
+    <message>
+        <source>must have at least one entry</source>
+        <translation>skal have mindst én post</translation>
+    </message>
+    <message>
+        <source>a scenario with a forecast needs a start date and time</source>
+        <translation>et scenarie med prognose kræver dato og tid for starten</translation>
+    </message>
+    <message>
+        <source>gives no %1 for %2 h of the run: the constant value of the scenario applies</source>
+        <translation>giver ingen værdi (%1) for %2 t af kørslen: scenariets faste værdi gælder</translation>
+    </message>
+    <message>
+        <source>has a gap in %1 from %2 h to %3 h after the start: the constant value of the scenario applies</source>
+        <translation>har et hul (%1) fra %2 t til %3 t efter starten: scenariets faste værdi gælder</translation>
+    </message>
+    <message>
+        <source>was issued %1 h before the start</source>
+        <translation>blev udgivet %1 t før starten</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -9441,6 +9473,30 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>An item of the mission points the gimbal straight down.</source>
         <translation>Et element i missionen retter gimbalen lodret ned.</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Tåge</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Sigtbarhed</translation>
+    </message>
+    <message>
+        <source>Cloud base</source>
+        <translation>Skybase</translation>
+    </message>
+    <message>
+        <source>Depth of the sea</source>
+        <translation>Havdybde</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Længde</translation>
+    </message>
+    <message>
+        <source>Length at the waterline. With it, wind and current carry the iceberg, and it may run aground; without it, the current alone.</source>
+        <translation>Længden i vandlinjen. Med den fører vind og strøm isbjerget, og det kan gå på grund; uden den kun strømmen.</translation>
     </message>
 </context>
 <context>

@@ -4571,6 +4571,38 @@ Zone adjacente %4</translation>
         <source>only %1 of %2 icebergs found a place at least %3 from the others: choose fewer icebergs, a smaller spacing or a larger area</source>
         <translation>seuls %1 icebergs sur %2 ont trouvé une place à au moins %3 des autres : choisissez moins d&apos;icebergs, un espacement plus petit ou une zone plus grande</translation>
     </message>
+    <message>
+        <source>a forecast holds from 1 to %1 places, not %2</source>
+        <translation>une prévision comporte de 1 à %1 lieux, pas %2</translation>
+    </message>
+    <message>
+        <source>a forecast holds at most %1 entries at all places together, not %2</source>
+        <translation>une prévision comporte au plus %1 entrées pour tous les lieux ensemble, pas %2</translation>
+    </message>
+    <message>
+        <source>the places must be a complete grid: rows from south to north, each from west to east</source>
+        <translation>les lieux doivent former une grille complète : des lignes du sud au nord, chacune d&apos;ouest en est</translation>
+    </message>
+    <message>
+        <source>must have at least one entry</source>
+        <translation>doit avoir au moins une entrée</translation>
+    </message>
+    <message>
+        <source>a scenario with a forecast needs a start date and time</source>
+        <translation>un scénario avec prévision a besoin d&apos;une date et d&apos;une heure de début</translation>
+    </message>
+    <message>
+        <source>gives no %1 for %2 h of the run: the constant value of the scenario applies</source>
+        <translation>ne donne pas de valeur (%1) pendant %2 h : la valeur constante du scénario s&apos;applique</translation>
+    </message>
+    <message>
+        <source>has a gap in %1 from %2 h to %3 h after the start: the constant value of the scenario applies</source>
+        <translation>a une lacune (%1) de %2 h à %3 h après le début : la valeur constante du scénario s&apos;applique</translation>
+    </message>
+    <message>
+        <source>was issued %1 h before the start</source>
+        <translation>a été émise %1 h avant le début</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -9441,6 +9473,30 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>An item of the mission points the gimbal straight down.</source>
         <translation>Un élément de la mission oriente la nacelle à la verticale vers le bas.</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Brouillard</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Visibilité</translation>
+    </message>
+    <message>
+        <source>Cloud base</source>
+        <translation>Base des nuages</translation>
+    </message>
+    <message>
+        <source>Depth of the sea</source>
+        <translation>Profondeur de la mer</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Length at the waterline. With it, wind and current carry the iceberg, and it may run aground; without it, the current alone.</source>
+        <translation>Longueur à la flottaison. Avec elle, le vent et le courant portent l&apos;iceberg, qui peut s&apos;échouer ; sans elle, le courant seul.</translation>
     </message>
 </context>
 <context>

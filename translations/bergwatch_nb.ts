@@ -4571,6 +4571,38 @@ Tilstøtende område %4</translation>
         <source>only %1 of %2 icebergs found a place at least %3 from the others: choose fewer icebergs, a smaller spacing or a larger area</source>
         <translation>bare %1 av %2 isfjell fikk plass minst %3 fra de andre: velg færre isfjell, en mindre avstand eller et større område</translation>
     </message>
+    <message>
+        <source>a forecast holds from 1 to %1 places, not %2</source>
+        <translation>et varsel har fra 1 til %1 steder, ikke %2</translation>
+    </message>
+    <message>
+        <source>a forecast holds at most %1 entries at all places together, not %2</source>
+        <translation>et varsel har høyst %1 oppføringer for alle steder til sammen, ikke %2</translation>
+    </message>
+    <message>
+        <source>the places must be a complete grid: rows from south to north, each from west to east</source>
+        <translation>stedene må være et fullstendig rutenett: rader fra sør til nord, hver fra vest til øst</translation>
+    </message>
+    <message>
+        <source>must have at least one entry</source>
+        <translation>må ha minst én oppføring</translation>
+    </message>
+    <message>
+        <source>a scenario with a forecast needs a start date and time</source>
+        <translation>et scenario med varsel trenger dato og tid for starten</translation>
+    </message>
+    <message>
+        <source>gives no %1 for %2 h of the run: the constant value of the scenario applies</source>
+        <translation>gir ingen verdi (%1) for %2 t av kjøringen: scenarioets faste verdi gjelder</translation>
+    </message>
+    <message>
+        <source>has a gap in %1 from %2 h to %3 h after the start: the constant value of the scenario applies</source>
+        <translation>har et hull (%1) fra %2 t til %3 t etter starten: scenarioets faste verdi gjelder</translation>
+    </message>
+    <message>
+        <source>was issued %1 h before the start</source>
+        <translation>ble utgitt %1 t før starten</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -9441,6 +9473,30 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>An item of the mission points the gimbal straight down.</source>
         <translation>Et element i oppdraget retter gimbalen loddrett ned.</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Tåke</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Sikt</translation>
+    </message>
+    <message>
+        <source>Cloud base</source>
+        <translation>Skybase</translation>
+    </message>
+    <message>
+        <source>Depth of the sea</source>
+        <translation>Havdybde</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Lengde</translation>
+    </message>
+    <message>
+        <source>Length at the waterline. With it, wind and current carry the iceberg, and it may run aground; without it, the current alone.</source>
+        <translation>Lengden i vannlinjen. Med den fører vind og strøm isfjellet, og det kan gå på grunn; uten den bare strømmen.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "core/bound/remains_in_area.h"
 
+#include "core/scenario/flight_weather.h"
 #include "core/tracking/drift.h"
 
 #include <algorithm>
@@ -64,11 +65,13 @@ bool remainsInArea(const Scenario& scenario, const Iceberg& iceberg, const std::
     if (scenario.observer.model == ObserverModel::Kalman ||
         !insidePolygon(scenario.area_m, iceberg.position_m))
         return false;
+    if (forcingOf(weatherOf(scenario), iceberg)) // its estimate does not follow a straight line
+        return false;
     // After a sighting at s the estimate at t is truth(s) + v (t - s), which is as far from start +
     // v t as the truth was at s.
     const IcebergRun drift{.scenario = scenario,
                            .iceberg = iceberg,
-                           .velocity_mps = iceberg.velocity_mps + scenario.current_mps,
+                           .velocity_mps = iceberg.velocity_mps + meanDrift_mps(scenario, iceberg),
                            .seconds = static_cast<std::int64_t>(std::ceil(scenario.duration_s))};
     const Point end_m = iceberg.position_m + drift.velocity_mps * scenario.duration_s;
     const double clearance_m = distanceToEdges(scenario.area_m, iceberg.position_m, end_m);

@@ -23,8 +23,8 @@ struct PlaceInTime
  * Returns the instants, strictly between the two and ascending, at which the motion may have a
  * corner.
  */
-std::vector<double> corners_s(const Scenario& scenario, const Iceberg& iceberg, double from_s,
-                              double to_s)
+std::vector<double> corners_s(const Scenario& scenario, const Iceberg& iceberg, bool isForced,
+                              double from_s, double to_s)
 {
     if (!iceberg.track.empty()) {
         const std::vector<double>& times_s = iceberg.track.time_s;
@@ -32,7 +32,7 @@ std::vector<double> corners_s(const Scenario& scenario, const Iceberg& iceberg, 
                 std::lower_bound(times_s.begin(), times_s.end(), to_s)};
     }
     std::vector<double> corners; // Drawn motion is linear between whole seconds.
-    if (scenario.noise || iceberg.velocityTime_s > 0)
+    if (scenario.noise || isForced || iceberg.velocityTime_s > 0)
         for (double s = std::floor(from_s) + 1; s < to_s; s += 1)
             corners.push_back(s);
     return corners;
@@ -61,23 +61,25 @@ TrueMotion::TrueMotion(const Scenario& scenario, const std::stop_token& stop)
     const std::int64_t blocks = std::min(steps, kMostBlocks);
     for (std::int64_t b = 0; b <= blocks; ++b)
         m_edges.push_back(steps * b / blocks);
+    const std::shared_ptr<const FlightWeather> weather = weatherOf(scenario);
     for (const Iceberg& iceberg : scenario.icebergs)
-        m_paths.push_back(pathOf(scenario, iceberg, stop));
+        m_paths.push_back(pathOf(scenario, weather, iceberg, stop));
 }
 
-TrueMotion::Path TrueMotion::pathOf(const Scenario& scenario, const Iceberg& iceberg,
-                                    const std::stop_token& stop) const
+TrueMotion::Path TrueMotion::pathOf(const Scenario& scenario,
+                                    const std::shared_ptr<const FlightWeather>& weather,
+                                    const Iceberg& iceberg, const std::stop_token& stop) const
 {
-    const auto seed = static_cast<std::uint64_t>(scenario.seed);
-    DriftModel drift(
-        trueDrift(iceberg, scenario.observer, seed, scenario.noise, scenario.current_mps), seed,
-        iceberg.id, scenario.noise);
+    const DriftSpec spec = trueDrift(scenario, iceberg, weather);
+    const bool isForced = spec.forcing != nullptr;
+    DriftModel drift(spec, static_cast<std::uint64_t>(scenario.seed), iceberg.id, scenario.noise);
     Path path;
     PlaceInTime last{.time_s = 0, .position_m = drift.position_m(0)};
     path.position_m.push_back(last.position_m);
     for (int b = 0; b < blocks() && !stop.stop_requested(); ++b) {
         std::vector<PlaceInTime> between;
-        for (const double corner_s : corners_s(scenario, iceberg, last.time_s, edge_s(b + 1)))
+        for (const double corner_s :
+             corners_s(scenario, iceberg, isForced, last.time_s, edge_s(b + 1)))
             between.push_back({.time_s = corner_s, .position_m = drift.position_m(corner_s)});
         const PlaceInTime next{.time_s = edge_s(b + 1),
                                .position_m = drift.position_m(edge_s(b + 1))};

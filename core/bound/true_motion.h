@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/enclosing_circle.h"
-#include "core/scenario/scenario.h"
+#include "core/scenario/flight_weather.h"
 
 #include <cstdint>
 #include <stop_token>
@@ -58,8 +58,9 @@ private:
         std::vector<double> offChord_m;
     };
     [[nodiscard]] static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] Path pathOf(const Scenario& scenario, const Iceberg& iceberg,
-                              const std::stop_token& stop) const;
+    [[nodiscard]] Path pathOf(const Scenario& scenario,
+                              const std::shared_ptr<const FlightWeather>& weather,
+                              const Iceberg& iceberg, const std::stop_token& stop) const;
 
     double m_dt_s;
     std::vector<std::int64_t> m_edges;

@@ -5,6 +5,7 @@
 #include "core/bound/group_lower_bound.h"
 #include "core/bound/remains_in_area.h"
 #include "core/bound/spread_groups.h"
+#include "core/scenario/flight_weather.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,10 +56,11 @@ constexpr double kRoundingShare = 1e-9;
 class BoundSearch
 {
 public:
-    BoundSearch(const Scenario& scenario, const ZetaBoundOptions& options)
+    /** The icebergs move as in `truth`, which differs from the scenario in wind and airspeeds. */
+    BoundSearch(const Scenario& scenario, const Scenario& truth, const ZetaBoundOptions& options)
         : m_scenario(scenario)
         , m_options(options)
-        , m_motion(scenario, options.stop)
+        , m_motion(truth, options.stop)
         , m_meter{.limit = options.workLimit, .stop = options.stop}
     {
         if (options.stop.stop_requested())
@@ -264,6 +266,25 @@ private:
     std::vector<GroupLowerBound> m_floors;
 };
 
+/**
+ * Returns a scenario without a forecast that permits every flight of this one: in a wind that
+ * changes, no UAV is faster over ground than its airspeed and the strongest wind together.
+ */
+Scenario withoutForecast(const Scenario& scenario)
+{
+    const std::shared_ptr<const FlightWeather> weather = weatherOf(scenario);
+    if (!weather)
+        return scenario;
+    Scenario fastest = scenario;
+    fastest.forecast.reset();
+    const bool isConstant = weather->wind()->wind_mps.size() == 1;
+    fastest.wind_mps = isConstant ? weather->wind()->wind_mps.front() : Point(Point::Zero());
+    if (!isConstant)
+        for (Uav& uav : fastest.uavs)
+            uav.spec.airspeed_mps += weather->strongestWind_mps();
+    return fastest;
+}
+
 } // namespace
 
 BoundPoint ZetaBound::by(double time_s) const
@@ -280,7 +301,8 @@ ZetaBound zetaLowerBound(const Scenario& scenario, const ZetaBoundOptions& optio
     std::erase_if(staying.icebergs, [&](const Iceberg& iceberg) {
         return !remainsInArea(scenario, iceberg, options.stop);
     });
-    BoundSearch search(staying, options);
+    const Scenario fastest = withoutForecast(staying);
+    BoundSearch search(fastest, staying, options);
     search.run();
     return search.result();
 }

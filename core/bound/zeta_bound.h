@@ -75,6 +75,10 @@ struct ZetaBound
  * It is the greater of the bound that is proven here and of `frequencyBound`, which is the better
  * one in runs of several rounds.
  *
+ * Where a forecast lets the wind change, UAVs count as flying in calm air at their airspeed plus
+ * the strongest wind of the run, which no flight exceeds over ground. Icebergs whose drift a
+ * forecast changes are left out if the area is bounded.
+ *
  * It holds for every path that gets through the air no faster than the airspeed from the UAV's
  * position at t = 0, with any turn radius, heading and endurance, and for the world that the
  * scenario draws: the true tracks, noise of its seed included, are those the simulation flies.

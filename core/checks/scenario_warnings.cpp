@@ -3,10 +3,12 @@
 #include "core/base/angles.h"
 #include "core/checks/drift_advice.h"
 #include "core/checks/findings.h"
+#include "core/checks/forecast_findings.h"
 #include "core/checks/weather.h"
 #include "core/permit/airspace.h"
 #include "core/plan/solve/engine.h"
 #include "core/scenario/fence.h"
+#include "core/scenario/flight_weather.h"
 #include "core/scenario/recovery.h"
 #include "core/scenario/text_checks.h"
 #include "core/vehicle/safety_guard.h"
@@ -104,6 +106,7 @@ public:
             m_found.warn(std::move(issue.field), issue.reason.id,
                          std::move(issue.reason.arguments));
         adviseWeather(m_s, m_found);
+        adviseForecast(m_s, m_found);
         adviseFences();
         adviseAsset();
         for (std::size_t i = 0; i < m_s.icebergs.size(); ++i)
@@ -127,7 +130,7 @@ private:
     /** Returns the estimate, which drifts from time 0 on, even before the iceberg appears. */
     [[nodiscard]] Point estimateAt(const Iceberg& iceberg, double time_s) const
     {
-        return iceberg.position_m + (iceberg.velocity_mps + m_s.current_mps) * time_s;
+        return iceberg.position_m + (iceberg.velocity_mps + meanDrift_mps(m_s, iceberg)) * time_s;
     }
     [[nodiscard]] Point endOf(const Iceberg& iceberg) const
     {
@@ -473,7 +476,11 @@ std::optional<Issue> unknownMembers(const std::string& field, const std::string&
 std::vector<Issue> scenarioWarnings(const Scenario& scenario)
 {
     require(!scenario.uavs.empty(), "scenarioWarnings: the scenario has errors");
-    return ScenarioWarnings(scenario).findings();
+    if (!scenario.forecast)
+        return ScenarioWarnings(scenario).findings();
+    Scenario atStart = scenario; // starts and first legs are flown in the wind of the start
+    atStart.wind_mps = windAtStart_mps(scenario);
+    return ScenarioWarnings(atStart).findings();
 }
 
 } // namespace berg

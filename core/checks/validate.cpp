@@ -1,10 +1,12 @@
 #include "core/checks/validate.h"
 
 #include "core/checks/findings.h"
+#include "core/checks/forecast_findings.h"
 #include "core/checks/scenario_warnings.h"
 #include "core/permit/airspace.h"
 #include "core/scenario/fence.h"
 #include "core/scenario/fields.h"
+#include "core/scenario/flight_weather.h"
 #include "core/scenario/text_checks.h"
 #include "core/vehicle/safety_guard.h"
 
@@ -317,6 +319,26 @@ const Uav* slowestUav(const Scenario& s)
     return slowest;
 }
 
+/** Checks that the UAV can fly against the wind of the forecast at any time of the run. */
+void checkForecastWind(const Scenario& s, const Uav& slowest, Findings& findings)
+{
+    const std::shared_ptr<const FlightWeather> weather =
+        findings.has("forecast") || findings.has("origin") || findings.has("start_utc") ||
+                findings.has("duration_s") || findings.has("uavs")
+            ? nullptr
+            : weatherOf(s);
+    if (!weather)
+        return;
+    const double wind_mps = weather->strongestWind_mps();
+    const std::vector<IssueArgument> speeds{
+        Amount{std::round(100 * wind_mps) / 100, Quantity::Speed}, printable(slowest.id),
+        Amount{slowest.spec.airspeed_mps, Quantity::Speed}};
+    if (!(wind_mps < slowest.spec.airspeed_mps))
+        findings.conflict("forecast", IssueId::WindTooFast, speeds);
+    else if (wind_mps >= kStrongWindShare * slowest.spec.airspeed_mps)
+        findings.warn("forecast", IssueId::StrongWind, speeds);
+}
+
 /** Checks that UAVs can fly against wind and current and follow the icebergs. */
 void checkDrift(const Scenario& s, Findings& findings)
 {
@@ -338,10 +360,14 @@ void checkDrift(const Scenario& s, Findings& findings)
     }
     if (wind_mps >= kStrongWindShare * airspeed_mps)
         findings.warn("wind_mps", IssueId::StrongWind, speeds);
+    checkForecastWind(s, *slowest, findings);
     if (findings.has("current_mps") || s.icebergs.size() > kMostIcebergs)
         return;
     for (std::size_t i = 0; i < s.icebergs.size(); ++i) {
-        const Point drift_mps = s.icebergs[i].velocity_mps + s.current_mps;
+        const Point drift_mps =
+            s.icebergs[i].velocity_mps + (findings.has(entryPath("icebergs", i) + ".length_m")
+                                              ? s.current_mps
+                                              : meanDrift_mps(s, s.icebergs[i]));
         if ((s.wind_mps - drift_mps).norm() >= airspeed_mps)
             findings.warn(entryPath("icebergs", i) + ".velocity_mps", IssueId::DriftTooFast);
     }
@@ -368,6 +394,7 @@ std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
     checkClosedAreas(scenario, findings);
     checkIcebergs(scenario, ownerOfId, findings);
     checkFleet(scenario, findings);
+    checkForecast(scenario, findings);
     checkDrift(scenario, findings);
     checkFields(scenario.asset, "asset.", findings);
     if (scenario.asset)

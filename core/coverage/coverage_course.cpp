@@ -15,7 +15,8 @@ TangentTurn CoverageModel::turnOf(const CoverageState& state, const CoverageLeg&
     constexpr double kGoodEnough_m = 0.3;
     /** An offset is reduced by a little more than the view is narrowed. */
     constexpr double kInside = 1.02;
-    const double drift_mps = berg(leg.iceberg).velocity_mps.norm();
+    const double drift_mps =
+        m_carried_m.empty() ? berg(leg.iceberg).velocity_mps.norm() : m_fastest_mps;
     double ahead_s =
         std::max(0.0, distance_m(state, leg.iceberg) - m_window.half_m().x()) / m_speed_mps;
     const auto& account = accountOf(state, leg.iceberg);
@@ -64,8 +65,8 @@ CoverageModel::Course CoverageModel::course(const CoverageState& state,
     const Pose& end = course.turn.end;
     const double turned_s = state.time_s + std::abs(course.turn.turn_rad) / m_limit_radps;
     const double abeam_s = turned_s + course.turn.length_m / m_speed_mps;
-    course.abeam_m = end.position_m + end.ahead * course.turn.length_m + m_wind_mps * abeam_s;
-    course.turn.end.position_m += m_wind_mps * turned_s;
+    course.abeam_m = end.position_m + end.ahead * course.turn.length_m + windPath_m(abeam_s);
+    course.turn.end.position_m += windPath_m(turned_s);
     return course;
 }
 

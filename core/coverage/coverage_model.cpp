@@ -130,7 +130,25 @@ CoverageModel::CoverageModel(const PredictionInput& input, const CoverageHorizon
             m_fastest_mps = std::max(m_fastest_mps, berg.velocity_mps.norm());
         }
     }
+    if (input.wind.nextChange_s(0) < m_horizon.length_s)
+        followWind(input.wind);
     setOthers({});
+}
+
+/**
+ * Sums up the changes of the wind. They move all icebergs alike in the frame of the air, which is
+ * exact at the ends of pieces of a leg.
+ */
+void CoverageModel::followWind(const WindAhead& wind)
+{
+    m_carried_m.emplace_back(Point::Zero());
+    double fastest_mps = 0;
+    for (double from_s = 0; from_s < m_horizon.length_s; from_s += kCarriedStep_s) {
+        const Point change_mps = wind.at_mps(from_s + kCarriedStep_s / 2) - m_wind_mps;
+        fastest_mps = std::max(fastest_mps, change_mps.norm());
+        m_carried_m.emplace_back(m_carried_m.back() + kCarriedStep_s * change_mps);
+    }
+    m_fastest_mps += fastest_mps;
 }
 
 void CoverageModel::setOthers(std::vector<CoverageView> views)

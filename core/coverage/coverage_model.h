@@ -194,7 +194,8 @@ public:
     /** Returns a place in the air's frame at a time. */
     [[nodiscard]] Point place_m(ModelPlace iceberg, double time_s) const
     {
-        return berg(iceberg).place_m + berg(iceberg).velocity_mps * time_s;
+        const Point steady_m = berg(iceberg).place_m + berg(iceberg).velocity_mps * time_s;
+        return m_carried_m.empty() ? steady_m : Point(steady_m - carried_m(time_s));
     }
     /** Returns the distance from the UAV to a place at the time of the state. */
     [[nodiscard]] double distance_m(const CoverageState& state, ModelPlace iceberg) const;
@@ -216,6 +217,7 @@ public:
 private:
     /** Times that are closer than this count as equal. */
     static constexpr double kShortest_s = 1e-9;
+    static constexpr double kCarriedStep_s = 30;
     /** A lost iceberg that was out of view for this long has another chance to be found. */
     static constexpr double kNewChance_s = 20;
 
@@ -291,6 +293,21 @@ private:
     {
         return state.accounts[toIndex(berg(iceberg).owner)];
     }
+    void followWind(const WindAhead& wind);
+    /** Returns how much farther than the wind of the start the changing wind carries the air. */
+    [[nodiscard]] Point carried_m(double time_s) const
+    {
+        const double steps = std::max(0.0, time_s) / kCarriedStep_s;
+        const auto before = std::min(static_cast<std::size_t>(steps), m_carried_m.size() - 2);
+        const double share = steps - static_cast<double>(before);
+        return m_carried_m[before] + share * (m_carried_m[before + 1] - m_carried_m[before]);
+    }
+    /** Returns how far the air is carried by a time. */
+    [[nodiscard]] Point windPath_m(double time_s) const
+    {
+        const Point steady_m = m_wind_mps * time_s;
+        return m_carried_m.empty() ? steady_m : Point(steady_m + carried_m(time_s));
+    }
     [[nodiscard]] TangentTurn turnOf(const CoverageState& state, const CoverageLeg& leg) const;
     [[nodiscard]] TangentTurn holdTurn(const CoverageState& state, const CoverageLeg& leg) const;
 
@@ -304,7 +321,9 @@ private:
     CoverageHorizon m_horizon;
     double m_flightEnd_s;
     Pose m_uav;
-    Point m_wind_mps;
+    Point m_wind_mps; ///< at the start
+    /** `carried_m` every `kCarriedStep_s` from the start on; empty if the wind is constant. */
+    std::vector<Point> m_carried_m;
     double m_speed_mps;
     double m_limit_radps;
     double m_radius_m;

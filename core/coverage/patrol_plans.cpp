@@ -12,6 +12,9 @@ namespace berg {
 
 namespace {
 
+/** Time of the aimed legs before a patrol, whose mean wind it is planned for. */
+constexpr double kAimed_s = 800;
+
 /** Aimed plans of 800 s fly shorter rounds as well, for less work. */
 constexpr double kShortestRound_s = 800;
 constexpr double kShortestRoundOn_s = 600;
@@ -87,10 +90,11 @@ PatrolUav patrolUav(const PredictionInput& input, const CoverageLimits& limits)
         uav.reach_m = std::min(uav.reach_m, *input.reachRadius_m);
     if (input.laterSorties) {
         const SortieSpec& spec = input.laterSorties->spec;
-        uav.sorties = {.home = {.place_m = spec.home_m, .velocity_mps = -input.motion.wind_mps},
-                       .left_s = input.until_s - input.time_s - kSortieReserve_s,
-                       .length_s = spec.endurance_s - kSortieReserve_s,
-                       .ground_s = spec.turnaround_s};
+        uav.sorties = {
+            .home = {.place_m = spec.home_m, .velocity_mps = -meanWind_mps(input, kAimed_s)},
+            .left_s = input.until_s - input.time_s - kSortieReserve_s,
+            .length_s = spec.endurance_s - kSortieReserve_s,
+            .ground_s = spec.turnaround_s};
     }
     return uav;
 }
@@ -162,7 +166,7 @@ std::vector<PatrolIceberg> patrolIcebergs(std::span<const PredictionInput> input
         DriftVariances known = account.start();
         PatrolIceberg& iceberg = icebergs.emplace_back();
         iceberg.place = {.place_m = track.estimate_m(input.time_s),
-                         .velocity_mps = track.velocity_mps - input.motion.wind_mps};
+                         .velocity_mps = track.velocity_mps - meanWind_mps(input, kAimed_s)};
         for (std::size_t stage = 0; stage < PatrolIceberg::kStages; ++stage) {
             if (stage > 0) {
                 account.grow(known, stage == 1 ? round_s / 2 : round_s);

@@ -3,6 +3,7 @@
 #include "core/tracking/lost_search.h"
 #include "core/vehicle/los_guidance.h"
 #include "core/vehicle/path_home.h"
+#include "core/vehicle/wind_series.h"
 
 #include <cstdint>
 #include <optional>
@@ -29,6 +30,8 @@ struct PredictionInput
     std::optional<LaterSorties> laterSorties;
     DubinsState uav;
     Motion motion;
+    /** Wind from `time_s` on; where it never changes, that of `motion` counts. */
+    WindAhead wind = {};
     SensorSpec sensor;
     /** Acceptance radius; if it is nullopt, an iceberg in view is reached. */
     std::optional<double> reachRadius_m;
@@ -46,5 +49,12 @@ struct PredictionInput
     /** Step of the flight; with `seed` it selects the random numbers of a search. */
     std::int64_t step = 0;
 };
+
+/** Returns the mean wind of the next `duration_s`; exactly that of `motion` if it is constant. */
+[[nodiscard]] inline Point meanWind_mps(const PredictionInput& input, double duration_s)
+{
+    return input.wind.nextChange_s(0) < duration_s ? input.wind.mean_mps(duration_s)
+                                                   : input.motion.wind_mps;
+}
 
 } // namespace berg

@@ -29,6 +29,7 @@ struct ForecastEntry
     std::optional<double> visibility_m;
     std::optional<double> ceiling_m;  ///< height of the cloud base above the sea
     std::optional<Point> current_mps; ///< velocity of the water, towards true east and north
+    std::string extraJson = {};       ///< unknown members of a scenario file
     bool operator==(const ForecastEntry&) const = default;
 };
 
@@ -62,6 +63,7 @@ struct Forecast
     LatLon place;
     std::vector<ForecastEntry> series; ///< times rise
     std::optional<double> depth_m;     ///< of the sea
+    std::string extraJson = {};        ///< unknown members of a scenario file
     bool operator==(const Forecast&) const = default;
 };
 

@@ -15,6 +15,7 @@ struct ForecastField
      * those in a column their longitude; all have the same source and time of issue.
      */
     std::vector<Forecast> places;
+    std::string extraJson = {}; ///< unknown members of a scenario file
     bool operator==(const ForecastField&) const = default;
 };
 

@@ -193,7 +193,8 @@ void flyHome(FlyablePath& path, const Scenario& scene)
     const TrackPoint& last = path.track.back();
     const Point home_m = uav.home_m.value_or(uav.position_m);
     const Point path_m = home_m - last.state.position_m;
-    const double time_s = last.time_s + flightTime_s(path_m, uav.spec.airspeed_mps, scene.wind_mps);
+    const double time_s = last.time_s + flightTime_s(path_m, uav.spec.airspeed_mps, Point::Zero(),
+                                                     windFromStart(scene), last.time_s);
     path.visits.push_back({.time_s = time_s, .position_m = home_m});
     if (time_s > last.time_s)
         path.track.push_back(

@@ -224,7 +224,8 @@ ForecastStart Mission::forecastStart() const
 {
     ForecastStart start{.world = m_simulation.state(),
                         .time_s = m_simulation.time_s(),
-                        .wind_mps = m_simulation.motion(0).wind_mps};
+                        .wind_mps = m_simulation.windAhead(),
+                        .forcings = m_simulation.world().forcings()};
     for (int uav = 0; uav < m_simulation.uavCount(); ++uav)
         start.airspeeds_mps.push_back(m_simulation.motion(uav).airspeed_mps);
     for (const IcebergIndex i : m_simulation.icebergs())

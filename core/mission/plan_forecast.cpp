@@ -1,6 +1,7 @@
 #include "core/mission/plan_forecast.h"
 
 #include "core/sim/clusters.h"
+#include "core/sim/drift_ahead.h"
 #include "core/sim/leg_flight.h"
 
 #include <algorithm>
@@ -52,17 +53,22 @@ double flyTo(std::span<const IcebergIndex> icebergs, const ForecastStart& start,
     for (const IcebergIndex iceberg : icebergs)
         require(iceberg >= 0 && toIndex(iceberg) < start.world.tracks.size(),
                 "order names an iceberg that is not there");
-    const auto track = [&start](IcebergIndex iceberg) -> const Track& {
-        return start.world.tracks[toIndex(iceberg)];
-    };
+    std::vector<DriftAhead> places;
+    for (const IcebergIndex iceberg : icebergs)
+        places.emplace_back(start.world.tracks[toIndex(iceberg)],
+                            start.forcings.empty() ? nullptr : start.forcings[toIndex(iceberg)],
+                            start.time_s);
+    if (icebergs.size() == 1) {
+        flight.flyTo(places.front(), start.time_s);
+        return 0;
+    }
     const auto circleAt = [&](double after_s) {
-        return circleRound(
-            icebergs, [&](IcebergIndex i) { return track(i).estimate_m(start.time_s + after_s); });
+        return circleRound(icebergs, [&](IcebergIndex i) {
+            const auto k = std::ranges::find(icebergs, i) - icebergs.begin();
+            return places[static_cast<std::size_t>(k)].at_m(after_s);
+        });
     };
-    if (icebergs.size() > 1)
-        return flight.flyTo(circleAt).radius_m;
-    flight.flyTo(track(icebergs.front()), start.time_s);
-    return 0;
+    return flight.flyTo(circleAt).radius_m;
 }
 
 bool startsWith(std::span<const IcebergIndex> order, std::span<const IcebergIndex> beginning)

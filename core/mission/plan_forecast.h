@@ -3,6 +3,7 @@
 #include "core/plan/policy/plan.h"
 #include "core/sim/simulation.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,7 +18,9 @@ struct ForecastStart
     /** Run time of that instant, s. */
     double time_s = 0;
     std::vector<double> airspeeds_mps; ///< by UAV
-    Point wind_mps = Point::Zero();
+    WindAhead wind_mps;                ///< from that instant on
+    /** By iceberg: its changing mean velocity, or null; empty if none changes. */
+    std::vector<std::shared_ptr<const DriftForcing>> forcings = {};
 };
 
 /** Visiting order of each UAV as iceberg indices; empty if it visits nothing. */
@@ -53,7 +56,7 @@ struct PlanForecast
  * Predicts arrivals, sigmas, Eq. (22), and the increase of zeta, Eq. (24), if `orders` are flown
  * for `horizon_s` seconds from the start, in closed form. Assumptions:
  * - the estimates drift on from the start, and each leg is aimed ahead of them (`LegFlight`);
- * - legs are straight and flown at the airspeed in the wind; turns take no time;
+ * - legs are straight and flown at the airspeed in the wind of the moment; turns take no time;
  * - an iceberg is seen for one instant, when the UAV is over its estimate: sigma falls to 0 and
  *   grows again. In a flight it is seen half a field of view earlier, and for longer;
  * - nothing is seen by chance on the path; icebergs outside the order grow from their present

@@ -70,6 +70,7 @@ UavRequest uavRequest(const Simulation& simulation, int uav, const IcebergList& 
                                .until_s = static_cast<double>(world.lastStep()) * world.dt_s(),
                                .uav = me.pose(),
                                .motion = me.motion(),
+                               .wind = simulation.windAhead(),
                                .sensor = me.sensor(),
                                .reachRadius_m = observer.cameras().reachRadius_m(),
                                .observer = world.observer(),

@@ -22,17 +22,26 @@ constexpr double kAirspeedErrorShare = 0.03;
 struct Air
 {
     double airspeed_mps = 0;
-    Point wind_mps = Point::Zero();
+    WindAhead wind_mps;
+    Point windError_mps = Point::Zero();
 };
 
-/** Flight time along the places, or infinity if the wind is too strong. */
-double time_s(std::span<const Point> places_m, const Air& air)
+/** Flight time over a straight piece of the path, begun at that time since its start. */
+double pieceTime_s(const Point& piece_m, const Air& air, double from_s)
 {
-    if (air.wind_mps.norm() >= air.airspeed_mps)
+    return flightTime_s(piece_m, air.airspeed_mps, Point(-air.windError_mps), air.wind_mps, from_s);
+}
+
+/**
+ * Flight time along the places, begun at `from_s`, or infinity if the wind is too strong.
+ */
+double time_s(std::span<const Point> places_m, const Air& air, double from_s = 0)
+{
+    if ((air.wind_mps.at_mps(from_s) + air.windError_mps).norm() >= air.airspeed_mps)
         return std::numeric_limits<double>::infinity();
     double time_s = 0;
     for (std::size_t i = 1; i < places_m.size(); ++i)
-        time_s += flightTime_s(places_m[i] - places_m[i - 1], air.airspeed_mps, air.wind_mps);
+        time_s += pieceTime_s(places_m[i] - places_m[i - 1], air, from_s + time_s);
     return time_s;
 }
 
@@ -70,7 +79,7 @@ std::optional<NoReturn> noReturn(const PlannedPath& path, const Point& home_m, c
     const auto isLate = [&](double flown_s, const Point& place_m) {
         std::vector<Point> back_m{place_m};
         flyTo(back_m, home_m, path.fence.get());
-        return flown_s + time_s(back_m, air) > left_s;
+        return flown_s + time_s(back_m, air, flown_s) > left_s;
     };
     if (isLate(0, path.places_m.front()))
         return NoReturn{.path_m = {path.places_m.front()}};
@@ -80,22 +89,26 @@ std::optional<NoReturn> noReturn(const PlannedPath& path, const Point& home_m, c
         flyTo(leg_m, path.places_m[i], path.fence.get());
         for (std::size_t k = 1; k < leg_m.size(); ++k) {
             const Point piece_m = leg_m[k] - leg_m[k - 1];
-            const double piece_s = flightTime_s(piece_m, air.airspeed_mps, air.wind_mps);
+            const double piece_s = pieceTime_s(piece_m, air, flown_s);
             if (!isLate(flown_s + piece_s, leg_m[k])) {
                 flown_s += piece_s;
                 continue;
             }
+            const bool isSteady = air.wind_mps.nextChange_s(flown_s) >= flown_s + piece_s;
+            const auto partTime_s = [&](double part) {
+                return isSteady ? part * piece_s : pieceTime_s(part * piece_m, air, flown_s);
+            };
             double inTime = 0;
             double late = 1;
             for (int round = 0; round < kHalvings; ++round) {
                 const double middle = (inTime + late) / 2;
-                (isLate(flown_s + middle * piece_s, leg_m[k - 1] + middle * piece_m) ? late
-                                                                                     : inTime) =
+                (isLate(flown_s + partTime_s(middle), leg_m[k - 1] + middle * piece_m) ? late
+                                                                                       : inTime) =
                     middle;
             }
             leg_m.resize(k);
             leg_m.push_back(leg_m.back() + inTime * piece_m);
-            return NoReturn{.time_s = flown_s + inTime * piece_s, .path_m = std::move(leg_m)};
+            return NoReturn{.time_s = flown_s + partTime_s(inTime), .path_m = std::move(leg_m)};
         }
     }
     return std::nullopt;
@@ -122,9 +135,12 @@ double noContact_s(std::span<const Point> places_m, const Air& air, const Point&
                    double radius_m)
 {
     double outside_s = 0;
-    for (std::size_t i = 1; i < places_m.size(); ++i)
-        outside_s += time_s(places_m.subspan(i - 1, 2), air) *
-                     (1 - shareInside(places_m[i - 1], places_m[i], centre_m, radius_m));
+    double flown_s = 0;
+    for (std::size_t i = 1; i < places_m.size(); ++i) {
+        const double piece_s = time_s(places_m.subspan(i - 1, 2), air, flown_s);
+        flown_s += piece_s;
+        outside_s += piece_s * (1 - shareInside(places_m[i - 1], places_m[i], centre_m, radius_m));
+    }
     return outside_s;
 }
 
@@ -163,14 +179,15 @@ std::optional<double> lowMargin_s(const Uav& uav, const PlannedPath& path)
     Random random(0, stableHash("wind and airspeed"));
     const Air air = airOf(uav, path);
     const std::vector<Point> flown_m = sortiePath_m(uav, path);
-    const double windError_mps = kWindError_mps + kWindErrorShare * air.wind_mps.norm();
+    const double windError_mps = kWindError_mps + kWindErrorShare * air.wind_mps.at_mps(0).norm();
     std::vector<double> margins_s;
     for (int flight = 0; flight < kFlights; ++flight) {
         const double east = random.normal();
         const double north = random.normal();
         const Air drawn{.airspeed_mps =
                             air.airspeed_mps * (1 + kAirspeedErrorShare * random.normal()),
-                        .wind_mps = air.wind_mps + windError_mps * Point(east, north)};
+                        .wind_mps = air.wind_mps,
+                        .windError_mps = windError_mps * Point(east, north)};
         margins_s.push_back(sortie->endurance_s - path.aloft_s - time_s(flown_m, drawn));
     }
     const auto low = margins_s.begin() + kLow;

@@ -2,6 +2,7 @@
 
 #include "core/base/issue.h"
 #include "core/scenario/fence.h"
+#include "core/vehicle/wind_series.h"
 
 #include <memory>
 #include <vector>
@@ -16,7 +17,7 @@ struct PlannedPath
     /** Number of places, the first included, before the UAV turns home. */
     std::size_t thisSortie = 0;
     double aloft_s = 0; ///< time since take-off at the start of the path
-    Point wind_mps = Point::Zero();
+    WindAhead wind_mps; ///< from the start of the path on
     /** Fence that the legs lead around; null if there is none. */
     std::shared_ptr<const Geofence> fence;
 };
@@ -44,8 +45,9 @@ struct SortieOutlook
 
 /**
  * Computes the safety figures of a path. Legs are straight, or straight from corner to corner of
- * the fence, and flown at the airspeed in the wind (`flightTime_s`). The figures are empty for a
- * path without places. The margin is minus infinity if the wind is not below the airspeed.
+ * the fence, and flown at the airspeed in the wind of the moment (`flightTime_s`). The figures are
+ * empty for a path without places. The margin is minus infinity if the wind is not below the
+ * airspeed.
  */
 [[nodiscard]] SortieOutlook sortieOutlook(const Scenario& scenario, const Uav& uav,
                                           const PlannedPath& path);

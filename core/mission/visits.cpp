@@ -5,6 +5,8 @@
 #include "core/sim/leg_flight.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <span>
 #include <stdexcept>
 
@@ -22,25 +24,44 @@ DriftModel driftOf(const Mission& mission, std::size_t iceberg)
     for (const Intervention& intervention : mission.interventions())
         if (intervention.appears && added++ == iceberg)
             start_s = intervention.time_s;
-    const auto seed = static_cast<std::uint64_t>(scenario.seed);
-    return {trueDrift(spec, scenario.observer, seed, scenario.noise, scenario.current_mps, start_s),
-            seed, spec.id, scenario.noise};
+    return {trueDrift(scenario, spec, mission.simulation().world().weather(), start_s),
+            static_cast<std::uint64_t>(scenario.seed), spec.id, scenario.noise};
 }
 
-/** Knowledge of the iceberg at the start. */
-Track trackOf(const Scenario& scenario, IcebergIndex iceberg)
+/** Predicts the icebergs of the order from the start on. */
+class PredictedPlaces
 {
-    return initialTrack(scenario.icebergs.at(toIndex(iceberg)), scenario.observer.model,
-                        scenario.current_mps);
-}
+public:
+    explicit PredictedPlaces(const Scenario& scenario)
+        : m_scenario(scenario), m_weather(weatherOf(scenario))
+    {
+    }
+
+    DriftAhead& of(IcebergIndex iceberg)
+    {
+        auto found = m_places.find(iceberg);
+        if (found == m_places.end()) {
+            const Iceberg& spec = m_scenario.icebergs.at(toIndex(iceberg));
+            found = m_places
+                        .emplace(iceberg, DriftAhead(trackAtStart(m_scenario, spec, m_weather),
+                                                     forcingOf(m_weather, spec), 0))
+                        .first;
+        }
+        return found->second;
+    }
+
+private:
+    const Scenario& m_scenario;
+    std::shared_ptr<const FlightWeather> m_weather;
+    std::map<IcebergIndex, DriftAhead> m_places;
+};
 
 /** Flies on to the cluster and returns the visit. */
-Visit visitOf(std::span<const IcebergIndex> members, const Scenario& scenario, LegFlight& flight)
+Visit visitOf(std::span<const IcebergIndex> members, PredictedPlaces& places, LegFlight& flight)
 {
     const Circle met = flight.flyTo([&](double time_s) {
-        return circleRound(members, [&](IcebergIndex member) {
-            return trackOf(scenario, member).estimate_m(time_s);
-        });
+        return circleRound(members,
+                           [&](IcebergIndex member) { return places.of(member).at_m(time_s); });
     });
     return {.iceberg = members.front(),
             .time_s = flight.time_s(),
@@ -66,7 +87,8 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const IcebergList& or
                                  const std::vector<IcebergList>& clusters)
 {
     const Uav& uav = scenario.uavs.at(0);
-    LegFlight flight(uav.position_m, uav.spec.airspeed_mps, scenario.wind_mps);
+    LegFlight flight(uav.position_m, uav.spec.airspeed_mps, windFromStart(scenario));
+    PredictedPlaces places(scenario);
     std::vector<Visit> visits;
     const bool endures = uav.spec.endurance_s == 0;
     const auto count =
@@ -76,10 +98,10 @@ std::vector<Visit> plannedVisits(const Scenario& scenario, const IcebergList& or
         const std::span<const IcebergIndex> members = clusterWith(clusters, index);
         if (!members.empty()) {
             if (index == members.front())
-                visits.push_back(visitOf(members, scenario, flight));
+                visits.push_back(visitOf(members, places, flight));
             continue;
         }
-        const Point met_m = flight.flyTo(trackOf(scenario, index), 0);
+        const Point met_m = flight.flyTo(places.of(index), 0);
         visits.push_back({.iceberg = index, .time_s = flight.time_s(), .position_m = met_m});
     }
     // Other policies do not use the route setting.

@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/geometry/outline.h"
+#include "core/scenario/flight_weather.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,8 @@ std::vector<Point> placesToFly_m(const Scenario& scenario)
     for (const Iceberg& iceberg : scenario.icebergs)
         for (const double time_s : {iceberg.appears_s, scenario.duration_s}) {
             const Point place_m =
-                iceberg.position_m + (iceberg.velocity_mps + scenario.current_mps) * time_s;
+                iceberg.position_m +
+                (iceberg.velocity_mps + meanDrift_mps(scenario, iceberg)) * time_s;
             const bool isFlownTo = scenario.area_m.empty() || // icebergs outside are not visited
                                    insidePolygon(scenario.area_m, place_m);
             if (iceberg.appears_s <= scenario.duration_s && isFlownTo)
@@ -34,9 +36,10 @@ std::vector<Point> placesToFly_m(const Scenario& scenario)
 OperationVolume operationVolume(const Scenario& scenario, const Operation& operation)
 {
     OperationVolume volume;
+    const std::shared_ptr<const FlightWeather> weather = weatherOf(scenario);
+    const double wind_mps = weather ? weather->strongestWind_mps() : scenario.wind_mps.norm();
     for (const Uav& uav : scenario.uavs) {
-        volume.speed_mps =
-            std::max(volume.speed_mps, uav.spec.airspeed_mps + scenario.wind_mps.norm());
+        volume.speed_mps = std::max(volume.speed_mps, uav.spec.airspeed_mps + wind_mps);
         volume.height_m = std::max(volume.height_m, uav.spec.altitude_m);
     }
     const double v_mps = volume.speed_mps;

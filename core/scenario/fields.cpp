@@ -146,6 +146,10 @@ struct Fields
          en("Run time from which the iceberg is known; 0 is the start.")},
         {"radius_m", [](Iceberg& i) { return &i.radius_m; }, Metres, limits::kLength_m, {.step = 5}, en("Radius"),
          en("Half its length. It sets the size on the map and how far outside the area the iceberg is monitored.")},
+        {"length_m", [](Iceberg& i) { return &i.length_m; }, Metres, limits::kIcebergLength_m,
+         {.step = 10, .noneText = en("not known")}, en("Length"),
+         en("Length at the waterline. With it, wind and current carry the iceberg, and it may run aground; without "
+                    "it, the current alone.")},
         {"uav", [](Iceberg& i) { return &i.uav; }, Text, {}, {}, en("Visited by"),
          en("The only UAV that may visit it.")},
     });
@@ -262,6 +266,30 @@ struct Fields
                     "whether ice may form.")},
     });
 
+    static constexpr auto kForecastEntry = std::to_array<Field<ForecastEntry>>({
+        {"wind_mps", [](ForecastEntry& e) { return &e.wind_mps; }, Speed, limits::kWindVelocity_mps, {},
+         en("Wind east"), "", en("Wind north")},
+        {"gust_mps", [](ForecastEntry& e) { return &e.gust_mps; }, Speed, limits::kWindSpeed_mps, {}, en("Gusts")},
+        {"air_temperature_degc", [](ForecastEntry& e) { return &e.airTemperature_degC; }, Celsius,
+         limits::kTemperature_degC, {}, en("Temperature")},
+        {"dew_point_degc", [](ForecastEntry& e) { return &e.dewPoint_degC; }, Celsius, limits::kTemperature_degC, {},
+         en("Dew point")},
+        {"fog_percent", [](ForecastEntry& e) { return &e.fog_percent; }, Percent, limits::kPercent, {}, en("Fog")},
+        {"visibility_m", [](ForecastEntry& e) { return &e.visibility_m; }, Distance, limits::kLength_m, {},
+         en("Visibility")},
+        {"ceiling_m", [](ForecastEntry& e) { return &e.ceiling_m; }, Height, limits::kLength_m, {}, en("Cloud base")},
+        {"current_mps", [](ForecastEntry& e) { return &e.current_mps; }, Speed, limits::kVelocity_mps, {},
+         en("Current east"), "", en("Current north")},
+    });
+
+    static constexpr auto kForecast = std::to_array<Field<Forecast>>({
+        {"latitude_deg", [](Forecast& f) { return &f.place.latitude_deg; }, Degrees, limits::kLatitude_deg,
+         {.presence = Needed}, en("Latitude")},
+        {"longitude_deg", [](Forecast& f) { return &f.place.longitude_deg; }, Degrees, limits::kLongitude_deg,
+         {.presence = Needed}, en("Longitude")},
+        {"depth_m", [](Forecast& f) { return &f.depth_m; }, Metres, limits::kLength_m, {}, en("Depth of the sea")},
+    });
+
     static constexpr auto kOrigin = std::to_array<Field<LatLon>>({
         {"latitude_deg", [](LatLon& o) { return &o.latitude_deg; }, Degrees, limits::kLatitude_deg,
          {.presence = Always}, en("Latitude"),
@@ -355,6 +383,8 @@ template <> std::span<const Field<AirspaceArea>> fieldsOf() { return Fields::kAi
 template <> std::span<const Field<GroundStation>> fieldsOf() { return Fields::kGroundStation; }
 template <> std::span<const Field<Operation>> fieldsOf() { return Fields::kOperation; }
 template <> std::span<const Field<Weather>> fieldsOf() { return Fields::kWeather; }
+template <> std::span<const Field<Forecast>> fieldsOf() { return Fields::kForecast; }
+template <> std::span<const Field<ForecastEntry>> fieldsOf() { return Fields::kForecastEntry; }
 template <> std::span<const Field<LatLon>> fieldsOf() { return Fields::kOrigin; }
 template <> std::span<const Field<ObserverSpec>> fieldsOf() { return Fields::kObserver; }
 template <> std::span<const Field<Scenario>> fieldsOf() { return Fields::kScenario; }

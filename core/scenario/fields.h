@@ -109,6 +109,8 @@ void forEachObject(const Use& use)
     use("icebergs[].", fieldsOf<Iceberg>());
     use("asset.", fieldsOf<Asset>());
     use("weather.", fieldsOf<Weather>());
+    use("forecast.places[].", fieldsOf<Forecast>());
+    use("forecast.places[].series[].", fieldsOf<ForecastEntry>());
     use("ground_station.", fieldsOf<GroundStation>());
     use("observer.", fieldsOf<ObserverSpec>());
     use("planner.", plannerFields());

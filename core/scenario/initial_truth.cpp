@@ -2,7 +2,9 @@
 
 #include "core/base/random.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace berg {
 
@@ -34,19 +36,67 @@ InitialTruth initialTruth(const Iceberg& iceberg, const ObserverSpec& observer, 
 }
 
 DriftSpec trueDrift(const Iceberg& iceberg, const ObserverSpec& observer, std::uint64_t seed,
-                    bool noise, const Point& current_mps, double start_s)
+                    bool noise, const Point& mean_mps, double start_s,
+                    std::shared_ptr<const DriftForcing> forcing)
 {
     const InitialTruth start = initialTruth(iceberg, observer, seed, noise);
     const bool isConstant = observer.model == ObserverModel::Simple;
+    const Point startMean_mps =
+        forcing ? forcing->mean_mps(start.position_m, DriftForcing::stepAt(start_s))
+                      .value_or(Point(Point::Zero()))
+                : mean_mps;
     return {.position_m = start.position_m,
             .start_s = start_s,
-            .velocity_mps = start.velocity_mps + current_mps,
+            .velocity_mps = start.velocity_mps + startMean_mps,
             .q_m2ps = iceberg.q_m2ps,
-            .mean_mps = current_mps,
+            .mean_mps = startMean_mps,
             .velocitySpread_mps = isConstant ? 0 : iceberg.velocitySpread_mps,
             .velocityTime_s = isConstant ? 0 : iceberg.velocityTime_s,
             .track = iceberg.track.empty() ? nullptr
-                                           : std::make_shared<const RecordedTrack>(iceberg.track)};
+                                           : std::make_shared<const RecordedTrack>(iceberg.track),
+            .forcing = std::move(forcing)};
+}
+
+DriftSpec trueDrift(const ScenarioWorld& scenario, const Iceberg& iceberg,
+                    const std::shared_ptr<const FlightWeather>& weather, double start_s)
+{
+    return trueDrift(iceberg, scenario.observer, static_cast<std::uint64_t>(scenario.seed),
+                     scenario.noise, meanDrift_mps(scenario, iceberg), start_s,
+                     forcingOf(weather, iceberg));
+}
+
+Track trackAtStart(const ScenarioWorld& scenario, const Iceberg& iceberg,
+                   const std::shared_ptr<const FlightWeather>& weather, double start_s)
+{
+    const std::shared_ptr<const DriftForcing> forcing = forcingOf(weather, iceberg);
+    const std::optional<Point> mean_mps =
+        forcing ? forcing->mean_mps(iceberg.position_m, DriftForcing::stepAt(start_s))
+                : meanDrift_mps(scenario, iceberg);
+    Track track =
+        initialTrack(iceberg, scenario.observer.model, mean_mps.value_or(Point(Point::Zero())));
+    track.anchor_s = start_s;
+    track.seen_s = start_s;
+    track.isForced = forcing != nullptr || iceberg.length_m.has_value();
+    track.setMean(mean_mps, start_s);
+    return track;
+}
+
+void growUnseen(Track& track, const DriftForcing* forcing, double from_s, double until_s)
+{
+    // Steps in which the mean does not change are one, so that a constant forcing changes nothing.
+    double grown_s = from_s;
+    for (std::int64_t step = DriftForcing::stepAt(from_s) + 1;
+         forcing != nullptr && static_cast<double>(step) * DriftForcing::kStep_s < until_s;
+         ++step) {
+        const double time_s = static_cast<double>(step) * DriftForcing::kStep_s;
+        const std::optional<Point> mean_mps = forcing->mean_mps(track.estimate_m(time_s), step);
+        if (mean_mps == track.mean_mps)
+            continue;
+        track.grow(time_s - grown_s);
+        track.setMean(mean_mps, time_s);
+        grown_s = time_s;
+    }
+    track.grow(std::max(0.0, until_s - grown_s));
 }
 
 } // namespace berg

@@ -24,6 +24,9 @@ inline constexpr double kStrongWindShare = 0.7;
 /** UAVs whose altitudes differ by less than this are in one layer and must be separated. */
 inline constexpr double kLayerHeight_m = 30;
 inline constexpr std::size_t kMostTrackPoints = 10'000; ///< points of one iceberg's track
+inline constexpr std::size_t kMostForecastPlaces = 10'000;
+/** Entries of a forecast: places times their times. */
+inline constexpr std::size_t kMostForecastEntries = 200'000;
 
 inline constexpr double kLargestCoordinate_m = 1e6;
 inline constexpr double kLargestVelocity_mps = 5; ///< per component, of an iceberg or the current
@@ -60,6 +63,11 @@ inline constexpr Limits kExtent_m{.low = 1, .high = kLargestLength_m}; ///< fiel
 inline constexpr Limits kEndurance_s{.low = 1, .high = kLargestTime_s};
 inline constexpr Limits kReservePercent{.low = 0, .high = 90};
 inline constexpr Limits kWindSpeed_mps{.low = 0, .high = 150}; ///< about the strongest gust known
+/** East or north part of a wind. */
+inline constexpr Limits kWindVelocity_mps{.low = -150, .high = 150};
+inline constexpr Limits kPercent{.low = 0, .high = 100};
+/** A growler to the largest tabular iceberg known. */
+inline constexpr Limits kIcebergLength_m{.low = 0.1, .high = 300'000};
 inline constexpr Limits kTemperature_degC{.low = -90, .high = 60};
 inline constexpr Limits kBank_deg{.low = 1, .high = 80};
 inline constexpr Limits kPitch_deg{.low = 0, .high = 45};

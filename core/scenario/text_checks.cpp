@@ -25,6 +25,24 @@ std::optional<int> digits(std::string_view text, std::size_t from, std::size_t c
     return value;
 }
 
+/** Returns the number of `width` digits at `at`; the text has been checked. */
+int numberAt(std::string_view text, std::size_t at, std::size_t width)
+{
+    const std::string_view part = text.substr(at, width);
+    int value = 0;
+    std::from_chars(part.data(), part.data() + part.size(), value);
+    return value;
+}
+
+/** Thousandths of a fraction given as "fff...Z". */
+int thousandths(std::string_view fraction)
+{
+    int value = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        value = value * 10 + (i + 1 < fraction.size() ? fraction[i] - '0' : 0);
+    return value;
+}
+
 } // namespace
 
 std::optional<IssueReason> outOfLimits(double value, const Limits& limits)
@@ -113,6 +131,22 @@ bool isUtcTime(std::string_view text)
                                            std::chrono::month(static_cast<unsigned>(*month)),
                                            std::chrono::day(static_cast<unsigned>(*day))};
     return date.ok() && *hour <= 23 && *minute <= 59 && *second <= 59;
+}
+
+std::optional<std::chrono::sys_time<std::chrono::milliseconds>> utcTimeOf(std::string_view text)
+{
+    using namespace std::chrono;
+    if (!isUtcTime(text))
+        return std::nullopt;
+    // YYYY-MM-DDThh:mm, then Z, :ssZ or :ss.fff...Z
+    const year_month_day date{year(numberAt(text, 0, 4)),
+                              month(static_cast<unsigned>(numberAt(text, 5, 2))),
+                              day(static_cast<unsigned>(numberAt(text, 8, 2)))};
+    constexpr std::size_t kPoint = 19;
+    const bool hasFraction = text.size() > kPoint && text[kPoint] == '.';
+    const int millisecond = hasFraction ? thousandths(text.substr(kPoint + 1)) : 0;
+    return sys_days(date) + hours(numberAt(text, 11, 2)) + minutes(numberAt(text, 14, 2)) +
+           seconds(numberAt(text, 17, 2)) + milliseconds(millisecond);
 }
 
 } // namespace berg

@@ -3,6 +3,7 @@
 #include "core/base/issue.h"
 #include "core/scenario/limits.h"
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,13 @@ namespace berg {
  * fraction of at most nine digits.
  */
 [[nodiscard]] bool isUtcTime(std::string_view text);
+
+/**
+ * Returns the instant of a text for which `isUtcTime` holds, its fraction cut to milliseconds, or
+ * nullopt for any other text.
+ */
+[[nodiscard]] std::optional<std::chrono::sys_time<std::chrono::milliseconds>>
+utcTimeOf(std::string_view text);
 
 /** Returns true if the bytes are well-formed UTF-8 (no overlong form, no surrogate). */
 [[nodiscard]] bool isUtf8(std::string_view text);

@@ -19,17 +19,24 @@ constexpr double kCircleMargin = 1.2;
 /** Time between two searches for a path home while none is known. */
 constexpr std::int64_t kNextSearch_s = 10;
 
-SafetyGuard guardOf(const Uav& uav, const Scenario& scenario)
+SafetyGuard guardOf(const Uav& uav, const Scenario& scenario, const FlightWeather* weather)
 {
+    const WindAhead wind =
+        weather != nullptr ? WindAhead(weather->wind(), 0) : WindAhead(scenario.wind_mps);
+    const double windLimit_mps = weather != nullptr ? weather->strongestWind_mps() : 0;
     GuardedUav guarded{.motion = {.airspeed_mps = uav.spec.airspeed_mps,
                                   .limit_radps = maxTurnRate_radps(uav.spec),
-                                  .wind_mps = scenario.wind_mps},
+                                  .wind_mps = wind.at_mps(0),
+                                  .windLimit_mps = windLimit_mps},
                        .clock = {.dt_s = scenario.dt_s,
                                  .steps = std::max<std::int64_t>(
                                      1, std::llround(uav.spec.autopilot_s / scenario.dt_s))}};
     guarded.sortie = sortieOf(uav);
     guarded.fence = fenceOf(scenario, uav.spec.altitude_m, guarded.motion);
-    return SafetyGuard(std::move(guarded));
+    SafetyGuard guard(std::move(guarded));
+    if (weather != nullptr)
+        guard.followWind(wind, windLimit_mps);
+    return guard;
 }
 
 /**
@@ -46,7 +53,7 @@ bool isFencedOff(const Geofence* fence, const Point& from_m, const Point& place_
 
 } // namespace
 
-Autopilot::Autopilot(const Uav& uav, const Scenario& scenario)
+Autopilot::Autopilot(const Uav& uav, const Scenario& scenario, const FlightWeather* weather)
     : m_sensor{.fov_m = uav.fov_m, .shape = scenario.fovShape}
     , m_withoutLimit{.endurance_s = std::numeric_limits<double>::infinity(),
                      .turnaround_s = uav.turnaround_s,
@@ -55,7 +62,7 @@ Autopilot::Autopilot(const Uav& uav, const Scenario& scenario)
     , m_turnRadius_m(turnRadius_m(uav.spec))
     , m_reach_m(scenario.reachRadius_m.value_or(surelySeen_m(m_sensor)))
     , m_needsRunOut(m_reach_m < m_turnRadius_m)
-    , m_guard(guardOf(uav, scenario))
+    , m_guard(guardOf(uav, scenario, weather))
     , m_pose{.position_m = uav.position_m, .psi_rad = psiFromHeading(uav.heading_deg)}
 {
     m_guidance.startLeg(uav.position_m);
@@ -261,6 +268,14 @@ void Autopilot::setWind(const Point& wind_mps, const Observer& observer)
 {
     m_guard.setWind(wind_mps);
     m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
+}
+
+void Autopilot::followWind(const WindAhead& wind, double windLimit_mps, const Observer& observer)
+{
+    const bool isNew = m_guard.followWind(wind, windLimit_mps);
+    // Others find a new path at their next command.
+    if (isNew && mode() == FlightMode::Home)
+        m_guard.proveReturn(m_pose, m_u_radps, observer.world().step());
 }
 
 void Autopilot::setHome(const Point& home_m, const Observer& observer)

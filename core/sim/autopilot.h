@@ -26,10 +26,10 @@ class Autopilot
 {
 public:
     /**
-     * Starts at the UAV's start pose in mode Idle. The wind, fence and endurance are those of
-     * `scenario`, which must have no errors (`validate`).
+     * Starts at the UAV's start pose in mode Idle. The fence and endurance are those of `scenario`,
+     * which must have no errors (`validate`). `weather` is that of the scenario, or null.
      */
-    Autopilot(const Uav& uav, const Scenario& scenario);
+    Autopilot(const Uav& uav, const Scenario& scenario, const FlightWeather* weather);
 
     [[nodiscard]] const DubinsState& pose() const { return m_pose; }
     /** Returns the position before the last call of `move`, m. */
@@ -102,6 +102,11 @@ public:
     void withhold(double withheld_s) { m_guard.withhold(withheld_s); }
     /** Sets the wind from now on and proves the return path again. */
     void setWind(const Point& wind_mps, const Observer& observer);
+    /**
+     * Sets the wind of now and what is known of the wind to come, none of it stronger than
+     * `windLimit_mps`. A UAV on its way home proves its path again.
+     */
+    void followWind(const WindAhead& wind, double windLimit_mps, const Observer& observer);
     /**
      * Sets the landing place from now on and proves the return path again. On the ground the UAV
      * moves along.

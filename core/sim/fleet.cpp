@@ -36,6 +36,7 @@ std::shared_ptr<const Scenario> boundsOf(const Scenario& scenario)
     bounds->geofence = scenario.geofence;
     bounds->noFly = scenario.noFly;
     bounds->asset = scenario.asset;
+    bounds->weather = scenario.weather;
     return bounds;
 }
 
@@ -50,7 +51,7 @@ Fleet::Fleet(const Scenario& scenario, std::span<const DriftNoise> noise)
 {
     require(!scenario.uavs.empty(), "Simulation: no UAV");
     for (const Uav& uav : scenario.uavs)
-        m_autopilots.emplace_back(uav, scenario);
+        m_autopilots.emplace_back(uav, scenario, m_observer.world().weather().get());
     for (int uav = 0; uav < count(); ++uav) {
         m_separation.setMotion(uav, autopilot(uav).guard());
         enterLayer(uav);
@@ -100,6 +101,8 @@ bool Fleet::clusterable(int uav, IcebergIndex iceberg) const
 
 void Fleet::advance(std::span<const std::optional<ExternalPose>> poses)
 {
+    if (m_observer.world().weather() && !m_isWindReported)
+        followWind(m_observer.world().time_s());
     m_observer.world().tick(); // steering uses the estimates at the end of the step
     m_report.trigger = PlanReason::None;
     for (int uav = 0; uav < count(); ++uav) {
@@ -335,8 +338,41 @@ bool Fleet::endOverdueCluster(int uav)
     return true;
 }
 
+/**
+ * Lets the wind change at the beginning of a step of the weather. Discs and fences have room for
+ * the strongest wind to come, so they stay as they are.
+ */
+void Fleet::followWind(double time_s)
+{
+    constexpr double kRounding = 1e-9;
+    const auto step =
+        static_cast<std::int64_t>(std::floor(time_s / FlightWeather::kWindStep_s + kRounding));
+    if (step == m_windStep)
+        return;
+    m_windStep = step;
+    const FlightWeather& weather = *m_observer.world().weather();
+    const double from_s = static_cast<double>(step) * FlightWeather::kWindStep_s;
+    for (Autopilot& uav : m_autopilots)
+        uav.followWind(WindAhead(weather.wind(), from_s), weather.strongestWind_mps(), m_observer);
+}
+
+WindAhead Fleet::windAhead() const
+{
+    const World& world = m_observer.world();
+    return world.weather() && !m_isWindReported ? WindAhead(world.weather()->wind(), world.time_s())
+                                                : WindAhead(autopilot(0).motion().wind_mps);
+}
+
+std::optional<double> Fleet::gust_mps() const
+{
+    const World& world = m_observer.world();
+    return world.weather() && !m_isWindReported ? world.weather()->gust_mps(world.time_s())
+                                                : m_bounds->weather.gust_mps;
+}
+
 void Fleet::setWind(const Point& wind_mps)
 {
+    m_isWindReported = true;
     m_observer.setWind(wind_mps);
     for (int uav = 0; uav < count(); ++uav) {
         Autopilot& me = m_autopilots[toIndex(uav)];

@@ -104,8 +104,17 @@ public:
      * makes them unclustered, and they are visited one by one.
      */
     [[nodiscard]] bool endOverdueCluster(int uav);
-    /** Sets the wind from now on; UAVs that can no longer be home in time turn home. */
+    /**
+     * Sets the wind from now on, in place of a forecast; UAVs that can no longer be home in time
+     * turn home.
+     */
     void setWind(const Point& wind_mps);
+    /** Returns true if the crew has reported a wind, which replaces that of a forecast. */
+    [[nodiscard]] bool isWindReported() const { return m_isWindReported; }
+    /** Returns the wind of the flight from now on. */
+    [[nodiscard]] WindAhead windAhead() const;
+    /** Returns the gusts of now, or nullopt if they are unknown. */
+    [[nodiscard]] std::optional<double> gust_mps() const;
     /**
      * Replaces the protected asset. A changed stand-off ring changes the fences; UAVs that can no
      * longer be home in time turn home.
@@ -130,12 +139,15 @@ private:
     void takeSlot(int uav);
     void enforceSeparation(int uav);
     void watchSeparation();
+    void followWind(double time_s);
 
     bool m_clusters;
     double m_separation_m;
     /** Fence data of the scenario, as `fenceOf` needs it. Recorded copies of the fleet share it. */
     std::shared_ptr<const Scenario> m_bounds;
     Observer m_observer;
+    bool m_isWindReported = false; ///< true if the crew's wind replaces the forecast
+    std::int64_t m_windStep = 0;   ///< step of `FlightWeather` whose wind blows
     std::vector<Autopilot> m_autopilots;
     std::vector<std::vector<int>> m_padMates; ///< by UAV: others that use the same pad
     Separation m_separation;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace berg {
 
@@ -52,6 +53,13 @@ double holdingRadius_m(const SafetyGuard& guard)
     constexpr int kCourses = 8;
     constexpr double kRounding_m = 0.5;
     const Motion& motion = guard.uav().motion;
+    if (motion.windLimit_mps > motion.wind_mps.norm()) { // the disc suits all winds to come
+        GuardedUav widest{
+            .motion = motion, .sortie = {}, .fence = nullptr, .clock = guard.uav().clock};
+        widest.motion.wind_mps = {motion.windLimit_mps, 0};
+        widest.motion.windLimit_mps = 0;
+        return holdingRadius_m(SafetyGuard(std::move(widest)));
+    }
     const double circle_m = circleOverGround_m(motion);
     double radius_m = circle_m;
     if (motion.wind_mps.isZero(0))

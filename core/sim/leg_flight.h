@@ -2,10 +2,12 @@
 
 #include "core/base/index.h"
 #include "core/geometry/enclosing_circle.h"
-#include "core/tracking/observer.h"
+#include "core/sim/drift_ahead.h"
 #include "core/vehicle/dubins.h"
+#include "core/vehicle/wind_series.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace berg {
@@ -13,15 +15,16 @@ namespace berg {
 /**
  * A UAV that flies a plan ahead along straight legs at its airspeed in the wind. Each leg is aimed
  * at the predicted position of its drifting target: flight time t = d / (w_par + sqrt(U^2 - w_n^2))
- * with wind minus drift in place of the wind. Turns take no time. Every prediction of arrival times
+ * with wind minus drift in place of the wind; where the wind changes on the way, it is integrated.
+ * Turns take no time. Every prediction of arrival times
  * uses this class.
  */
 class LegFlight
 {
 public:
     /** Starts at `from_m` at time 0. */
-    LegFlight(const Point& from_m, double airspeed_mps, const Point& wind_mps)
-        : m_airspeed_mps(airspeed_mps), m_wind_mps(wind_mps), m_position_m(from_m)
+    LegFlight(const Point& from_m, double airspeed_mps, WindAhead wind)
+        : m_airspeed_mps(airspeed_mps), m_wind(std::move(wind)), m_position_m(from_m)
     {
     }
 
@@ -38,26 +41,24 @@ public:
     Point flyTo(const Point& place_m, const Point& drift_mps)
     {
         const Point now_m = place_m + drift_mps * m_time_s;
-        const Point relativeWind_mps = m_wind_mps - drift_mps;
-        const bool sure = relativeWind_mps.norm() < m_airspeed_mps;
-        const double flight_s = flightTime_s(now_m - m_position_m, m_airspeed_mps,
-                                             sure ? relativeWind_mps : m_wind_mps);
+        const bool sure = (m_wind.at_mps(m_time_s) - drift_mps).norm() < m_airspeed_mps;
+        const double flight_s =
+            flightTime_s(now_m - m_position_m, m_airspeed_mps,
+                         sure ? drift_mps : Point(Point::Zero()), m_wind, m_time_s);
         m_time_s += flight_s;
         m_position_m = sure ? Point(now_m + drift_mps * flight_s) : now_m;
         return m_position_m;
     }
 
     /**
-     * Flies to the track's estimate, whose time at the start of the flight is `start_s`, s; returns
-     * the meeting point.
+     * Flies to the predicted place of an iceberg; the flight starts at run time `start_s`, as the
+     * prediction does. Returns the meeting point.
      */
-    Point flyTo(const Track& track, double start_s)
+    Point flyTo(DriftAhead& iceberg, double start_s)
     {
-        if (track.velocityTime_s == 0)
-            return flyTo(track.estimate_m(start_s), track.velocity_mps);
-        return flyTo([&](double after_s) {
-                   return Circle{.centre_m = track.estimate_m(start_s + after_s)};
-               })
+        if (iceberg.isSteady())
+            return flyTo(iceberg.track().estimate_m(start_s), iceberg.track().velocity_mps);
+        return flyTo([&](double after_s) { return Circle{.centre_m = iceberg.at_m(after_s)}; })
             .centre_m;
     }
 
@@ -72,7 +73,7 @@ public:
         double arrival_s = m_time_s;
         for (int round = 0; round < kRounds; ++round)
             arrival_s = m_time_s + flightTime_s(circleAt(arrival_s).centre_m - m_position_m,
-                                                m_airspeed_mps, m_wind_mps);
+                                                m_airspeed_mps, Point::Zero(), m_wind, m_time_s);
         Circle met = circleAt(arrival_s);
         m_time_s = arrival_s;
         m_position_m = met.centre_m;
@@ -81,7 +82,7 @@ public:
 
 private:
     double m_airspeed_mps;
-    Point m_wind_mps;
+    WindAhead m_wind;
     Point m_position_m;
     double m_time_s = 0;
 };

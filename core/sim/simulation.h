@@ -85,8 +85,10 @@ public:
      */
     void advanceStep(std::span<const std::optional<ExternalPose>> poses = {});
 
-    /** Sets the wind from now on and requests a plan. */
+    /** Sets the wind from now on, in place of a forecast, and requests a plan. */
     void setWind(const Point& wind_mps);
+    /** Returns the wind of the flight from now on. */
+    [[nodiscard]] WindAhead windAhead() const { return m_fleet.windAhead(); }
     /** Sets the protected asset from now on and requests a plan. */
     void setAsset(const Asset& asset);
     /**

@@ -161,23 +161,56 @@ DriftModel::DriftModel(const DriftSpec& spec, std::uint64_t seed, std::string_vi
 
 DriftModel::DriftModel(const DriftSpec& spec, DriftNoise source, bool noise)
     : m_track(spec.track)
+    , m_forcing(spec.track ? nullptr : spec.forcing)
+    , m_mean_mps(spec.mean_mps)
+    , m_own_mps(spec.velocity_mps - spec.mean_mps)
     , m_start_m(spec.position_m)
     , m_start_s(spec.start_s)
     , m_velocity_mps(spec.velocity_mps)
     , m_deviation_m(noise && !spec.track ? std::sqrt(spec.q_m2ps) : 0.0)
-    , m_isStepped(m_deviation_m != 0)
+    , m_isStepped(m_deviation_m != 0 || m_forcing)
     , m_velocitySource(source.velocityStream())
     , m_source(std::move(source))
 {
     if (!spec.track && spec.velocityTime_s > 0) {
         m_velocity_mps = spec.mean_mps;
+        m_own_mps = Point::Zero();
         m_nextExcess_mps = spec.velocity_mps - spec.mean_mps;
         m_fade = velocityStep({.velocitySpread_mps = noise ? spec.velocitySpread_mps : 0,
                                .velocityTime_s = spec.velocityTime_s},
                               1);
         m_isStepped = true;
     }
+    if (m_forcing) {
+        m_forcingStep = DriftForcing::stepAt(m_start_s) - 1;
+        followForcing();
+    }
     drawStep();
+}
+
+/** Changes the mean velocity at the beginning of a step, or stops an iceberg that is aground. */
+void DriftModel::followForcing()
+{
+    const auto age_s = static_cast<double>(m_second);
+    const std::int64_t step = DriftForcing::stepAt(m_start_s + age_s);
+    if (m_isAground || step == m_forcingStep)
+        return;
+    m_forcingStep = step;
+    const Point base_m = m_start_m + m_velocity_mps * (age_s - m_base_s);
+    const std::optional<Point> mean_mps = m_forcing->mean_mps(base_m + m_noise_m, step);
+    if (mean_mps == m_mean_mps)
+        return;
+    m_base_s = age_s;
+    m_start_m = base_m;
+    if (mean_mps) {
+        m_mean_mps = *mean_mps;
+        m_velocity_mps = m_own_mps + m_mean_mps;
+        return;
+    }
+    m_isAground = true;
+    m_start_m += m_noise_m;
+    m_noise_m = m_velocity_mps = m_mean_mps = Point::Zero();
+    m_excess_mps = m_nextExcess_mps = Point::Zero();
 }
 
 Point DriftModel::aheadAt(double time_s) const
@@ -190,12 +223,18 @@ double DriftModel::speedLimit_mps() const
 {
     if (m_track || m_fade.velocity_mps > 0)
         return std::numeric_limits<double>::infinity();
-    return m_nextExcess_mps.norm() + m_velocity_mps.norm() +
+    const double steady_mps =
+        m_forcing ? m_own_mps.norm() + m_forcing->fastest_mps() : m_velocity_mps.norm();
+    return m_nextExcess_mps.norm() + steady_mps +
            m_deviation_m * DriftNoise::kLargest * std::numbers::sqrt2;
 }
 
 void DriftModel::drawStep()
 {
+    if (m_isAground) {
+        m_step_m = Point::Zero();
+        return;
+    }
     if (m_deviation_m != 0)
         m_step_m = m_deviation_m * m_source.next();
     else
@@ -217,6 +256,8 @@ void DriftModel::nextSecond()
 {
     m_noise_m += m_step_m;
     ++m_second;
+    if (m_forcing)
+        followForcing();
     drawStep();
 }
 

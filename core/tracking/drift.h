@@ -3,8 +3,10 @@
 #include "core/base/random.h"
 #include "core/geometry/geometry.h"
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -99,6 +101,40 @@ struct VelocityStep
  */
 [[nodiscard]] double carriedFor_s(double velocityTime_s, double dt_s);
 
+/**
+ * Mean velocity of an iceberg that changes with place and time, as wind and current do. Mean
+ * velocities are held for `kStep_s` of the run, with the value of the middle of that time at the
+ * place where the iceberg is at its beginning. Immutable: several threads may share an object.
+ */
+class DriftForcing
+{
+public:
+    static constexpr double kStep_s = 60;
+
+    DriftForcing() = default;
+    DriftForcing(const DriftForcing&) = delete;
+    DriftForcing& operator=(const DriftForcing&) = delete;
+    virtual ~DriftForcing() = default;
+
+    /** Returns the number of the step that contains a run time. */
+    [[nodiscard]] static std::int64_t stepAt(double time_s)
+    {
+        constexpr double kRounding = 1e-9;
+        return static_cast<std::int64_t>(std::floor(time_s / kStep_s + kRounding));
+    }
+    /** Returns the mean velocity in a step, or nullopt if the iceberg is aground at the place. */
+    [[nodiscard]] std::optional<Point> mean_mps(const Point& place_m, std::int64_t step) const
+    {
+        return meanAt_mps(place_m, (static_cast<double>(step) + 0.5) * kStep_s);
+    }
+    /** Returns a speed that no mean velocity exceeds. */
+    [[nodiscard]] virtual double fastest_mps() const = 0;
+
+private:
+    [[nodiscard]] virtual std::optional<Point> meanAt_mps(const Point& place_m,
+                                                          double time_s) const = 0;
+};
+
 /** Parameters of the motion of an iceberg, Eq. (17). */
 struct DriftSpec
 {
@@ -113,6 +149,11 @@ struct DriftSpec
      * If set, the iceberg follows this track without noise, in place of Eq. (17). Copies share it.
      */
     std::shared_ptr<const RecordedTrack> track;
+    /**
+     * If set, `mean_mps`, which is part of `velocity_mps`, changes with place and time, and the
+     * iceberg stands still from the step on in which it is aground. Copies share it.
+     */
+    std::shared_ptr<const DriftForcing> forcing = {};
 };
 
 /**
@@ -194,7 +235,7 @@ public:
         if (m_isStepped && age_s >= static_cast<double>(m_second + 1))
             return aheadAt(time_s);
         const double inSecond_s = age_s - static_cast<double>(m_second);
-        return m_start_m + m_velocity_mps * age_s + m_noise_m + m_step_m * inSecond_s;
+        return m_start_m + m_velocity_mps * (age_s - m_base_s) + m_noise_m + m_step_m * inSecond_s;
     }
 
     /** Advances to `time_s` and returns the position then. */
@@ -222,9 +263,16 @@ private:
     [[nodiscard]] Point aheadAt(double time_s) const;
     void nextSecond();
     void drawStep();
+    void followForcing();
 
     std::shared_ptr<const RecordedTrack> m_track;
-    Point m_start_m;
+    std::shared_ptr<const DriftForcing> m_forcing; ///< null if the mean velocity is constant
+    std::int64_t m_forcingStep = 0;                ///< step of `m_mean_mps`
+    Point m_mean_mps = Point::Zero();
+    Point m_own_mps = Point::Zero(); ///< constant velocity above the mean
+    double m_base_s = 0; ///< age at which the constant part of the velocity was last changed
+    bool m_isAground = false;
+    Point m_start_m; ///< position without the noise at `m_base_s`
     double m_start_s;
     Point m_velocity_mps; ///< the constant part of the velocity
     double m_deviation_m; ///< standard deviation of one increment

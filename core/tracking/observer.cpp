@@ -41,6 +41,27 @@ Point Track::fadedEstimate_m(double time_s) const
            (velocity_mps - mean_mps) * carriedFor_s(velocityTime_s, time_s - anchor_s);
 }
 
+void Track::setMean(const std::optional<Point>& mean, double time_s)
+{
+    Point newMean_mps = Point::Zero();
+    Point newVelocity_mps = Point::Zero();
+    if (mean) {
+        if (*mean == mean_mps)
+            return;
+        newMean_mps = *mean;
+        newVelocity_mps = *mean + (velocity_mps - mean_mps);
+    } else if (!(velocityTime_s > 0)) {
+        // The known velocity above the mean is kept for the case that the iceberg floats after all.
+        newMean_mps = mean_mps - velocity_mps;
+    }
+    if (newMean_mps == mean_mps && newVelocity_mps == velocity_mps)
+        return;
+    anchor_m = estimate_m(time_s);
+    anchor_s = time_s;
+    velocity_mps = newVelocity_mps;
+    mean_mps = newMean_mps;
+}
+
 void Track::moveOn(double dt_s)
 {
     anchor_m = estimate_m(anchor_s + dt_s);

@@ -4,6 +4,7 @@
 #include "core/tracking/drift.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace berg {
 
@@ -131,6 +132,8 @@ struct Track
     Point mean_mps = Point::Zero(); ///< mean to which the velocity fades; see `DriftProcess`
     double velocitySpread_mps = 0;
     double velocityTime_s = 0; ///< 0 means a constant velocity
+    /** Whether the mean changes with place and time (`DriftForcing`); `setMean` changes it. */
+    bool isForced = false;
 
     /** Returns the predicted position at `time_s`. */
     [[nodiscard]] Point estimate_m(double time_s) const
@@ -185,6 +188,11 @@ struct Track
             return grown(variances(), process(), dt_s).position_m2;
         return sigma_m2 + q_m2ps * dt_s + dt_s * (2 * mixed_m2ps + dt_s * velocity_m2ps2);
     }
+    /**
+     * Sets the mean velocity from `time_s` on, which must not be before the anchor; the velocity
+     * above the mean stays. Nullopt means that the iceberg is aground and stands still.
+     */
+    void setMean(const std::optional<Point>& mean, double time_s);
     /**
      * Updates the filter with a position measured at `time_s`; `grow` must have predicted the
      * variances for that time.

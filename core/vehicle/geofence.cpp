@@ -24,12 +24,14 @@ constexpr double kSpace = 0.95;
  * a bend of 120 degrees.
  */
 constexpr double kNearer = 0.5;
+/** Change of wind after which the paths between the corners are computed again. */
+constexpr double kPathWind_mps = 0.5;
 
 } // namespace
 
 double circleOverGround_m(const Motion& motion)
 {
-    const double faster = 1 + motion.wind_mps.norm() / motion.airspeed_mps;
+    const double faster = 1 + motion.widestWind_mps() / motion.airspeed_mps;
     return kCircleMargin * faster * faster * motion.airspeed_mps / motion.limit_radps;
 }
 
@@ -46,10 +48,19 @@ Geofence::Geofence(std::vector<Point> corners_m, const Motion& motion,
     connectCorners();
 }
 
-Geofence Geofence::inWind(const Point& wind_mps) const
+Geofence Geofence::inWind(const Point& wind_mps, double windLimit_mps) const
 {
     Motion motion = m_motion;
     motion.wind_mps = wind_mps;
+    motion.windLimit_mps = windLimit_mps;
+    if (windLimit_mps > 0 &&
+        circleOverGround_m(motion) == m_radius_m) { // the corners stay where they are
+        Geofence fence = *this;
+        fence.m_motion = motion;
+        if ((wind_mps - m_pathWind_mps).norm() > kPathWind_mps)
+            fence.connectCorners();
+        return fence;
+    }
     std::vector<std::vector<Point>> holes_m = m_area.rings_m();
     std::vector<Point> corners_m;
     if (m_area.isBounded()) {
@@ -176,6 +187,7 @@ double Geofence::air_m(const Point& from_m, const Point& to_m) const
 /** Computes all shortest paths between the corners (Floyd-Warshall). */
 void Geofence::connectCorners()
 {
+    m_pathWind_mps = m_motion.wind_mps;
     const auto n = static_cast<Eigen::Index>(m_corners_m.size());
     const auto at = [this](Eigen::Index i) { return m_corners_m[static_cast<std::size_t>(i)]; };
     m_path_m = Eigen::MatrixXd::Constant(n, n, kFar);

@@ -52,8 +52,11 @@ public:
      */
     Geofence(std::vector<Point> corners_m, const Motion& motion,
              std::vector<std::vector<Point>> holes_m = {});
-    /** Returns a fence with these polygons for another wind over ground. */
-    [[nodiscard]] Geofence inWind(const Point& wind_mps) const;
+    /**
+     * Returns a fence with these polygons for another wind over ground, and another
+     * `Motion::windLimit_mps`.
+     */
+    [[nodiscard]] Geofence inWind(const Point& wind_mps, double windLimit_mps = 0) const;
 
     [[nodiscard]] bool hasHoles() const { return m_area.hasHoles(); }
     /** Returns whether the place is inside the polygon and in no hole. */
@@ -159,6 +162,7 @@ private:
 
     PolygonArea m_area;
     Motion m_motion;
+    Point m_pathWind_mps = Point::Zero(); ///< wind for which `m_path_m` was computed
     double m_radius_m = 0;
     std::vector<Point> m_reflex_m;  ///< corners that point inwards
     std::vector<double> m_space_m;  ///< by reflex corner: distance at which it is passed

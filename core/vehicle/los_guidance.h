@@ -2,6 +2,8 @@
 
 #include "core/vehicle/dubins.h"
 
+#include <algorithm>
+
 namespace berg {
 
 /** Gains of the line-of-sight law. */
@@ -19,6 +21,11 @@ struct Motion
     double airspeed_mps = 22;
     double limit_radps = 0.2079; ///< largest turn rate
     Point wind_mps = Point::Zero();
+    /** Strongest wind to come; circles and fences leave room for it. */
+    double windLimit_mps = 0;
+
+    /** Returns the wind speed that turns must leave room for. */
+    [[nodiscard]] double widestWind_mps() const { return std::max(wind_mps.norm(), windLimit_mps); }
 };
 
 /**

@@ -17,14 +17,92 @@ constexpr double kClearance_m = 2;
 constexpr std::array<double, 9> kRates{-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1};
 /** Time between two attempts to take off while no heading is safe. */
 constexpr double kNextTry_s = 60;
+/** Winds are weighed until this time after the endurance: the next weighing is that far away. */
+constexpr double kWeighed_s = 120;
+
+/** Returns the speed over ground on a course that the UAV keeps in this wind. */
+double speedOver_mps(const Motion& motion, const Point& course)
+{
+    const double across_mps = cross(course, motion.wind_mps);
+    return course.dot(motion.wind_mps) +
+           std::sqrt(
+               std::max(0.0, motion.airspeed_mps * motion.airspeed_mps - across_mps * across_mps));
+}
+
+/** Returns the motions in the winds at the corners of a range. */
+std::vector<Motion> windCorners(const WindRange& range, const Motion& motion, double strongest_mps)
+{
+    std::vector<Motion> corners;
+    for (const double east_mps : {range.low_mps.x(), range.high_mps.x()})
+        for (const double north_mps : {range.low_mps.y(), range.high_mps.y()}) {
+            corners.push_back(motion);
+            corners.back().wind_mps = {east_mps, north_mps};
+            if (corners.back().wind_mps.norm() < motion.airspeed_mps)
+                continue;
+            // No wind is that strong; in any wind the UAV makes at least this speed.
+            Motion slowest = motion;
+            slowest.airspeed_mps -= std::min(strongest_mps, 0.99 * motion.airspeed_mps);
+            slowest.wind_mps = Point::Zero();
+            return {slowest};
+        }
+    return corners;
+}
 
 } // namespace
 
 void SafetyGuard::setWind(const Point& wind_mps)
 {
     m_uav.motion.wind_mps = wind_mps;
+    m_uav.motion.windLimit_mps = 0;
     if (m_uav.fence)
         m_uav.fence = std::make_shared<const Geofence>(m_uav.fence->inWind(wind_mps));
+    m_ahead = wind_mps;
+    weighWind();
+}
+
+bool SafetyGuard::followWind(const WindAhead& wind, double windLimit_mps)
+{
+    const Point now_mps = wind.at_mps(0);
+    const bool isNew =
+        now_mps != m_uav.motion.wind_mps || windLimit_mps != m_uav.motion.windLimit_mps;
+    m_ahead = wind;
+    if (isNew) {
+        m_uav.motion.wind_mps = now_mps;
+        m_uav.motion.windLimit_mps = windLimit_mps;
+        if (m_uav.fence)
+            m_uav.fence =
+                std::make_shared<const Geofence>(m_uav.fence->inWind(now_mps, windLimit_mps));
+    }
+    weighWind();
+    return isNew;
+}
+
+void SafetyGuard::weighWind()
+{
+    m_worst.clear();
+    m_slowdown = 1;
+    m_turnDrift_s = 0;
+    if (!m_uav.sortie)
+        return;
+    const Motion& motion = m_uav.motion;
+    const WindRange range = m_ahead.range(0, std::max(0.0, slotLeft_s()) + kWeighed_s);
+    if (range.low_mps == range.high_mps)
+        return;
+    m_worst = windCorners(range, motion, motion.widestWind_mps());
+    constexpr int kCourses = 32;
+    double slowest_mps = motion.airspeed_mps;
+    for (int i = 0; i < kCourses; ++i) {
+        const double course_rad = 2 * kPi * i / kCourses;
+        const Point course(std::cos(course_rad), std::sin(course_rad));
+        const double now_mps = speedOver_mps(motion, course);
+        for (const Motion& worst : m_worst) {
+            const double least_mps = speedOver_mps(worst, course);
+            m_slowdown = std::max(m_slowdown, now_mps / least_mps);
+            slowest_mps = std::min(slowest_mps, least_mps);
+        }
+    }
+    m_turnDrift_s =
+        2 * kPi / motion.limit_radps * (range.high_mps - range.low_mps).norm() / slowest_mps;
 }
 
 std::optional<double> SafetyGuard::command_radps(const DubinsState& pose, double requested_radps)
@@ -100,7 +178,7 @@ std::optional<double> SafetyGuard::homeMargin_s(const DubinsState& pose, double 
         return std::nullopt;
     const std::int64_t held = stepsHeld(step);
     const std::optional<double> home_s = m_sortie.returnPath
-                                             ? time_s(*m_sortie.returnPath)
+                                             ? worstTime_s(time_s(*m_sortie.returnPath))
                                              : timeHome_s(heldFor(pose, u_radps, held));
     return home_s ? enduranceLeft_s() - static_cast<double>(held) * m_uav.clock.dt_s - *home_s
                   : -m_uav.sortie->endurance_s;
@@ -126,6 +204,12 @@ std::optional<int> SafetyGuard::visitsInTime(const DubinsState& pose,
                         .drift_mps = place.drift_mps});
         if (!path)
             break;
+        if (!m_worst.empty()) { // the rest of the leg is flown in the wind of then
+            const Point leg_m = place.place_m + place.drift_mps * flown_s - at.position_m;
+            const double airspeed_mps = m_uav.motion.airspeed_mps;
+            flown_s += flightTime_s(leg_m, airspeed_mps, place.drift_mps, m_ahead, flown_s) -
+                       flightTime_s(leg_m, airspeed_mps, m_uav.motion.wind_mps - place.drift_mps);
+        }
         flown_s += path->time_s;
         at = path->end;
         const std::optional<double> home_s = timeHome_s(at);
@@ -240,7 +324,18 @@ std::optional<double> SafetyGuard::timeHome_s(const DubinsState& from) const
     if (!path)
         return std::nullopt;
     // The fence may turn the UAV aside once, round a circle, where the path passes close to it.
-    return path->time_s + (m_uav.fence ? m_uav.fence->circle_s() : 0);
+    const double now_s = path->time_s + (m_uav.fence ? m_uav.fence->circle_s() : 0);
+    if (m_worst.empty() || m_uav.fence)
+        return worstTime_s(now_s);
+    double longest_s = now_s;
+    for (const Motion& motion : m_worst) {
+        const std::optional<Path> worst =
+            berg::pathTo(from, {.place_m = m_uav.sortie->home_m}, motion, m_uav.clock.command_s());
+        if (!worst)
+            return std::nullopt;
+        longest_s = std::max(longest_s, worst->time_s);
+    }
+    return longest_s + m_turnDrift_s;
 }
 
 bool SafetyGuard::homeInTimeAfter(const DubinsState& pose, double u_radps, double left_s) const
@@ -248,11 +343,20 @@ bool SafetyGuard::homeInTimeAfter(const DubinsState& pose, double u_radps, doubl
     const DubinsState after = heldFor(pose, u_radps, m_uav.clock.steps);
     const double after_s = left_s - m_uav.clock.command_s() - kHomeReserve_s;
     const Point& home_m = m_uav.sortie->home_m;
-    const double longest_s =
-        m_uav.fence ? m_uav.fence->longestPath_s(after, home_m, m_uav.clock.command_s())
-                    : longestPath_s(after, home_m, m_uav.motion, m_uav.clock.command_s());
-    if (longest_s <= after_s)
-        return true;
+    if (m_worst.empty()) {
+        const double longest_s =
+            m_uav.fence ? m_uav.fence->longestPath_s(after, home_m, m_uav.clock.command_s())
+                        : longestPath_s(after, home_m, m_uav.motion, m_uav.clock.command_s());
+        if (longest_s <= after_s)
+            return true;
+    } else if (!m_uav.fence) {
+        double longest_s = 0;
+        for (const Motion& motion : m_worst)
+            longest_s =
+                std::max(longest_s, longestPath_s(after, home_m, motion, m_uav.clock.command_s()));
+        if (longest_s + m_turnDrift_s <= after_s)
+            return true;
+    }
     const std::optional<double> home_s = timeHome_s(after);
     return home_s && *home_s <= after_s;
 }
@@ -272,7 +376,7 @@ SafetyGuard::Outlook SafetyGuard::outlookAfter(const DubinsState& pose, double u
     std::optional<ReturnPath> path = paths.quickPath(paths.after(pose, u_radps, 1));
     if (!path)
         return {};
-    if (m_uav.clock.command_s() + time_s(*path) + kHomeReserve_s > left_s)
+    if (m_uav.clock.command_s() + worstTime_s(time_s(*path)) + kHomeReserve_s > left_s)
         return {.back = Return::Late};
     return {.back = Return::InTime, .path = std::move(path)};
 }
@@ -287,7 +391,7 @@ std::optional<double> SafetyGuard::safeHeading_rad(const DubinsState& pose, doub
         DubinsState turned = pose;
         turned.psi_rad = k == 0 ? pose.psi_rad : wrapPi(pose.psi_rad + offset_rad);
         const std::optional<ReturnPath> path = paths.quickPath(turned);
-        if (path && time_s(*path) + kHomeReserve_s <= left_s)
+        if (path && worstTime_s(time_s(*path)) + kHomeReserve_s <= left_s)
             return turned.psi_rad;
     }
     return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/vehicle/return_path.h"
+#include "core/vehicle/wind_series.h"
 
 #include <memory>
 #include <span>
@@ -47,8 +48,18 @@ public:
 
     [[nodiscard]] const GuardedUav& uav() const { return m_uav; }
     [[nodiscard]] const SortieState& sortie() const { return m_sortie; }
-    /** Sets the wind, and rebuilds the fence for it. The proven path home must be proven again. */
+    /**
+     * Sets a wind that will not change, and rebuilds the fence for it. The proven path home must be
+     * proven again.
+     */
     void setWind(const Point& wind_mps);
+    /**
+     * Sets the wind of now and what is known of the wind to come, none of it stronger than
+     * `windLimit_mps`. From then on the way home counts with the worst wind between now and the end
+     * of the endurance (`timeHome_s`). Returns whether the wind has changed: the proven path home
+     * must then be proven again before it is flown.
+     */
+    bool followWind(const WindAhead& wind, double windLimit_mps);
     /** Sets the landing place of a UAV with a sortie. The path home must be proven again. */
     void setHome(const Point& home_m)
     {
@@ -148,8 +159,13 @@ public:
     [[nodiscard]] std::optional<Path> pathTo(const DubinsState& from,
                                              const MovingPlace& place) const;
     /**
-     * Returns the time, s, of the path home, with one circle added for the fence. Requires a
-     * sortie. Returns nullopt if the wind is too strong.
+     * Returns the time, s, of the path home, with one circle added for the fence. In a changing
+     * wind it is the longest that any wind within the range of the forecast until the end of the
+     * endurance gives: speed over ground on a course is a concave function of the wind, so one of
+     * the corners of that range is the worst, and no flight that aims at home takes longer. The
+     * drift during the first turn is added. With a fence, whose paths bend, the time in the wind
+     * of now is multiplied by the largest loss of speed on any course. Requires a sortie. Returns
+     * nullopt if the wind is too strong.
      */
     [[nodiscard]] std::optional<double> timeHome_s(const DubinsState& from) const;
     /**
@@ -222,8 +238,19 @@ private:
         return {*m_uav.fence, m_uav.clock, m_uav.sortie->home_m};
     }
 
+    void weighWind();
+    /** Returns the time, s, of a path home in the worst wind to come. */
+    [[nodiscard]] double worstTime_s(double time_s) const
+    {
+        return time_s * m_slowdown + m_turnDrift_s;
+    }
+
     GuardedUav m_uav;
     SortieState m_sortie;
+    WindAhead m_ahead;           ///< set if the wind changes
+    std::vector<Motion> m_worst; ///< winds at the corners of the range; empty if it is constant
+    double m_slowdown = 1;       ///< largest ratio of the speed over ground to the least to come
+    double m_turnDrift_s = 0;    ///< time lost by drifting during the first turn
 };
 
 } // namespace berg

@@ -2,6 +2,7 @@
 
 #include "core/base/angles.h"
 #include "core/geometry/enclosing_circle.h"
+#include "core/scenario/initial_truth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,9 @@ constexpr double kFoundVelocitySd_mps = 0.1;
 
 Observer::Observer(const Scenario& scenario, std::span<const DriftNoise> noise)
     : m_world(scenario)
-    , m_cameras(scenario.reachRadius_m, scenario.wind_mps)
+    , m_cameras(scenario.reachRadius_m, m_world.weather()
+                                            ? Point(m_world.weather()->strongestWind_mps(), 0)
+                                            : scenario.wind_mps)
     , m_searches(scenario.uavs.size())
     , m_area_m(scenario.area_m)
     , m_sampleSteps(
@@ -59,8 +62,10 @@ IcebergIndex Observer::insert(const Iceberg& iceberg, DriftNoise noise, double s
     m_checkStep.push_back(appearsStep);
     m_nextCheckStep = std::min(m_nextCheckStep, appearsStep);
     Track track = m_world.parameters(added).start;
-    // An iceberg that appears later has drifted unseen until then.
-    track.grow(std::max(0.0, static_cast<double>(appearsStep) * m_world.dt_s() - start_s));
+    // An iceberg that appears later has drifted unseen until then; after the run it never appears.
+    const std::int64_t until =
+        m_world.forcing(added) ? std::min(appearsStep, m_world.lastStep()) : appearsStep;
+    growUnseen(track, m_world.forcing(added), start_s, static_cast<double>(until) * m_world.dt_s());
     m_tracks.push_back(std::move(track));
     return added;
 }
@@ -114,6 +119,8 @@ void Observer::observe(double dt_s, StepReport& report)
 {
     m_newlySeen.clear();
     m_newlyAppeared.clear();
+    if (m_world.weather())
+        followForcing();
     const bool isSecond = m_world.isWholeSecond();
     // Icebergs out of reach are not sampled for long; this leaves `truth_m` at most a second to
     // draw.
@@ -140,6 +147,20 @@ void Observer::observe(double dt_s, StepReport& report)
             sigmaSum_m2 += track.sigma_m2;
     }
     m_sigmaSum_m2 = sigmaSum_m2;
+}
+
+/** Predicts with the mean velocities of a new step of the weather, at the places of the estimates.
+ */
+void Observer::followForcing()
+{
+    const std::int64_t step = DriftForcing::stepAt(m_world.time_s());
+    if (step == m_forcingStep)
+        return;
+    m_forcingStep = step;
+    for (const IcebergIndex i : m_world.icebergs())
+        if (m_world.forcing(i) != nullptr && m_world.age(i) >= 0)
+            m_tracks[toIndex(i)].setMean(m_world.forcing(i)->mean_mps(estimate_m(i), step),
+                                         m_world.time_s());
 }
 
 void Observer::sampleAllInReach(StepReport& report)
@@ -261,7 +282,7 @@ void Observer::measure(IcebergIndex iceberg, const Point& measured_m, double var
     // how the iceberg has moved since, unless that state makes the place too unlikely.
     const double time_s = m_world.time_s();
     Track given = m_world.parameters(iceberg).start;
-    given.grow(time_s - given.anchor_s);
+    growUnseen(given, m_world.forcing(iceberg), given.anchor_s, time_s);
     if ((measured_m - given.estimate_m(time_s)).squaredNorm() >
         kBelievable * (given.sigma_m2 + variance_m2)) {
         given.anchor_m = measured_m;
@@ -277,6 +298,7 @@ void Observer::measure(IcebergIndex iceberg, const Point& measured_m, double var
     track.anchor_s = given.anchor_s;
     track.seen_s = time_s;
     track.velocity_mps = given.velocity_mps;
+    track.mean_mps = given.mean_mps;
     track.setVariances(given.variances());
     found(iceberg, seenBy, report);
 }

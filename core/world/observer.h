@@ -57,7 +57,7 @@ public:
      * Updates all tracks after the UAVs have moved for `dt_s` seconds, and reports what happened.
      */
     void observe(double dt_s, StepReport& report);
-    /** Sets the wind from now on. */
+    /** Sets the wind from now on; with a forecast it had been the strongest to come. */
     void setWind(const Point& wind_mps);
 
     /** Adds an iceberg that appears now with the next index. */
@@ -107,6 +107,7 @@ private:
     void noteGivenUp(IcebergIndex iceberg, int uav, StepReport& report);
     void found(IcebergIndex iceberg, std::optional<int> seenBy, StepReport& report);
     void watchArea(StepReport& report);
+    void followForcing();
 
     World m_world;
     Cameras m_cameras;
@@ -119,6 +120,7 @@ private:
     std::vector<std::int64_t> m_checkStep;
     std::int64_t m_nextCheckStep = 0; ///< least element of the list above
     double m_sigmaSum_m2 = 0;
+    std::int64_t m_forcingStep = 0; ///< step of `DriftForcing` whose mean velocities are in force
     std::vector<SeenIceberg> m_newlySeen;
     IcebergList m_newlyAppeared;
 };

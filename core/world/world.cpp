@@ -12,6 +12,18 @@ namespace {
 /** Memory limit of the noise drawn in advance. */
 constexpr std::size_t kMostNoise_bytes = 32'000'000;
 
+std::shared_ptr<const ScenarioWorld> conditionsOf(const Scenario& scenario)
+{
+    auto conditions = std::make_shared<ScenarioWorld>();
+    conditions->origin = scenario.origin;
+    conditions->seed = scenario.seed;
+    conditions->noise = scenario.noise;
+    conditions->wind_mps = scenario.wind_mps;
+    conditions->current_mps = scenario.current_mps;
+    conditions->observer = scenario.observer;
+    return conditions;
+}
+
 } // namespace
 
 std::vector<DriftNoise> drawNoise(const Scenario& scenario)
@@ -34,7 +46,8 @@ World::World(const Scenario& scenario)
     , m_noise(scenario.noise)
     , m_observer(scenario.observer)
     , m_asset(scenario.asset)
-    , m_current_mps(scenario.current_mps)
+    , m_conditions(conditionsOf(scenario))
+    , m_weather(weatherOf(scenario))
 {
     for (const Uav& uav : scenario.uavs)
         m_uavs.push_back(uav.id);
@@ -43,12 +56,11 @@ World::World(const Scenario& scenario)
 IcebergIndex World::add(const Iceberg& iceberg, DriftNoise noise, double start_s,
                         std::int64_t appearsStep)
 {
-    m_drift.emplace_back(trueDrift(iceberg, m_observer, m_seed, m_noise, m_current_mps, start_s),
-                         std::move(noise), m_noise);
+    m_drift.emplace_back(trueDrift(*m_conditions, iceberg, m_weather, start_s), std::move(noise),
+                         m_noise);
+    m_forcing.push_back(forcingOf(m_weather, iceberg));
     m_appearsStep.push_back(appearsStep);
-    Track start = initialTrack(iceberg, m_observer.model, m_current_mps);
-    start.anchor_s = start_s;
-    start.seen_s = start_s;
+    const Track start = trackAtStart(*m_conditions, iceberg, m_weather, start_s);
     const auto assigned = std::ranges::find(m_uavs, iceberg.uav);
     m_parameters.push_back(
         {.stream = stableHash(iceberg.id + "/look"), // a new name would change every run

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scenario/scenario.h"
+#include "core/scenario/flight_weather.h"
 #include "core/tracking/drift.h"
 #include "core/world/world_state.h"
 
@@ -91,6 +91,18 @@ public:
     {
         return m_drift[toIndex(iceberg)].position_m(time_s());
     }
+    /** Returns the weather of the run; null without a forecast. */
+    [[nodiscard]] const std::shared_ptr<const FlightWeather>& weather() const { return m_weather; }
+    /** Returns the changing mean velocity of an iceberg, or null if it is constant. */
+    [[nodiscard]] const DriftForcing* forcing(IcebergIndex iceberg) const
+    {
+        return m_forcing[toIndex(iceberg)].get();
+    }
+    /** Returns those of all icebergs; empty without a forecast. */
+    [[nodiscard]] std::vector<std::shared_ptr<const DriftForcing>> forcings() const
+    {
+        return m_weather ? m_forcing : std::vector<std::shared_ptr<const DriftForcing>>();
+    }
     /** Draws the noise of all icebergs up to now, so that `truth_m` has little left to draw. */
     void advanceDrift();
     /** Returns a speed that the iceberg does not exceed, m/s. */
@@ -110,12 +122,16 @@ private:
     bool m_noise;
     ObserverSpec m_observer;
     std::optional<Asset> m_asset; ///< protected asset
-    Point m_current_mps;
-    std::vector<std::string> m_uavs; ///< UAV ids
+    /** Wind, current and observer of the scenario; copies of the world share it. */
+    std::shared_ptr<const ScenarioWorld> m_conditions;
+    std::shared_ptr<const FlightWeather> m_weather; ///< null without a forecast
+    std::vector<std::string> m_uavs;                ///< UAV ids
     std::int64_t m_step = 0;
     std::int64_t m_inSecond = 0; ///< steps since the last whole second
     std::vector<IcebergParameters> m_parameters;
     std::vector<DriftModel> m_drift;
+    /** By iceberg: its changing mean velocity, or null if that is constant. */
+    std::vector<std::shared_ptr<const DriftForcing>> m_forcing;
     std::vector<std::int64_t> m_appearsStep;
 };
 

@@ -113,6 +113,25 @@ std::string trackSchema()
            listOf(listSchema(place, 2, 2)) + "}}";
 }
 
+/** A forecast: a grid of places, each with its series. */
+std::string forecastSchema()
+{
+    const std::string time = R"({"type": "string", "pattern": "^[0-9]{4}-[0-9]{2}-[0-9]{2}T.*Z$"})";
+    const std::string entry = objectSchema(fieldsOf<ForecastEntry>(), {{"time", time}}, {"time"});
+    const std::string place = objectSchema(
+        fieldsOf<Forecast>(), {{"series", listSchema(entry, 1, kMostForecastEntries)}}, {"series"});
+    JsonObject properties;
+    properties.addText("source", R"({"type": "string"})");
+    properties.addText("issued", time);
+    properties.addText("columns", R"({"type": "integer", "minimum": 1})");
+    properties.addText("places", listSchema(place, 1, kMostForecastPlaces));
+    JsonObject schema;
+    schema.add("type", "object");
+    schema.addText("required", R"(["places"])");
+    schema.addText("properties", properties.inLine());
+    return schema.inLine();
+}
+
 std::string scenarioObject()
 {
     return objectSchema(fieldsOf<Scenario>(),
@@ -126,6 +145,7 @@ std::string scenarioObject()
                          {"icebergs", listSchema(reference("iceberg"), 0, kMostIcebergs)},
                          {"asset", reference("asset")},
                          {"weather", objectSchema(fieldsOf<Weather>())},
+                         {"forecast", forecastSchema()},
                          {"ground_station", objectSchema(fieldsOf<GroundStation>())},
                          {"observer", objectSchema(fieldsOf<ObserverSpec>())},
                          {"planner", objectSchema(plannerFields())}},

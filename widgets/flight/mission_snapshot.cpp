@@ -33,6 +33,8 @@ MissionSnapshot worldOf(const Mission& mission, const Simulation& simulation)
                              .world = simulation.state(),
                              .icebergs = mission.icebergs(),
                              .asset = simulation.world().asset()};
+    snapshot.wind = simulation.windAhead();
+    snapshot.forcings = simulation.world().forcings();
     for (int uav = 0; uav < simulation.uavCount(); ++uav) {
         snapshot.motions.push_back(simulation.motion(uav));
         const Autopilot& autopilot = simulation.fleet().autopilot(uav);
@@ -94,7 +96,8 @@ ForecastStart forecastStart(const MissionSnapshot& snapshot)
             .active = snapshot.active,
             .time_s = snapshot.time_s,
             .airspeeds_mps = airspeedsOf(snapshot.motions),
-            .wind_mps = snapshot.motions.front().wind_mps};
+            .wind_mps = snapshot.wind,
+            .forcings = snapshot.forcings};
 }
 
 const UavPlan* planOf(const MissionSnapshot& snapshot, int uav)

@@ -55,7 +55,10 @@ struct MissionSnapshot
     std::size_t planCount = 0;   ///< number of plans made so far
     PlannerSettings planner;     ///< settings in force, with interventions applied
     std::vector<Motion> motions; ///< by UAV, in the present wind
-    std::optional<Asset> asset;  ///< present asset; its position is that at time 0
+    WindAhead wind;              ///< from this instant on
+    /** By iceberg: its changing mean velocity, or null; empty if none changes. */
+    std::vector<std::shared_ptr<const DriftForcing>> forcings;
+    std::optional<Asset> asset; ///< present asset; its position is that at time 0
     /** Geofence of each UAV; null if it is not limited. */
     std::vector<std::shared_ptr<const Geofence>> fences;
     std::vector<Point> homes_m; ///< landing place of each UAV

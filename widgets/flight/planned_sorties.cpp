@@ -12,7 +12,7 @@ PlannedPath pathOf(const MissionSnapshot& now, std::size_t uav, const RouteForec
     PlannedPath path{.places_m = {now.world.uavs[uav].pose.position_m},
                      .thisSortie = 1,
                      .aloft_s = now.world.uavs[uav].aloft_s,
-                     .wind_mps = now.motions[uav].wind_mps,
+                     .wind_mps = now.wind,
                      .fence = now.fences[uav]};
     for (const ForecastVisit& visit : route.visits)
         path.places_m.push_back(visit.place_m);

@@ -7,6 +7,7 @@
 #include "core/io/files/run_keyframe.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/file_set.h"
+#include "core/scenario/flight_weather.h"
 #include "core/scenario/text_checks.h"
 
 #include <algorithm>
@@ -283,6 +284,22 @@ std::vector<WorldState> readKeyframes(ObjectReader& run, const RunContext& conte
     });
 }
 
+/** Returns by iceberg whether the mean of its velocity follows wind and current. */
+std::vector<bool> forcedIcebergs(const RunFile& file)
+{
+    const std::shared_ptr<const FlightWeather> weather = weatherOf(file.scenario);
+    std::vector<bool> forced;
+    const auto add = [&](const Iceberg& iceberg) {
+        forced.push_back(iceberg.length_m || forcingOf(weather, iceberg));
+    };
+    for (const Iceberg& iceberg : file.scenario.icebergs)
+        add(iceberg);
+    for (const Intervention& change : file.interventions)
+        if (change.appears)
+            add(*change.appears);
+    return forced;
+}
+
 /** Limits for a run whose scenario, end and interventions have no faults. */
 RunContext contextOf(const RunFile& file)
 {
@@ -293,7 +310,8 @@ RunContext contextOf(const RunFile& file)
             .icebergsAtStart = scenario.icebergs.size(),
             .icebergs = icebergCount(file),
             .uavs = scenario.uavs.size(),
-            .current_mps = scenario.current_mps};
+            .current_mps = scenario.current_mps,
+            .forced = forcedIcebergs(file)};
 }
 
 RunFile readRun(ObjectReader& run)

@@ -15,8 +15,9 @@ namespace {
 constexpr std::size_t kPlainTrack = 8;
 constexpr std::size_t kFilteredTrack = 13;
 /**
- * Length with a velocity that is not constant: its mean, spread and time follow, and then the time
- * of the last sighting, because the anchor moves on without one. Older files lack that time.
+ * Length with a velocity that is not constant, or a mean that follows wind and current: its mean,
+ * spread and time follow, and then the time of the last sighting, because the anchor moves on
+ * without one. Older files lack that time.
  */
 constexpr std::size_t kOlderFadingTrack = 17;
 constexpr std::size_t kFadingTrack = 18;
@@ -100,7 +101,7 @@ std::string trackText(const Track& track)
     const Track plain;
     NumberWriter usual;
     filterNumbers(usual, plain);
-    const bool isFading = track.velocityTime_s > 0;
+    const bool isFading = track.velocityTime_s > 0 || track.isForced;
     NumberWriter io;
     trackNumbers(io, track);
     if (isFading || filter.numbers != usual.numbers)
@@ -131,7 +132,7 @@ Track readTrack(const Json& value, const std::string& path, Faults& faults,
     track.seen_s = length == kOlderFadingTrack ? -1 : track.anchor_s; // -1: not recorded
     if (length == kFadingTrack)
         io(track.seen_s);
-    if (!(track.velocityTime_s > 0)) // the file has no mean velocity then
+    if (length < kOlderFadingTrack) // the file has no mean velocity then
         track.mean_mps = context.current_mps;
     return track;
 }
@@ -148,9 +149,11 @@ std::vector<Track> readTracks(ObjectReader& object, const RunContext& context)
             {IssueId::EntryRange,
              {countOf(context.icebergsAtStart), countOf(context.icebergs), countOf(list->size())}});
     makeRoom(tracks, list, object.faults());
-    for (std::size_t i = 0; i < list->size(); ++i)
+    for (std::size_t i = 0; i < list->size(); ++i) {
         tracks.push_back(
             readTrack((*list)[i], entryPath(object.path("tracks"), i), object.faults(), context));
+        tracks.back().isForced = i < context.forced.size() && context.forced[i];
+    }
     return tracks;
 }
 

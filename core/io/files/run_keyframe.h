@@ -55,6 +55,7 @@ struct RunContext
     std::size_t icebergs = 0; ///< including those added in flight
     std::size_t uavs = 1;
     Point current_mps = Point::Zero();
+    std::vector<bool> forced = {}; ///< by iceberg: `Track::isForced`; those left out are not
 
     /** Returns the range of iceberg indices, `kNoIcebergInFile` included. */
     [[nodiscard]] WholeLimits indices() const

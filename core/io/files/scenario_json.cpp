@@ -93,6 +93,7 @@ void members(Io io, S& scenario)
     io.list("icebergs", scenario.icebergs, kMostIcebergs, true);
     io.one("asset", scenario.asset);
     io.one("weather", scenario.weather);
+    io.one("forecast", scenario.forecast);
     io.one("ground_station", scenario.groundStation);
     io.part("observer", fieldsOf<ObserverSpec>(), scenario.observer, scenario.observerExtraJson,
             scenario.observer == ObserverSpec());

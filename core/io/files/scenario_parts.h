@@ -20,13 +20,17 @@ namespace berg {
 
 /**
  * Reads an object of a scenario file: Uav, Iceberg (with empty ids if the file gives none), Asset,
- * NoFlyArea, AirspaceArea, GroundStation, Operation or Weather.
+ * NoFlyArea, AirspaceArea, GroundStation, Operation, Weather or ForecastField.
  */
 template <class T>
 [[nodiscard]] T readObject(const Json& value, const std::string& path, Faults& faults);
 /** Returns the JSON text of an object that `readObject` reads, on one line. */
 template <class T>
 [[nodiscard]] std::string objectText(const T& object);
+template <>
+[[nodiscard]] ForecastField readObject(const Json& value, const std::string& path, Faults& faults);
+template <>
+[[nodiscard]] std::string objectText(const ForecastField& field);
 
 /** Returns the JSON text of the scenario as an object with its braces at `indent`. */
 [[nodiscard]] std::string scenarioText(const Scenario& scenario, int indent);

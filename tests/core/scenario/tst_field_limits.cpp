@@ -37,9 +37,11 @@ std::vector<Row> rowsOfTheTables()
 std::string scenarioWith(const QString& field, double value)
 {
     const QStringList objects{u"origin"_s, u"observer"_s, u"planner"_s, u"weather"_s};
-    const QStringList pairs{u"position_m"_s, u"velocity_mps"_s, u"fov_m"_s, u"home_m"_s,
-                            u"current_mps"_s};
-    const QString owner = field.contains(u'.') ? field.section(u'.', 0, 0) : QString();
+    const QStringList pairs{u"position_m"_s, u"velocity_mps"_s, u"fov_m"_s,
+                            u"home_m"_s,     u"current_mps"_s,  u"wind_mps"_s};
+    const bool isForecast = field.startsWith(u"forecast."_s);
+    const QString owner =
+        field.contains(u'.') && !isForecast ? field.section(u'.', 0, 0) : QString();
     const QString name = field.section(u'.', -1);
     const QString number = QString::fromStdString(numberText(value));
     const QString text =
@@ -69,7 +71,19 @@ std::string scenarioWith(const QString& field, double value)
         members << u"\"airspace\": [{\"area_m\": [[0, 0], [9, 0], [0, 9]], %1}]"_s.arg(text);
     if (owner == u"no_fly[]"_s)
         members << u"\"no_fly\": [{\"area_m\": [[0, 0], [9, 0], [0, 9]], %1}]"_s.arg(text);
-    if (owner.isEmpty())
+    if (isForecast) {
+        const bool isEntry = field.contains(u"series"_s);
+        QStringList place;
+        for (const QString& coordinate : {u"latitude_deg"_s, u"longitude_deg"_s})
+            if (name != coordinate)
+                place << u"\"%1\": 0"_s.arg(coordinate);
+        if (!isEntry)
+            place << text;
+        place << u"\"series\": [{\"time\": \"2026-01-01T00:00Z\"%1}]"_s.arg(isEntry ? u", "_s + text
+                                                                                    : QString());
+        members << u"\"start_utc\": \"2026-01-02T00:00Z\""_s
+                << u"\"forecast\": {\"places\": [{%1}]}"_s.arg(place.join(u", "_s));
+    } else if (owner.isEmpty())
         members << text;
     return u"{%1}"_s.arg(members.join(u", "_s)).toStdString();
 }

@@ -82,7 +82,8 @@ ExportIceberg presentIceberg(const Mission& mission, IcebergIndex index, ExportS
 }
 
 /** Adds or removes the leg home, as the user chose. */
-void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& wind_mps)
+void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const WindAhead& wind,
+               double now_s)
 {
     const bool ends = !uav.visits.empty() && !uav.visits.back().iceberg;
     if (!wanted || *wanted == ends)
@@ -92,8 +93,8 @@ void endAtHome(ExportUav& uav, const std::optional<bool>& wanted, const Point& w
         return;
     }
     const TimedPoint last = endOf(uav);
-    const double flight_s =
-        flightTime_s(uav.home_m - last.position_m, uav.uav.spec.airspeed_mps, wind_mps);
+    const double flight_s = flightTime_s(uav.home_m - last.position_m, uav.uav.spec.airspeed_mps,
+                                         Point::Zero(), wind, last.time_s - now_s);
     uav.visits.push_back({.time_s = last.time_s + flight_s, .position_m = uav.home_m});
 }
 
@@ -140,7 +141,7 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
         uav.track = source.flown.empty() ? flownTrack(*source.mission, uav.row)
                                          : std::move(source.flown[uav.row]);
         uav.visits = flownVisits(*source.mission, static_cast<int>(uav.row));
-        endAtHome(uav, content.options.returnHome, scene.wind_mps);
+        endAtHome(uav, content.options.returnHome, windFromStart(scene), content.now_s);
         return;
     }
     UavPlan plan = presentPlan(source, uav.row);
@@ -149,7 +150,7 @@ void addPath(ExportUav& uav, const ExportSource& source, const ExportContent& co
     uav.visits = plannedVisits(scene, plan.order, plan.clusters);
     if (content.what == ExportScope::FirstLeg && uav.visits.size() > 1)
         uav.visits.resize(1);
-    endAtHome(uav, content.options.returnHome, scene.wind_mps);
+    endAtHome(uav, content.options.returnHome, windFromStart(scene), 0);
     if (content.what == ExportScope::Path) {
         const bool home = !uav.visits.empty() && !uav.visits.back().iceberg;
         FlyablePath path = flyOrder(scene, plan, home);
@@ -179,7 +180,7 @@ ExportUav exportUav(const ExportSource& source, const ExportContent& content, st
     spec.airspeed_mps = options.airspeed_mps.value_or(spec.airspeed_mps);
     const Uav& uav = scene.uavs.front();
     const double seen_m = surelySeen_m({.fov_m = uav.fov_m, .shape = scene.fovShape});
-    const double faster = 1 + scene.wind_mps.norm() / spec.airspeed_mps;
+    const double faster = 1 + windAtStart_mps(scene).norm() / spec.airspeed_mps;
     ExportUav result{.row = row,
                      .uav = uav,
                      .start_s = content.what == ExportScope::Track ? 0 : content.now_s,
@@ -281,8 +282,8 @@ void checkExportOptions(const ExportSource& source, const ExportOptions& options
         refuse("loiter", {IssueId::OutOfRange, {0, kMostLoiterTurns, options.loiterTurns}});
     if (options.what == ExportScope::Track && source.mission == nullptr)
         refuse("what", {IssueId::NothingFlown});
-    const Point wind_mps =
-        source.mission ? source.mission->simulation().motion(0).wind_mps : source.scenario.wind_mps;
+    const Point wind_mps = source.mission ? source.mission->simulation().motion(0).wind_mps
+                                          : windAtStart_mps(source.scenario);
     if (options.airspeed_mps && *options.airspeed_mps <= wind_mps.norm())
         refuse("speed", {IssueId::SlowerThanWind});
     const auto& uavs = source.scenario.uavs;
@@ -311,8 +312,8 @@ ExportContent exportContent(const ExportSource& source, const ExportOptions& opt
         .planner = source.mission ? source.mission->plannerSettings() : scenario.planner,
         .plan = source.mission && !source.mission->plans().empty() ? *source.mission->plans().back()
                                                                    : source.plan,
-        .wind_mps =
-            source.mission ? source.mission->simulation().motion(0).wind_mps : scenario.wind_mps,
+        .wind_mps = source.mission ? source.mission->simulation().motion(0).wind_mps
+                                   : windAtStart_mps(scenario),
         .zeta_m2s = {},
         .predicted = source.predicted,
         .mission = source.mission,

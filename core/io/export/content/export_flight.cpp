@@ -1,6 +1,7 @@
 #include "core/io/export/content/export_flight.h"
 
 #include "core/base/angles.h"
+#include "core/io/text/utc_time.h"
 #include "core/mission/policy_forecast.h"
 
 #include <algorithm>
@@ -43,12 +44,28 @@ void advanceToNow(Uav& uav, const UavState& now, double least_s)
     uav.spec.endurance_s = left_s + *uav.spec.reserve_s + uav.spec.landing_s;
 }
 
+/** Lets the scenario start now in its forecast, whose wind a report of the crew has replaced. */
+void advanceForecast(Scenario& scene, const Simulation& simulation)
+{
+    if (const std::optional<UtcTime> start = parseUtc(scene.startUtc))
+        scene.startUtc = utcText(*start, simulation.time_s());
+    if (!simulation.fleet().isWindReported())
+        return;
+    scene.wind_mps = simulation.motion(0).wind_mps;
+    for (Forecast& place : scene.forecast->places)
+        for (ForecastEntry& entry : place.series)
+            entry.wind_mps.reset();
+}
+
 /** Updates the scenario, which has UAV `row` only, to the present state of the mission. */
 void advanceToNow(Scenario& scene, const Mission& mission, int row)
 {
     const Simulation& simulation = mission.simulation();
     scene.planner = mission.plannerSettings();
-    scene.wind_mps = simulation.motion(row).wind_mps;
+    if (scene.forecast)
+        advanceForecast(scene, simulation);
+    else
+        scene.wind_mps = simulation.motion(row).wind_mps;
     scene.asset = simulation.world().asset();
     scene.icebergs.clear();
     for (const Iceberg& iceberg : mission.icebergs())

@@ -114,6 +114,7 @@ private slots:
                                               .formulation = Formulation::Reduced}));
         QCOMPARE(s.reachRadius_m.value_or(0), 200.0);
         QVERIFY(s.fovShape == FovShape::Disk);
+        QCOMPARE(s.forecast->places.size(), std::size_t{2}); // tst_forecast_members reads the rest
         QCOMPARE(s.originExtraJson, std::string(R"({"datum":"WGS 84"})"));
         QCOMPARE(s.plannerExtraJson, std::string(R"({"depth":3})"));
         QCOMPARE(s.extraJson, std::string(R"({"camera":{"tilt_deg":10}})"));
@@ -169,6 +170,7 @@ private slots:
         iceberg.observed_s = 600;
         iceberg.appears_s = 30;
         iceberg.radius_m = 90;
+        iceberg.length_m = 180;
         iceberg.uav = "alpha";
         iceberg.track = {.time_s = {-60, 0, 90.5},
                          .position_m = {{1190, 3400}, {1200, 3390}, {1210.25, 3380}}};
