@@ -492,10 +492,6 @@
         <translation>--latitude er påkrævet: growlers og bergy bits driver til højre for vinden i nord, til venstre i syd</translation>
     </message>
     <message>
-        <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
-        <translation>En prognose er JSON-svaret fra locationforecast eller oceanforecast hos MET Norway.</translation>
-    </message>
-    <message>
         <source>%1 can be reached from the network; MAVLink is neither encrypted nor signed</source>
         <translation>%1 kan nås fra netværket; MAVLink er hverken krypteret eller signeret</translation>
     </message>
@@ -522,6 +518,42 @@
     <message>
         <source>--uav: choose one; a link has at most %1 vehicles</source>
         <translation>--uav: vælg én; en forbindelse har højst %1 fartøjer</translation>
+    </message>
+    <message>
+        <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast, NetCDF or GRIB.</source>
+        <translation>En prognose er JSON-svaret fra locationforecast eller oceanforecast hos MET Norway, NetCDF eller GRIB.</translation>
+    </message>
+    <message>
+        <source>dew point</source>
+        <translation>dugpunkt</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>sigtbarhed</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>skydækkets højde</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>læser</translation>
+    </message>
+    <message>
+        <source>the grid is too large and was thinned by a factor of %1 in each direction; choose a smaller area or time</source>
+        <translation>gitteret er for stort og blev udtyndet med en faktor %1 i hver retning; vælg et mindre område eller tidsrum</translation>
+    </message>
+    <message>
+        <source>--format forecast needs --into, the scenario to add it to</source>
+        <translation>--format forecast kræver --into, scenariet, som det føjes til</translation>
+    </message>
+    <message>
+        <source>--format forecast accepts only --into, --at, --replace, --output, --force and --json</source>
+        <translation>--format forecast tillader kun --into, --at, --replace, --output, --force og --json</translation>
+    </message>
+    <message>
+        <source>%1 is a forecast; use --format forecast with --into SCENARIO</source>
+        <translation>%1 er en prognose: brug --format forecast med --into SCENARIO</translation>
     </message>
 </context>
 <context>
@@ -4602,6 +4634,38 @@ Tilstødende område %4</translation>
     <message>
         <source>was issued %1 h before the start</source>
         <translation>blev udgivet %1 t før starten</translation>
+    </message>
+    <message>
+        <source>this build reads no %1: install %2 and build Bergwatch again</source>
+        <translation>denne version læser ikke %1: installér %2 og byg Bergwatch igen</translation>
+    </message>
+    <message>
+        <source>is GRIB of edition %1; only edition 2 is read: convert it with grib_set -s edition=2</source>
+        <translation>er GRIB i udgave %1; kun udgave 2 læses: konvertér filen med grib_set -s edition=2</translation>
+    </message>
+    <message>
+        <source>holds no wind, weather or current on a grid of latitudes and longitudes</source>
+        <translation>indeholder hverken vind, vejr eller strøm i et gitter af bredde- og længdegrader</translation>
+    </message>
+    <message>
+        <source>the unit &quot;%1&quot; is not understood; it must be one of %2</source>
+        <translation>enheden »%1« er ukendt; den skal være en af %2</translation>
+    </message>
+    <message>
+        <source>the unit of time &quot;%1&quot; in the calendar &quot;%2&quot; is not understood</source>
+        <translation>tidsenheden »%1« i kalenderen »%2« er ukendt</translation>
+    </message>
+    <message>
+        <source>the forecast covers 180 degrees or more: choose an area</source>
+        <translation>prognosen dækker 180 grader eller mere: vælg et område</translation>
+    </message>
+    <message>
+        <source>the forecast has no values in the area</source>
+        <translation>prognosen har ingen værdier i området</translation>
+    </message>
+    <message>
+        <source>the forecast is for another time, from %1 to %2</source>
+        <translation>prognosen gælder et andet tidsrum, fra %1 til %2</translation>
     </message>
 </context>
 <context>
@@ -9736,6 +9800,107 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
 </context>
 <context>
+    <name>berg::ForecastDialog</name>
+    <message>
+        <source>Forecast</source>
+        <translation>Prognose</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Wind from</source>
+        <translation>Vind fra</translation>
+    </message>
+    <message>
+        <source>Gust</source>
+        <translation>Vindstød</translation>
+    </message>
+    <message>
+        <source>Air, °C</source>
+        <translation>Luft, °C</translation>
+    </message>
+    <message>
+        <source>Dew point, °C</source>
+        <translation>Dugpunkt, °C</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Sigtbarhed</translation>
+    </message>
+    <message>
+        <source>Cloud base</source>
+        <translation>Skyhøjde</translation>
+    </message>
+    <message>
+        <source>Current to</source>
+        <translation>Strøm mod</translation>
+    </message>
+    <message>
+        <source>Co&amp;mbine with the present forecast</source>
+        <translation>Ko&amp;mbinér med den nuværende prognose</translation>
+    </message>
+    <message>
+        <source>&amp;Open file...</source>
+        <translation>&amp;Åbn fil...</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Fjern</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Indstil</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Kilde: %1</translation>
+    </message>
+    <message>
+        <source>Time of issue unknown</source>
+        <translation>Udgivelsestid ukendt</translation>
+    </message>
+    <message>
+        <source>Issued %1</source>
+        <translation>Udgivet %1</translation>
+    </message>
+    <message>
+        <source>Issued %1, %2 h before the start: get a newer forecast</source>
+        <translation>Udgivet %1, %2 t før start: hent en nyere prognose</translation>
+    </message>
+    <message>
+        <source>Issued %1, %2 h before the start</source>
+        <translation>Udgivet %1, %2 t før start</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places, the table is for the middle one</source>
+        <translation>
+            <numerusform>%n sted, som tabellen gælder</numerusform>
+            <numerusform>%n steder, tabellen gælder det midterste</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times, from %1 to %2</source>
+        <translation>
+            <numerusform>%n tidspunkt, fra %1 til %2</numerusform>
+            <numerusform>%n tidspunkter, fra %1 til %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Thinned by a factor of %1 in each direction</source>
+        <translation>Udtyndet med en faktor %1 i hver retning</translation>
+    </message>
+    <message>
+        <source>The scenario has no forecast: wind and current are constant.</source>
+        <translation>Scenariet har ingen prognose: vind og strøm er konstante.</translation>
+    </message>
+    <message>
+        <source>No values of one quantity between %1 and %2</source>
+        <translation>Ingen værdier for én størrelse mellem %1 og %2</translation>
+    </message>
+</context>
+<context>
     <name>berg::GenerateDialog</name>
     <message>
         <source>Generate icebergs</source>
@@ -11039,6 +11204,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>&amp;Redo</source>
         <translation>&amp;Omgør</translation>
     </message>
+    <message>
+        <source>I&amp;mport forecast...</source>
+        <translation>I&amp;mportér prognose...</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -12061,6 +12230,22 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Place the new scenario</source>
         <translation>Placér det nye scenarie</translation>
+    </message>
+    <message>
+        <source>A forecast cannot be imported in flight. Stop the flight before importing.</source>
+        <translation>En prognose kan ikke importeres under flyvning. Stop flyvningen, før du importerer.</translation>
+    </message>
+    <message>
+        <source>Forecasts: NetCDF, GRIB, JSON (*.nc *.nc4 *.cdf *.grib *.grib2 *.grb *.grb2 *.json);;All files (*)</source>
+        <translation>Prognoser: NetCDF, GRIB, JSON (*.nc *.nc4 *.cdf *.grib *.grib2 *.grb *.grb2 *.json);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Import forecast</source>
+        <translation>Importér prognose</translation>
+    </message>
+    <message>
+        <source>Remove forecast</source>
+        <translation>Fjern prognose</translation>
     </message>
 </context>
 <context>

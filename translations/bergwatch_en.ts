@@ -349,6 +349,23 @@
     </message>
 </context>
 <context>
+    <name>berg::ForecastDialog</name>
+    <message numerus="yes">
+        <source>%n places, the table is for the middle one</source>
+        <translation>
+            <numerusform>%n place, which the table is for</numerusform>
+            <numerusform>%n places, the table is for the middle one</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times, from %1 to %2</source>
+        <translation>
+            <numerusform>%n time, from %1 to %2</numerusform>
+            <numerusform>%n times, from %1 to %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>berg::GenerateDialog</name>
     <message numerus="yes">
         <source>The scenario will have %n icebergs.</source>

@@ -492,10 +492,6 @@
         <translation>--latitude est requis : les bourguignons et les fragments d&apos;iceberg dérivent à droite du vent au nord, à gauche au sud</translation>
     </message>
     <message>
-        <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
-        <translation>Une prévision est la réponse JSON de locationforecast ou d&apos;oceanforecast de MET Norway.</translation>
-    </message>
-    <message>
         <source>%1 can be reached from the network; MAVLink is neither encrypted nor signed</source>
         <translation>%1 est accessible depuis le réseau ; MAVLink n&apos;est ni chiffré ni signé</translation>
     </message>
@@ -522,6 +518,42 @@
     <message>
         <source>--uav: choose one; a link has at most %1 vehicles</source>
         <translation>--uav : choisissez-en un ; une liaison compte au plus %1 véhicules</translation>
+    </message>
+    <message>
+        <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast, NetCDF or GRIB.</source>
+        <translation>Une prévision est la réponse JSON de locationforecast ou d&apos;oceanforecast de MET Norway, NetCDF ou GRIB.</translation>
+    </message>
+    <message>
+        <source>dew point</source>
+        <translation>point de rosée</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>visibilité</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>plafond nuageux</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>the grid is too large and was thinned by a factor of %1 in each direction; choose a smaller area or time</source>
+        <translation>la grille est trop grande et a été réduite d&apos;un facteur %1 dans chaque direction ; choisissez une zone ou une période plus petite</translation>
+    </message>
+    <message>
+        <source>--format forecast needs --into, the scenario to add it to</source>
+        <translation>--format forecast a besoin de --into, le scénario auquel il est ajouté</translation>
+    </message>
+    <message>
+        <source>--format forecast accepts only --into, --at, --replace, --output, --force and --json</source>
+        <translation>--format forecast n&apos;accepte que --into, --at, --replace, --output, --force et --json</translation>
+    </message>
+    <message>
+        <source>%1 is a forecast; use --format forecast with --into SCENARIO</source>
+        <translation>%1 est une prévision : utilisez --format forecast avec --into SCENARIO</translation>
     </message>
 </context>
 <context>
@@ -4602,6 +4634,38 @@ Zone adjacente %4</translation>
     <message>
         <source>was issued %1 h before the start</source>
         <translation>a été émise %1 h avant le début</translation>
+    </message>
+    <message>
+        <source>this build reads no %1: install %2 and build Bergwatch again</source>
+        <translation>cette version ne lit pas %1 : installez %2 et recompilez Bergwatch</translation>
+    </message>
+    <message>
+        <source>is GRIB of edition %1; only edition 2 is read: convert it with grib_set -s edition=2</source>
+        <translation>est du GRIB d&apos;édition %1 ; seule l&apos;édition 2 est lue : convertissez-le avec grib_set -s edition=2</translation>
+    </message>
+    <message>
+        <source>holds no wind, weather or current on a grid of latitudes and longitudes</source>
+        <translation>ne contient ni vent, ni météo, ni courant sur une grille de latitudes et de longitudes</translation>
+    </message>
+    <message>
+        <source>the unit &quot;%1&quot; is not understood; it must be one of %2</source>
+        <translation>l&apos;unité « %1 » n&apos;est pas comprise ; elle doit être l&apos;une de %2</translation>
+    </message>
+    <message>
+        <source>the unit of time &quot;%1&quot; in the calendar &quot;%2&quot; is not understood</source>
+        <translation>l&apos;unité de temps « %1 » du calendrier « %2 » n&apos;est pas comprise</translation>
+    </message>
+    <message>
+        <source>the forecast covers 180 degrees or more: choose an area</source>
+        <translation>la prévision couvre 180 degrés ou plus : choisissez une zone</translation>
+    </message>
+    <message>
+        <source>the forecast has no values in the area</source>
+        <translation>la prévision n&apos;a pas de valeurs dans la zone</translation>
+    </message>
+    <message>
+        <source>the forecast is for another time, from %1 to %2</source>
+        <translation>la prévision est pour une autre période, de %1 à %2</translation>
     </message>
 </context>
 <context>
@@ -9736,6 +9800,107 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
 </context>
 <context>
+    <name>berg::ForecastDialog</name>
+    <message>
+        <source>Forecast</source>
+        <translation>Prévision</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Wind from</source>
+        <translation>Vent de</translation>
+    </message>
+    <message>
+        <source>Gust</source>
+        <translation>Rafales</translation>
+    </message>
+    <message>
+        <source>Air, °C</source>
+        <translation>Air, °C</translation>
+    </message>
+    <message>
+        <source>Dew point, °C</source>
+        <translation>Point de rosée, °C</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Visibilité</translation>
+    </message>
+    <message>
+        <source>Cloud base</source>
+        <translation>Base des nuages</translation>
+    </message>
+    <message>
+        <source>Current to</source>
+        <translation>Courant vers</translation>
+    </message>
+    <message>
+        <source>Co&amp;mbine with the present forecast</source>
+        <translation>Co&amp;mbiner avec la prévision actuelle</translation>
+    </message>
+    <message>
+        <source>&amp;Open file...</source>
+        <translation>&amp;Ouvrir un fichier…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Définir</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Source : %1</translation>
+    </message>
+    <message>
+        <source>Time of issue unknown</source>
+        <translation>Heure d&apos;émission inconnue</translation>
+    </message>
+    <message>
+        <source>Issued %1</source>
+        <translation>Émise le %1</translation>
+    </message>
+    <message>
+        <source>Issued %1, %2 h before the start: get a newer forecast</source>
+        <translation>Émise le %1, %2 h avant le début : obtenez une prévision plus récente</translation>
+    </message>
+    <message>
+        <source>Issued %1, %2 h before the start</source>
+        <translation>Émise le %1, %2 h avant le début</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places, the table is for the middle one</source>
+        <translation>
+            <numerusform>%n lieu, celui du tableau</numerusform>
+            <numerusform>%n lieux, le tableau est pour celui du milieu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times, from %1 to %2</source>
+        <translation>
+            <numerusform>%n heure, de %1 à %2</numerusform>
+            <numerusform>%n heures, de %1 à %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Thinned by a factor of %1 in each direction</source>
+        <translation>Réduite d&apos;un facteur %1 dans chaque direction</translation>
+    </message>
+    <message>
+        <source>The scenario has no forecast: wind and current are constant.</source>
+        <translation>Le scénario n&apos;a pas de prévision : vent et courant sont constants.</translation>
+    </message>
+    <message>
+        <source>No values of one quantity between %1 and %2</source>
+        <translation>Aucune valeur d&apos;une grandeur entre %1 et %2</translation>
+    </message>
+</context>
+<context>
     <name>berg::GenerateDialog</name>
     <message>
         <source>Generate icebergs</source>
@@ -11039,6 +11204,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
     </message>
+    <message>
+        <source>I&amp;mport forecast...</source>
+        <translation>I&amp;mporter une prévision…</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -12061,6 +12230,22 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Place the new scenario</source>
         <translation>Placer le nouveau scénario</translation>
+    </message>
+    <message>
+        <source>A forecast cannot be imported in flight. Stop the flight before importing.</source>
+        <translation>Une prévision ne peut pas être importée en vol. Arrêtez le vol avant d&apos;importer.</translation>
+    </message>
+    <message>
+        <source>Forecasts: NetCDF, GRIB, JSON (*.nc *.nc4 *.cdf *.grib *.grib2 *.grb *.grb2 *.json);;All files (*)</source>
+        <translation>Prévisions : NetCDF, GRIB, JSON (*.nc *.nc4 *.cdf *.grib *.grib2 *.grb *.grb2 *.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Import forecast</source>
+        <translation>Importer une prévision</translation>
+    </message>
+    <message>
+        <source>Remove forecast</source>
+        <translation>Supprimer la prévision</translation>
     </message>
 </context>
 <context>

@@ -492,10 +492,6 @@
         <translation>--latitude kreves: growlere og bergy bits driver til høyre for vinden i nord, til venstre i sør</translation>
     </message>
     <message>
-        <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast.</source>
-        <translation>Et varsel er JSON-svaret fra locationforecast eller oceanforecast hos MET Norway.</translation>
-    </message>
-    <message>
         <source>%1 can be reached from the network; MAVLink is neither encrypted nor signed</source>
         <translation>%1 kan nås fra nettverket; MAVLink er verken kryptert eller signert</translation>
     </message>
@@ -522,6 +518,42 @@
     <message>
         <source>--uav: choose one; a link has at most %1 vehicles</source>
         <translation>--uav: velg én; en forbindelse har høyst %1 fartøyer</translation>
+    </message>
+    <message>
+        <source>A forecast is the JSON reply of MET Norway&apos;s locationforecast or oceanforecast, NetCDF or GRIB.</source>
+        <translation>Et varsel er JSON-svaret fra locationforecast eller oceanforecast hos MET Norway, NetCDF eller GRIB.</translation>
+    </message>
+    <message>
+        <source>dew point</source>
+        <translation>duggpunkt</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>sikt</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>skydekkehøyde</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>leser</translation>
+    </message>
+    <message>
+        <source>the grid is too large and was thinned by a factor of %1 in each direction; choose a smaller area or time</source>
+        <translation>gitteret er for stort og ble uttynnet med en faktor %1 i hver retning; velg et mindre område eller tidsrom</translation>
+    </message>
+    <message>
+        <source>--format forecast needs --into, the scenario to add it to</source>
+        <translation>--format forecast trenger --into, scenarioet som det legges til i</translation>
+    </message>
+    <message>
+        <source>--format forecast accepts only --into, --at, --replace, --output, --force and --json</source>
+        <translation>--format forecast godtar bare --into, --at, --replace, --output, --force og --json</translation>
+    </message>
+    <message>
+        <source>%1 is a forecast; use --format forecast with --into SCENARIO</source>
+        <translation>%1 er et varsel: bruk --format forecast med --into SCENARIO</translation>
     </message>
 </context>
 <context>
@@ -4602,6 +4634,38 @@ Tilstøtende område %4</translation>
     <message>
         <source>was issued %1 h before the start</source>
         <translation>ble utgitt %1 t før starten</translation>
+    </message>
+    <message>
+        <source>this build reads no %1: install %2 and build Bergwatch again</source>
+        <translation>denne versjonen leser ikke %1: installer %2 og bygg Bergwatch på nytt</translation>
+    </message>
+    <message>
+        <source>is GRIB of edition %1; only edition 2 is read: convert it with grib_set -s edition=2</source>
+        <translation>er GRIB i utgave %1; bare utgave 2 leses: konverter filen med grib_set -s edition=2</translation>
+    </message>
+    <message>
+        <source>holds no wind, weather or current on a grid of latitudes and longitudes</source>
+        <translation>inneholder verken vind, vær eller strøm i et gitter av bredde- og lengdegrader</translation>
+    </message>
+    <message>
+        <source>the unit &quot;%1&quot; is not understood; it must be one of %2</source>
+        <translation>enheten «%1» er ukjent; den må være en av %2</translation>
+    </message>
+    <message>
+        <source>the unit of time &quot;%1&quot; in the calendar &quot;%2&quot; is not understood</source>
+        <translation>tidsenheten «%1» i kalenderen «%2» er ukjent</translation>
+    </message>
+    <message>
+        <source>the forecast covers 180 degrees or more: choose an area</source>
+        <translation>varselet dekker 180 grader eller mer: velg et område</translation>
+    </message>
+    <message>
+        <source>the forecast has no values in the area</source>
+        <translation>varselet har ingen verdier i området</translation>
+    </message>
+    <message>
+        <source>the forecast is for another time, from %1 to %2</source>
+        <translation>varselet gjelder et annet tidsrom, fra %1 til %2</translation>
     </message>
 </context>
 <context>
@@ -9736,6 +9800,107 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::ForecastDialog</name>
+    <message>
+        <source>Forecast</source>
+        <translation>Varsel</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Wind from</source>
+        <translation>Vind fra</translation>
+    </message>
+    <message>
+        <source>Gust</source>
+        <translation>Vindkast</translation>
+    </message>
+    <message>
+        <source>Air, °C</source>
+        <translation>Luft, °C</translation>
+    </message>
+    <message>
+        <source>Dew point, °C</source>
+        <translation>Duggpunkt, °C</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Sikt</translation>
+    </message>
+    <message>
+        <source>Cloud base</source>
+        <translation>Skyhøyde</translation>
+    </message>
+    <message>
+        <source>Current to</source>
+        <translation>Strøm mot</translation>
+    </message>
+    <message>
+        <source>Co&amp;mbine with the present forecast</source>
+        <translation>Sett sa&amp;mmen med det nåværende varselet</translation>
+    </message>
+    <message>
+        <source>&amp;Open file...</source>
+        <translation>&amp;Åpne fil …</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Fjern</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Sett</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Kilde: %1</translation>
+    </message>
+    <message>
+        <source>Time of issue unknown</source>
+        <translation>Utgivelsestid ukjent</translation>
+    </message>
+    <message>
+        <source>Issued %1</source>
+        <translation>Utgitt %1</translation>
+    </message>
+    <message>
+        <source>Issued %1, %2 h before the start: get a newer forecast</source>
+        <translation>Utgitt %1, %2 t før start: hent et nyere varsel</translation>
+    </message>
+    <message>
+        <source>Issued %1, %2 h before the start</source>
+        <translation>Utgitt %1, %2 t før start</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places, the table is for the middle one</source>
+        <translation>
+            <numerusform>%n sted, som tabellen gjelder</numerusform>
+            <numerusform>%n steder, tabellen gjelder det midterste</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times, from %1 to %2</source>
+        <translation>
+            <numerusform>%n tidspunkt, fra %1 til %2</numerusform>
+            <numerusform>%n tidspunkter, fra %1 til %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Thinned by a factor of %1 in each direction</source>
+        <translation>Uttynnet med en faktor %1 i hver retning</translation>
+    </message>
+    <message>
+        <source>The scenario has no forecast: wind and current are constant.</source>
+        <translation>Scenarioet har ikke noe varsel: vind og strøm er konstante.</translation>
+    </message>
+    <message>
+        <source>No values of one quantity between %1 and %2</source>
+        <translation>Ingen verdier for én størrelse mellom %1 og %2</translation>
+    </message>
+</context>
+<context>
     <name>berg::GenerateDialog</name>
     <message>
         <source>Generate icebergs</source>
@@ -11039,6 +11204,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>&amp;Redo</source>
         <translation>&amp;Gjør om</translation>
     </message>
+    <message>
+        <source>I&amp;mport forecast...</source>
+        <translation>Importer &amp;varsel …</translation>
+    </message>
 </context>
 <context>
     <name>berg::MessageList</name>
@@ -12061,6 +12230,22 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Place the new scenario</source>
         <translation>Plasser det nye scenarioet</translation>
+    </message>
+    <message>
+        <source>A forecast cannot be imported in flight. Stop the flight before importing.</source>
+        <translation>Et varsel kan ikke importeres under flyging. Stopp flygingen før du importerer.</translation>
+    </message>
+    <message>
+        <source>Forecasts: NetCDF, GRIB, JSON (*.nc *.nc4 *.cdf *.grib *.grib2 *.grb *.grb2 *.json);;All files (*)</source>
+        <translation>Varsler: NetCDF, GRIB, JSON (*.nc *.nc4 *.cdf *.grib *.grib2 *.grb *.grb2 *.json);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Import forecast</source>
+        <translation>Importer varsel</translation>
+    </message>
+    <message>
+        <source>Remove forecast</source>
+        <translation>Fjern varsel</translation>
     </message>
 </context>
 <context>

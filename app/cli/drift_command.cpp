@@ -277,7 +277,8 @@ int runDrift(const DriftArguments& given, const std::stop_token& stop)
             report.velocity_mps =
                 driftVelocity_mps(report.law, constant, given.latitude_deg.value_or(0));
     } else {
-        const ForecastFiles files = readForecasts(given.forecasts);
+        const ForecastFiles files =
+            readForecasts(given.forecasts, {.place = placeOf("--place", given.place)});
         const Forecast forecast = forecastFor(given, files);
         warnOfDriftGaps(forecast);
         forcing = forcingOf(forecast, constant);

@@ -17,6 +17,8 @@ namespace {
 struct ForecastArguments
 {
     std::vector<std::string> files;
+    std::string place;
+    std::string area;
     std::string since;
     std::string until;
     std::string outputFile;
@@ -26,7 +28,8 @@ struct ForecastArguments
 
 /** Headings of `kForecastColumns` for people. */
 constexpr std::array<const char*, kForecastColumns.size()> kHeadings{
-    "wind m/s", "from", "gust m/s", "air C", "fog %", "current m/s", "to"};
+    "wind m/s",    "from", "gust m/s",    "air C",        "fog %",
+    "current m/s", "to",   "dew point C", "visibility m", "ceiling m"};
 
 /** Returns the series as a table, without columns that hold no value. */
 std::string seriesTable(const Forecast& forecast)
@@ -48,21 +51,34 @@ std::string seriesTable(const Forecast& forecast)
 }
 
 /** Returns the names of the quantities that are never given, or "" if there are none. */
-std::string missingQuantities(const Forecast& forecast)
+std::string missingNames(const Forecast& forecast)
 {
     std::string names;
-    for (const ForecastQuantity quantity : kForecastQuantities)
-        if (!gives(forecast, quantity))
-            names.append(names.empty() ? "" : ", ").append(nameOf(quantity));
+    for (const ForecastQuantity quantity : missingQuantities(forecast))
+        names.append(names.empty() ? "" : ", ").append(nameOf(quantity));
     return names;
 }
 
-std::string forecastText(const Forecast& forecast)
+std::string gridText(const ForecastGridFacts& grid)
+{
+    const auto place = [](const LatLon& corner) {
+        return placeText(corner, CoordinateForm::DecimalDegrees, 2);
+    };
+    return "grid       " + grid.format + ", " + std::to_string(grid.rows) + " x " +
+           std::to_string(grid.columns) + " places from " + place(grid.southWest) + " to " +
+           place(grid.northEast) + '\n';
+}
+
+std::string forecastText(const Forecast& forecast, const std::vector<ForecastGridFacts>& grids)
 {
     std::string text = "source     " + forecast.source + '\n';
     text += "issued     " + (forecast.issued ? utcText(*forecast.issued, 0) : "unknown") + '\n';
     text += "place      " + placeText(forecast.place, CoordinateForm::DecimalDegrees, 2) + '\n';
-    if (const std::string missing = missingQuantities(forecast); !missing.empty())
+    if (forecast.depth_m)
+        text += "depth      " + fixed(*forecast.depth_m, 0) + " m\n";
+    for (const ForecastGridFacts& grid : grids)
+        text += gridText(grid);
+    if (const std::string missing = missingNames(forecast); !missing.empty())
         text += "without    " + missing + '\n';
     return text + seriesTable(forecast);
 }
@@ -77,8 +93,15 @@ int printForecast(const ForecastArguments& arguments, const std::stop_token& /*s
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.force,
                 .json = arguments.json});
-    const ForecastFiles files = readForecasts(arguments.files);
-    const Forecast all = combined(files.forecasts);
+    const ForecastFiles files =
+        readForecasts(arguments.files, {.place = placeOf("--place", arguments.place),
+                                        .area = areaOf(arguments.area),
+                                        .since = since,
+                                        .until = until});
+    Forecast all = combined(files.forecasts);
+    for (const Forecast& forecast : files.forecasts)
+        if (!all.depth_m)
+            all.depth_m = forecast.depth_m;
     const Forecast forecast = cut(all, since, until);
     if (forecast.series.empty())
         throw UsageError(
@@ -92,7 +115,8 @@ int printForecast(const ForecastArguments& arguments, const std::stop_token& /*s
     std::vector<NewFile> outputs;
     if (!arguments.outputFile.empty())
         outputs.push_back({.path = arguments.outputFile, .content = forecastCsv(forecast)});
-    deliver(outputs, arguments.json ? forecastJson(forecast, gaps) : forecastText(forecast));
+    deliver(outputs, arguments.json ? forecastJson(forecast, gaps, files.grids)
+                                    : forecastText(forecast, files.grids));
     return kDone;
 }
 
@@ -102,10 +126,16 @@ void addForecastCommand(CLI::App& app, Action& action)
 {
     CLI::App* command = app.add_subcommand(
         "forecast", "Print forecasts of wind and current: MET Norway's locationforecast and "
-                    "oceanforecast");
+                    "oceanforecast, NetCDF and GRIB");
     ForecastArguments& a = argumentsOf(*command, action, printForecast);
-    command->add_option("FILE", a.files, "Forecasts (JSON); each quantity is from the newest")
+    command
+        ->add_option("FILE", a.files,
+                     "Forecasts (JSON, NetCDF, GRIB); each quantity is from the newest")
         ->required();
+    command->add_option("--place", a.place, "Place for the table of a grid (its middle)");
+    command->add_option(
+        "--area", a.area,
+        "SOUTH,WEST,NORTH,EAST in degrees to read of a grid (around the place, or all)");
     command->add_option("--since", a.since, "Start of the time window, UTC");
     command->add_option("--until", a.until, "End of the time window, UTC");
     addOutputFile(*command, "-o,--output", a.outputFile, "CSV file for the table");

@@ -1,4 +1,6 @@
 #include "app/cli/commands.h"
+#include "app/cli/forecast_files.h"
+#include "app/cli/import_forecast.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "app/cli/typed_values.h"
@@ -17,6 +19,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace berg::cli {
 
@@ -43,6 +46,7 @@ struct ImportArguments
     bool oneIceberg = false;
     bool eachRow = false;
     bool acceptDoubtful = false;
+    bool replace = false;
     bool force = false;
     bool json = false;
 };
@@ -53,36 +57,12 @@ constexpr std::array<Named<DateOrder>, 2> kDateOrderNames{{
 }};
 
 constexpr const char* kAirspaceFormat = "airspace"; ///< no sightings: added to a scenario
+constexpr const char* kForecastFormat = "forecast"; ///< no sightings: added to a scenario
 
 std::string formatList()
 {
-    return "auto, " + joined(importFormats(), ", ", &ImportFormat::id) + ", " + kAirspaceFormat;
-}
-
-/** "S,W,N,E" in degrees. */
-std::optional<GeoBox> areaOf(const std::string& text)
-{
-    if (text.empty())
-        return std::nullopt;
-    std::array<double, 4> edges_deg{};
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    bool ok = true;
-    for (std::size_t i = 0; ok && i < edges_deg.size(); ++i) {
-        const auto [next, error] = std::from_chars(at, end, edges_deg[i]);
-        const bool last = i + 1 == edges_deg.size();
-        ok = error == std::errc() && std::isfinite(edges_deg[i]) &&
-             (last ? next == end : next != end && *next == ',');
-        at = next + (last ? 0 : 1);
-    }
-    if (!ok)
-        throw UsageError(
-            QT_TRANSLATE_NOOP("CommandLine", "--area: %1 is not SOUTH,WEST,NORTH,EAST in degrees"),
-            {text});
-    return GeoBox{.south_deg = edges_deg[0],
-                  .west_deg = edges_deg[1],
-                  .north_deg = edges_deg[2],
-                  .east_deg = edges_deg[3]};
+    return "auto, " + joined(importFormats(), ", ", &ImportFormat::id) + ", " + kAirspaceFormat +
+           ", " + kForecastFormat;
 }
 
 /** "FIELD=COLUMN". */
@@ -292,6 +272,11 @@ SightingTable sightingsOf(const std::string& file, const ReadOptions& formats)
         const bool isOurs =
             std::string_view(text).substr(0, kHead).find("\"bergwatch-") != std::string_view::npos;
         const bool isUnknown = error.issues().front().reason.id == IssueId::UnknownFormat;
+        if (looksLikeForecast(text))
+            throw UsageError(
+                QT_TRANSLATE_NOOP("CommandLine",
+                                  "%1 is a forecast; use --format forecast with --into SCENARIO"),
+                {file});
         if (isUnknown && isOpenAir(text))
             throw UsageError(
                 QT_TRANSLATE_NOOP("CommandLine",
@@ -388,6 +373,22 @@ int importAirspaceFile(const ImportArguments& arguments)
     return kDone;
 }
 
+int importForecastFile(ImportArguments arguments)
+{
+    const std::string at = std::exchange(arguments.at, {});
+    if (isAboutSightings(arguments))
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine", "--format forecast accepts only --into, --at, "
+                                             "--replace, --output, --force and --json"));
+    return importForecast({.file = arguments.file,
+                           .intoFile = arguments.intoFile,
+                           .outputFile = arguments.outputFile,
+                           .at = at,
+                           .replace = arguments.replace,
+                           .force = arguments.force,
+                           .json = arguments.json});
+}
+
 ReadOptions readOptionsOf(const ImportArguments& given)
 {
     ReadOptions options{.format = given.format,
@@ -406,8 +407,13 @@ int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/
     if (arguments.file == "/dev/stdin" && arguments.intoFile == arguments.file)
         throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"),
                          {"FILE -", "--into -"});
+    if (arguments.replace && arguments.format != kForecastFormat)
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 needs %2"),
+                         {"--replace", "--format forecast"});
     if (arguments.format == kAirspaceFormat)
         return importAirspaceFile(arguments);
+    if (arguments.format == kForecastFormat)
+        return importForecastFile(arguments);
     if (arguments.format != "auto" && findImportFormat(arguments.format) == nullptr)
         throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--format: %1 is none of %2"),
                          {arguments.format, formatList()});
@@ -482,6 +488,8 @@ void addImportCommand(CLI::App& app, Action& action)
     command
         ->add_option("--variance-growth", a.q_m2ps, "q where it cannot be estimated, m^2/s (0.025)")
         ->check(numberFrom(0, kLargestGrowth_m2ps));
+    command->add_flag("--replace", a.replace,
+                      "Replace the scenario's forecast; without it both are combined");
     command->add_flag("--with-tracks", a.withTracks, "Sightings after --at become the true motion");
     command->add_flag("--json", a.json, "Print one JSON document");
 }

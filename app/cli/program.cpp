@@ -77,7 +77,7 @@ std::string hintOf(const Error& error, const std::string& command)
         return isOtherText || reason.id == IssueId::Missing
                    ? said(QT_TRANSLATE_NOOP("CommandLine",
                                             "A forecast is the JSON reply of MET Norway's "
-                                            "locationforecast or oceanforecast."),
+                                            "locationforecast or oceanforecast, NetCDF or GRIB."),
                           {})
                    : std::string();
     if (isOtherText && command != "import")

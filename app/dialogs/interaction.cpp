@@ -1,6 +1,7 @@
 #include "app/dialogs/interaction.h"
 
 #include "app/dialogs/export_dialog.h"
+#include "app/dialogs/forecast_dialog.h"
 #include "app/dialogs/import_dialog.h"
 #include "app/dialogs/origin_dialog.h"
 #include "app/dialogs/recovery_dialog.h"
@@ -160,6 +161,16 @@ std::optional<OriginChoice> DialogInteraction::askOrigin(QWidget* parent, const 
                                                          const Theme& theme)
 {
     OriginDialog dialog(scenario, suggested, theme, parent);
+    boundToScreen(dialog);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.choice();
+}
+
+std::optional<ForecastChoice> DialogInteraction::askForecast(QWidget* parent,
+                                                             const ForecastOffer& offer)
+{
+    ForecastDialog dialog(offer, parent);
     boundToScreen(dialog);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;

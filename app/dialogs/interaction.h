@@ -49,6 +49,19 @@ struct ImportChoice
     std::vector<Intervention> reports; ///< in flight, these replace the members above
 };
 
+/** The scenario whose forecast is chosen. */
+struct ForecastOffer
+{
+    std::shared_ptr<const Scenario> scenario;
+    std::function<QString(QWidget*)> openPath; ///< asks for a file; empty if cancelled
+};
+
+/** The forecast that the user chose; nullopt removes the present one. */
+struct ForecastChoice
+{
+    std::optional<ForecastField> forecast;
+};
+
 /** Unsaved work that is about to be lost. */
 struct UnsavedWork
 {
@@ -145,6 +158,9 @@ public:
                                                                 const Scenario& scenario,
                                                                 const LatLon& suggested,
                                                                 const Theme& theme) = 0;
+    /** Returns the forecast for a scenario, or that it has none; nullopt if cancelled. */
+    [[nodiscard]] virtual std::optional<ForecastChoice> askForecast(QWidget* parent,
+                                                                    const ForecastOffer& offer) = 0;
     /** Returns a wind below `airspeed_mps`; nullopt if cancelled. */
     [[nodiscard]] virtual std::optional<Point> askWind(QWidget* parent, const Point& wind_mps,
                                                        double airspeed_mps) = 0;
@@ -195,6 +211,8 @@ public:
     [[nodiscard]] std::optional<OriginChoice> askOrigin(QWidget* parent, const Scenario& scenario,
                                                         const LatLon& suggested,
                                                         const Theme& theme) override;
+    [[nodiscard]] std::optional<ForecastChoice> askForecast(QWidget* parent,
+                                                            const ForecastOffer& offer) override;
     [[nodiscard]] std::optional<Point> askWind(QWidget* parent, const Point& wind_mps,
                                                double airspeed_mps) override;
     [[nodiscard]] std::optional<double> askDeclination(QWidget* parent,

@@ -104,6 +104,29 @@ void ScenarioDialogs::askWind()
         workspace().setWind(*wind_mps);
 }
 
+void ScenarioDialogs::askForecast()
+{
+    if (workspace().inFlight()) {
+        showMessage(
+            tr("A forecast cannot be imported in flight. Stop the flight before importing."),
+            kMessage_ms);
+        return;
+    }
+    panels().finishTyping();
+    const QString filter =
+        tr("Forecasts: NetCDF, GRIB, JSON (*.nc *.nc4 *.cdf *.grib *.grib2 *.grb "
+           "*.grb2 *.json);;All files (*)");
+    const std::optional<ForecastChoice> choice = interaction().askForecast(
+        &window(), {.scenario = std::make_shared<const Scenario>(workspace().document().scenario()),
+                    .openPath = [this, filter](QWidget* parent) {
+                        return interaction().openPath(parent, filter);
+                    }});
+    if (!choice || !m_files.mayAnswer(false))
+        return;
+    workspace().document().edit(choice->forecast ? tr("Import forecast") : tr("Remove forecast"),
+                                [&](Scenario& scenario) { scenario.forecast = choice->forecast; });
+}
+
 void ScenarioDialogs::newScenario()
 {
     if (m_files.newScenario())

@@ -24,6 +24,8 @@ public:
     void newScenario();
     void generateIcebergs();
     void askWind();
+    /** Shows the scenario's forecast, and sets another or none. */
+    void askForecast();
     /** The box that finds everything; it may ask where a new scenario is. */
     void openFind(bool asksWhere = false);
     void moveScenario(const LatLon& suggested);

@@ -72,6 +72,7 @@ std::vector<Command> Menus::fileCommands()
         {"importAction", tr("&Import sightings..."), [&p] { p.sightings.chooseSightings(); },
          "Ctrl+I"},
         {"airspaceAction", tr("Import airspa&ce..."), [&p] { p.sightings.chooseAirspace(); }},
+        {"forecastAction", tr("I&mport forecast..."), [&p] { p.dialogs.askForecast(); }},
         kLine,
         {"saveAction", tr("&Save"), [&p] { p.files.saveScenario(); }, Key::Save, IconName::Save},
         {"saveAsAction", tr("Save &as..."), [&p] { p.files.saveScenarioAs(); }, "Ctrl+Shift+S"},

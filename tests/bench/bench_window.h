@@ -35,6 +35,10 @@ public:
     {
         return {};
     }
+    std::optional<ForecastChoice> askForecast(QWidget*, const ForecastOffer&) override
+    {
+        return {};
+    }
     std::optional<Point> askWind(QWidget*, const Point&, double) override { return {}; }
     std::optional<double> askDeclination(QWidget*, double) override { return {}; }
     void soundAlarm() override {}

@@ -65,6 +65,10 @@ std::string thirdPartyFault(const std::string& file, const std::string& target)
         return "COIN belongs to core/cbc, which is linked by bergwatch-cbc alone";
     if (target == "expat.h" && file != "core/io/text/xml_reader.cpp")
         return "Expat belongs to core/io/text/xml_reader.cpp";
+    if (target.starts_with("netcdf") && file != "core/io/import/forecast/netcdf_file.cpp")
+        return "libnetcdf belongs to core/io/import/forecast/netcdf_file.cpp";
+    if (target == "eccodes.h" && file != "core/io/import/forecast/grib_forecast.cpp")
+        return "ecCodes belongs to core/io/import/forecast/grib_forecast.cpp";
     if (target.starts_with("GeographicLib") &&
         !startsWithAny(file, {"core/earth/geodesy.", "core/earth/coordinates.",
                               "core/earth/magnetic_field.", "core/earth/map_projection."}))
@@ -327,6 +331,10 @@ private slots:
         row("widgets/document/autosaver.cpp", "<QJsonObject>", false);
         row("core/io/text/xml_reader.cpp", "<expat.h>", true);
         row("core/io/import/fields/import_xml.cpp", "<expat.h>", false);
+        row("core/io/import/forecast/netcdf_file.cpp", "<netcdf.h>", true);
+        row("core/io/import/forecast/netcdf_forecast.cpp", "<netcdf.h>", false);
+        row("core/io/import/forecast/grib_forecast.cpp", "<eccodes.h>", true);
+        row("core/io/import/import_forecast_file.cpp", "<eccodes.h>", false);
         row("core/earth/geodesy.cpp", "<GeographicLib/Geodesic.hpp>", true);
         row("core/earth/coordinates.cpp", "<GeographicLib/DMS.hpp>", true);
         row("core/io/export/maps/gpx.cpp", "<GeographicLib/Geodesic.hpp>", false);

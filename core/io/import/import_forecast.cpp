@@ -25,11 +25,12 @@ constexpr ForecastNumber kWindSpeed{"wind_speed", "m/s", limits::kWindSpeed_mps}
 constexpr ForecastNumber kWindFrom{"wind_from_direction", "degrees", kDirection_deg};
 constexpr ForecastNumber kGust{"wind_speed_of_gust", "m/s", limits::kWindSpeed_mps};
 constexpr ForecastNumber kAirTemperature{"air_temperature", "celsius", limits::kTemperature_degC};
+constexpr ForecastNumber kDewPoint{"dew_point_temperature", "celsius", limits::kTemperature_degC};
 constexpr ForecastNumber kFog{"fog_area_fraction", "%", {.low = 0, .high = 100}};
 constexpr ForecastNumber kCurrentSpeed{"sea_water_speed", "m/s", limits::kSpeed_mps};
 constexpr ForecastNumber kCurrentTo{"sea_water_to_direction", "degrees", kDirection_deg};
-constexpr std::array kForecastNumbers{kWindSpeed, kWindFrom,     kGust,     kAirTemperature,
-                                      kFog,       kCurrentSpeed, kCurrentTo};
+constexpr std::array kForecastNumbers{kWindSpeed, kWindFrom, kGust,         kAirTemperature,
+                                      kDewPoint,  kFog,      kCurrentSpeed, kCurrentTo};
 
 std::optional<double> valueOf(ObjectReader& details, const ForecastNumber& number)
 {
@@ -60,6 +61,7 @@ void readDetails(ObjectReader& details, ForecastEntry& entry)
     entry.current_mps = velocityOf(current_mps, to_deg, currentTo_mps);
     entry.gust_mps = valueOf(details, kGust);
     entry.airTemperature_degC = valueOf(details, kAirTemperature);
+    entry.dewPoint_degC = valueOf(details, kDewPoint);
     entry.fog_percent = valueOf(details, kFog);
 }
 

@@ -56,6 +56,8 @@ public:
     QStringList informations;
     std::vector<ExportOffer> offers;
     std::vector<LatLon> suggestedOrigins;
+    std::vector<ForecastOffer> forecastOffers;
+    std::optional<ForecastChoice> forecastChoice; ///< answer to the question about the forecast
     std::vector<Point> askedWinds_mps; ///< wind at each question about the wind
     std::vector<ImportOffer> importOffers;
 
@@ -124,6 +126,13 @@ public:
         suggestedOrigins.push_back(place);
         passTime();
         return originChoice;
+    }
+    [[nodiscard]] std::optional<ForecastChoice> askForecast(QWidget*,
+                                                            const ForecastOffer& offer) override
+    {
+        forecastOffers.push_back(offer);
+        passTime();
+        return forecastChoice;
     }
     [[nodiscard]] std::optional<Point> askWind(QWidget*, const Point& present_mps, double) override
     {

@@ -36,6 +36,28 @@ private slots:
                              "1970-01-01T01:00:00Z,0,,,,30,,\n"));
     }
 
+    void furtherColumnsAreShownWhereTheyHoldAValue()
+    {
+        Forecast forecast = kForecast;
+        forecast.series[1].visibility_m = 4000;
+        forecast.depth_m = 250;
+        QCOMPARE(forecastCsv(forecast),
+                 std::string("time,wind_speed_mps,wind_from_deg,gust_mps,air_temperature_degC,"
+                             "fog_percent,current_speed_mps,current_to_deg,visibility_m\n"
+                             "1970-01-01T00:00:00Z,8.12,0,,0,,0.2,90,\n"
+                             "1970-01-01T01:00:00Z,0,,,,30,,,4000\n"));
+        const std::vector<ForecastGridFacts> grids{
+            {.file = "a.nc", .format = "NetCDF", .rows = 2, .columns = 3, .thinning = 4}};
+        const QJsonObject json =
+            QJsonDocument::fromJson(QByteArray::fromStdString(forecastJson(forecast, {}, grids)))
+                .object();
+        QCOMPARE(json["depth_m"].toDouble(), 250.0);
+        QCOMPARE(json["series"][1]["visibility_m"].toDouble(), 4000.0);
+        QVERIFY(json["series"][0]["visibility_m"].isNull());
+        QVERIFY(!json["series"][0].toObject().contains("ceiling_m"));
+        QCOMPARE(json["grids"][0]["columns"].toInt(), 3);
+    }
+
     void document()
     {
         const std::vector<ForecastGap> gaps{
