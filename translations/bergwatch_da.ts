@@ -555,6 +555,22 @@
         <source>%1 is a forecast; use --format forecast with --into SCENARIO</source>
         <translation>%1 er en prognose: brug --format forecast med --into SCENARIO</translation>
     </message>
+    <message>
+        <source>photograph %1</source>
+        <translation>fotografi %1</translation>
+    </message>
+    <message>
+        <source>--run is about photographs only</source>
+        <translation>--run gælder kun fotografier</translation>
+    </message>
+    <message>
+        <source>--format: %1 has one file, not photographs</source>
+        <translation>--format: %1 har én fil, ikke fotografier</translation>
+    </message>
+    <message>
+        <source>--uav: the run has no UAV %1</source>
+        <translation>--uav: flyvningen har ingen UAV %1</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -1326,6 +1342,18 @@
     <message>
         <source>Check before the flight</source>
         <translation>Kontrollér før flyvningen</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observationer</translation>
+    </message>
+    <message>
+        <source>Ice services</source>
+        <translation>Istjenester</translation>
+    </message>
+    <message>
+        <source>Table of the sightings of the flight in the columns of the International Ice Patrol.</source>
+        <translation>Tabel over flyvningens observationer i kolonnerne fra International Ice Patrol.</translation>
     </message>
 </context>
 <context>
@@ -2552,6 +2580,14 @@
     <message>
         <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
         <translation>Bergwatch genkender ikke denne fil. Hvis det er en tabel, så vælg kolonnerne for bredde og længde nedenfor.</translation>
+    </message>
+    <message>
+        <source>Radar and AIS of a ship (NMEA log)</source>
+        <translation>Radar og AIS på et skib (NMEA-log)</translation>
+    </message>
+    <message>
+        <source>Photograph with GPS (JPEG)</source>
+        <translation>Fotografi med GPS (JPEG)</translation>
     </message>
 </context>
 <context>
@@ -4667,6 +4703,58 @@ Tilstødende område %4</translation>
         <source>the forecast is for another time, from %1 to %2</source>
         <translation>prognosen gælder et andet tidsrum, fra %1 til %2</translation>
     </message>
+    <message>
+        <source>is no NMEA sentence</source>
+        <translation>er ingen NMEA-sætning</translation>
+    </message>
+    <message>
+        <source>its checksum is wrong or missing</source>
+        <translation>kontrolsummen er forkert eller mangler</translation>
+    </message>
+    <message>
+        <source>a field of the sentence is missing or wrong</source>
+        <translation>et felt i sætningen mangler eller er forkert</translation>
+    </message>
+    <message>
+        <source>the AIS message is cut or wrong</source>
+        <translation>AIS-meddelelsen er afkortet eller forkert</translation>
+    </message>
+    <message>
+        <source>another part of the AIS message is missing or out of order</source>
+        <translation>en anden del af AIS-meddelelsen mangler eller kommer i forkert rækkefølge</translation>
+    </message>
+    <message>
+        <source>a radar bearing needs the ship&apos;s position within the minute before, and a relative one its heading</source>
+        <translation>en radarpejling kræver skibets position i minuttet før, og en relativ pejling også kursen</translation>
+    </message>
+    <message>
+        <source>the radar target is a ship that reports by AIS</source>
+        <translation>radarmålet er et skib, der melder sig med AIS</translation>
+    </message>
+    <message>
+        <source>the data of the photograph cannot be read</source>
+        <translation>dataene i fotografiet kan ikke læses</translation>
+    </message>
+    <message>
+        <source>the photograph has no position; with its time, --run places it on the flown track</source>
+        <translation>fotografiet har ingen position; med tiden placerer --run det på det fløjne spor</translation>
+    </message>
+    <message>
+        <source>the photograph has no position, and its time is not in the flight</source>
+        <translation>fotografiet har ingen position, og tiden er ikke i flyvningen</translation>
+    </message>
+    <message>
+        <source>this build reads no photographs: it was made without libexiv2</source>
+        <translation>denne version læser ingen fotografier: den er bygget uden libexiv2</translation>
+    </message>
+    <message>
+        <source>sightings for an ice service need dates: give the scenario a start time</source>
+        <translation>observationer til en istjeneste skal have datoer: giv scenariet en starttid</translation>
+    </message>
+    <message>
+        <source>photograph %1</source>
+        <translation>fotografi %1</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -4849,6 +4937,10 @@ Tilstødende område %4</translation>
     <message>
         <source>Replacing the mission begins when the flight in this window follows the aircraft</source>
         <translation>Missionen erstattes først, når flyvningen i dette vindue følger luftfartøjet</translation>
+    </message>
+    <message>
+        <source>Radar target %1</source>
+        <translation>Radarmål %1</translation>
     </message>
 </context>
 <context>
@@ -7645,10 +7737,6 @@ mod %2</translation>
         <translation>Forbindelse: afspilning</translation>
     </message>
     <message>
-        <source>Telemetry logs (*.tlog);;All files (*)</source>
-        <translation>Telemetrilogge (*.tlog);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>Stop listening before you play a log.</source>
         <translation>Hold op med at lytte, før du afspiller en log.</translation>
     </message>
@@ -7687,6 +7775,10 @@ mod %2</translation>
     <message>
         <source>%1. The aircraft keeps its own fence</source>
         <translation>%1. Luftfartøjet beholder sit eget hegn</translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog *.nmea);;All files (*)</source>
+        <translation>Telemetrilogge (*.tlog *.nmea);;Alle filer (*)</translation>
     </message>
 </context>
 <context>
@@ -10019,6 +10111,21 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     </message>
 </context>
 <context>
+    <name>berg::IceRow</name>
+    <message>
+        <source>Report sighting</source>
+        <translation>Meld observation</translation>
+    </message>
+    <message>
+        <source>Ice tracked by radar or marked by AIS</source>
+        <translation>Is fulgt af radar eller markeret med AIS</translation>
+    </message>
+    <message>
+        <source>In flight: the nearest iceberg that it may be counts as seen by others; without one, a new iceberg appears.</source>
+        <translation>Under flyvning: det nærmeste isbjerg, som det kan være, regnes som set af andre; findes det ikke, dukker et nyt isbjerg op.</translation>
+    </message>
+</context>
+<context>
     <name>berg::IcebergTable</name>
     <message>
         <source>Find by name or id</source>
@@ -12336,10 +12443,6 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
 </context>
 <context>
     <name>berg::SightingsImport</name>
-    <message>
-        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
-        <translation>Observationer (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
-    </message>
     <message numerus="yes">
         <source>Import %n icebergs from %1</source>
         <translation>
@@ -12398,6 +12501,10 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Airspace left out or changed</source>
         <translation>Luftrum udeladt eller ændret</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;All files (*)</source>
+        <translation>Observationer (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;Alle filer (*)</translation>
     </message>
 </context>
 <context>

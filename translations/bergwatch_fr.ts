@@ -555,6 +555,22 @@
         <source>%1 is a forecast; use --format forecast with --into SCENARIO</source>
         <translation>%1 est une prévision : utilisez --format forecast avec --into SCENARIO</translation>
     </message>
+    <message>
+        <source>photograph %1</source>
+        <translation>photographie %1</translation>
+    </message>
+    <message>
+        <source>--run is about photographs only</source>
+        <translation>--run ne concerne que les photographies</translation>
+    </message>
+    <message>
+        <source>--format: %1 has one file, not photographs</source>
+        <translation>--format : %1 a un seul fichier, pas de photographies</translation>
+    </message>
+    <message>
+        <source>--uav: the run has no UAV %1</source>
+        <translation>--uav : le vol n&apos;a pas de drone %1</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -1326,6 +1342,18 @@
     <message>
         <source>Check before the flight</source>
         <translation>À vérifier avant le vol</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observations</translation>
+    </message>
+    <message>
+        <source>Ice services</source>
+        <translation>Services des glaces</translation>
+    </message>
+    <message>
+        <source>Table of the sightings of the flight in the columns of the International Ice Patrol.</source>
+        <translation>Tableau des observations du vol, dans les colonnes de l&apos;International Ice Patrol.</translation>
     </message>
 </context>
 <context>
@@ -2552,6 +2580,14 @@
     <message>
         <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
         <translation>Bergwatch ne reconnaît pas ce fichier. Si c&apos;est un tableau, choisissez ci-dessous ses colonnes de latitude et de longitude.</translation>
+    </message>
+    <message>
+        <source>Radar and AIS of a ship (NMEA log)</source>
+        <translation>Radar et AIS d&apos;un navire (journal NMEA)</translation>
+    </message>
+    <message>
+        <source>Photograph with GPS (JPEG)</source>
+        <translation>Photographie avec GPS (JPEG)</translation>
     </message>
 </context>
 <context>
@@ -4667,6 +4703,58 @@ Zone adjacente %4</translation>
         <source>the forecast is for another time, from %1 to %2</source>
         <translation>la prévision est pour une autre période, de %1 à %2</translation>
     </message>
+    <message>
+        <source>is no NMEA sentence</source>
+        <translation>n&apos;est pas une phrase NMEA</translation>
+    </message>
+    <message>
+        <source>its checksum is wrong or missing</source>
+        <translation>sa somme de contrôle est fausse ou absente</translation>
+    </message>
+    <message>
+        <source>a field of the sentence is missing or wrong</source>
+        <translation>un champ de la phrase manque ou est faux</translation>
+    </message>
+    <message>
+        <source>the AIS message is cut or wrong</source>
+        <translation>le message AIS est tronqué ou faux</translation>
+    </message>
+    <message>
+        <source>another part of the AIS message is missing or out of order</source>
+        <translation>une autre partie du message AIS manque ou n&apos;est pas à sa place</translation>
+    </message>
+    <message>
+        <source>a radar bearing needs the ship&apos;s position within the minute before, and a relative one its heading</source>
+        <translation>un relèvement radar demande la position du navire dans la minute qui précède, et son cap s&apos;il est relatif</translation>
+    </message>
+    <message>
+        <source>the radar target is a ship that reports by AIS</source>
+        <translation>la cible radar est un navire signalé par l&apos;AIS</translation>
+    </message>
+    <message>
+        <source>the data of the photograph cannot be read</source>
+        <translation>les données de la photographie sont illisibles</translation>
+    </message>
+    <message>
+        <source>the photograph has no position; with its time, --run places it on the flown track</source>
+        <translation>la photographie n&apos;a pas de position ; avec son heure, --run la place sur la trace volée</translation>
+    </message>
+    <message>
+        <source>the photograph has no position, and its time is not in the flight</source>
+        <translation>la photographie n&apos;a pas de position, et son heure est hors du vol</translation>
+    </message>
+    <message>
+        <source>this build reads no photographs: it was made without libexiv2</source>
+        <translation>cette version ne lit pas les photographies : elle a été compilée sans libexiv2</translation>
+    </message>
+    <message>
+        <source>sightings for an ice service need dates: give the scenario a start time</source>
+        <translation>les observations pour un service des glaces demandent des dates : donnez une heure de départ au scénario</translation>
+    </message>
+    <message>
+        <source>photograph %1</source>
+        <translation>photographie %1</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -4849,6 +4937,10 @@ Zone adjacente %4</translation>
     <message>
         <source>Replacing the mission begins when the flight in this window follows the aircraft</source>
         <translation>La mission est remplacée dès que le vol de cette fenêtre suit l&apos;aéronef</translation>
+    </message>
+    <message>
+        <source>Radar target %1</source>
+        <translation>Cible radar %1</translation>
     </message>
 </context>
 <context>
@@ -7645,10 +7737,6 @@ vers le %2</translation>
         <translation>Liaison : lecture</translation>
     </message>
     <message>
-        <source>Telemetry logs (*.tlog);;All files (*)</source>
-        <translation>Journaux de télémétrie (*.tlog);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Stop listening before you play a log.</source>
         <translation>Arrêtez l&apos;écoute avant de lire un journal.</translation>
     </message>
@@ -7687,6 +7775,10 @@ vers le %2</translation>
     <message>
         <source>%1. The aircraft keeps its own fence</source>
         <translation>%1. L&apos;aéronef garde sa propre clôture</translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog *.nmea);;All files (*)</source>
+        <translation>Journaux de télémétrie (*.tlog *.nmea);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -10019,6 +10111,21 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     </message>
 </context>
 <context>
+    <name>berg::IceRow</name>
+    <message>
+        <source>Report sighting</source>
+        <translation>Signaler l&apos;observation</translation>
+    </message>
+    <message>
+        <source>Ice tracked by radar or marked by AIS</source>
+        <translation>Glace suivie par radar ou marquée par AIS</translation>
+    </message>
+    <message>
+        <source>In flight: the nearest iceberg that it may be counts as seen by others; without one, a new iceberg appears.</source>
+        <translation>En vol : l&apos;iceberg le plus proche que ce peut être compte comme vu par d&apos;autres ; sinon, un nouvel iceberg apparaît.</translation>
+    </message>
+</context>
+<context>
     <name>berg::IcebergTable</name>
     <message>
         <source>Find by name or id</source>
@@ -12336,10 +12443,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
 </context>
 <context>
     <name>berg::SightingsImport</name>
-    <message>
-        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
-        <translation>Observations (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Tous les fichiers (*)</translation>
-    </message>
     <message numerus="yes">
         <source>Import %n icebergs from %1</source>
         <translation>
@@ -12398,6 +12501,10 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Airspace left out or changed</source>
         <translation>Espace aérien omis ou modifié</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;All files (*)</source>
+        <translation>Observations (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>

@@ -555,6 +555,22 @@
         <source>%1 is a forecast; use --format forecast with --into SCENARIO</source>
         <translation>%1 er et varsel: bruk --format forecast med --into SCENARIO</translation>
     </message>
+    <message>
+        <source>photograph %1</source>
+        <translation>fotografi %1</translation>
+    </message>
+    <message>
+        <source>--run is about photographs only</source>
+        <translation>--run gjelder bare fotografier</translation>
+    </message>
+    <message>
+        <source>--format: %1 has one file, not photographs</source>
+        <translation>--format: %1 har én fil, ikke fotografier</translation>
+    </message>
+    <message>
+        <source>--uav: the run has no UAV %1</source>
+        <translation>--uav: flygingen har ingen UAV %1</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -1326,6 +1342,18 @@
     <message>
         <source>Check before the flight</source>
         <translation>Kontroller før flygingen</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>Observasjoner</translation>
+    </message>
+    <message>
+        <source>Ice services</source>
+        <translation>Istjenester</translation>
+    </message>
+    <message>
+        <source>Table of the sightings of the flight in the columns of the International Ice Patrol.</source>
+        <translation>Tabell over observasjonene i flygingen, i kolonnene til International Ice Patrol.</translation>
     </message>
 </context>
 <context>
@@ -2552,6 +2580,14 @@
     <message>
         <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
         <translation>Bergwatch gjenkjenner ikke denne filen. Hvis det er en tabell, velger du kolonnene for bredde og lengde nedenfor.</translation>
+    </message>
+    <message>
+        <source>Radar and AIS of a ship (NMEA log)</source>
+        <translation>Radar og AIS på et skip (NMEA-logg)</translation>
+    </message>
+    <message>
+        <source>Photograph with GPS (JPEG)</source>
+        <translation>Fotografi med GPS (JPEG)</translation>
     </message>
 </context>
 <context>
@@ -4667,6 +4703,58 @@ Tilstøtende område %4</translation>
         <source>the forecast is for another time, from %1 to %2</source>
         <translation>varselet gjelder et annet tidsrom, fra %1 til %2</translation>
     </message>
+    <message>
+        <source>is no NMEA sentence</source>
+        <translation>er ingen NMEA-setning</translation>
+    </message>
+    <message>
+        <source>its checksum is wrong or missing</source>
+        <translation>kontrollsummen er feil eller mangler</translation>
+    </message>
+    <message>
+        <source>a field of the sentence is missing or wrong</source>
+        <translation>et felt i setningen mangler eller er feil</translation>
+    </message>
+    <message>
+        <source>the AIS message is cut or wrong</source>
+        <translation>AIS-meldingen er avkortet eller feil</translation>
+    </message>
+    <message>
+        <source>another part of the AIS message is missing or out of order</source>
+        <translation>en annen del av AIS-meldingen mangler eller kommer i feil rekkefølge</translation>
+    </message>
+    <message>
+        <source>a radar bearing needs the ship&apos;s position within the minute before, and a relative one its heading</source>
+        <translation>en radarpeiling trenger skipets posisjon i minuttet før, og en relativ peiling også kursen</translation>
+    </message>
+    <message>
+        <source>the radar target is a ship that reports by AIS</source>
+        <translation>radarmålet er et skip som melder seg med AIS</translation>
+    </message>
+    <message>
+        <source>the data of the photograph cannot be read</source>
+        <translation>dataene i fotografiet kan ikke leses</translation>
+    </message>
+    <message>
+        <source>the photograph has no position; with its time, --run places it on the flown track</source>
+        <translation>fotografiet har ingen posisjon; med tiden plasserer --run det på det fløyne sporet</translation>
+    </message>
+    <message>
+        <source>the photograph has no position, and its time is not in the flight</source>
+        <translation>fotografiet har ingen posisjon, og tiden er ikke i flygingen</translation>
+    </message>
+    <message>
+        <source>this build reads no photographs: it was made without libexiv2</source>
+        <translation>denne versjonen leser ingen fotografier: den er bygget uten libexiv2</translation>
+    </message>
+    <message>
+        <source>sightings for an ice service need dates: give the scenario a start time</source>
+        <translation>observasjoner til en istjeneste må ha datoer: gi scenarioet en starttid</translation>
+    </message>
+    <message>
+        <source>photograph %1</source>
+        <translation>fotografi %1</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -4849,6 +4937,10 @@ Tilstøtende område %4</translation>
     <message>
         <source>Replacing the mission begins when the flight in this window follows the aircraft</source>
         <translation>Oppdraget erstattes først når flygingen i dette vinduet følger luftfartøyet</translation>
+    </message>
+    <message>
+        <source>Radar target %1</source>
+        <translation>Radarmål %1</translation>
     </message>
 </context>
 <context>
@@ -7645,10 +7737,6 @@ mot %2</translation>
         <translation>Forbindelse: avspilling</translation>
     </message>
     <message>
-        <source>Telemetry logs (*.tlog);;All files (*)</source>
-        <translation>Telemetrilogger (*.tlog);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>Stop listening before you play a log.</source>
         <translation>Slutt å lytte før du spiller av en logg.</translation>
     </message>
@@ -7687,6 +7775,10 @@ mot %2</translation>
     <message>
         <source>%1. The aircraft keeps its own fence</source>
         <translation>%1. Luftfartøyet beholder sitt eget gjerde</translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog *.nmea);;All files (*)</source>
+        <translation>Telemetrilogger (*.tlog *.nmea);;Alle filer (*)</translation>
     </message>
 </context>
 <context>
@@ -10019,6 +10111,21 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     </message>
 </context>
 <context>
+    <name>berg::IceRow</name>
+    <message>
+        <source>Report sighting</source>
+        <translation>Meld observasjon</translation>
+    </message>
+    <message>
+        <source>Ice tracked by radar or marked by AIS</source>
+        <translation>Is fulgt av radar eller merket med AIS</translation>
+    </message>
+    <message>
+        <source>In flight: the nearest iceberg that it may be counts as seen by others; without one, a new iceberg appears.</source>
+        <translation>Under flyging: det nærmeste isfjellet som det kan være, regnes som sett av andre; finnes det ikke, dukker et nytt isfjell opp.</translation>
+    </message>
+</context>
+<context>
     <name>berg::IcebergTable</name>
     <message>
         <source>Find by name or id</source>
@@ -12336,10 +12443,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
 </context>
 <context>
     <name>berg::SightingsImport</name>
-    <message>
-        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;All files (*)</source>
-        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;Alle filer (*)</translation>
-    </message>
     <message numerus="yes">
         <source>Import %n icebergs from %1</source>
         <translation>
@@ -12398,6 +12501,10 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Airspace left out or changed</source>
         <translation>Luftrom utelatt eller endret</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;All files (*)</source>
+        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;Alle filer (*)</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/forecast_files.h"
 #include "app/cli/import_forecast.h"
+#include "app/cli/import_rows.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
+#include "app/cli/photo_files.h"
 #include "app/cli/typed_values.h"
 #include "core/checks/validate.h"
 #include "core/io/files/run_json.h"
@@ -27,7 +29,9 @@ namespace {
 
 struct ImportArguments
 {
-    std::string file;
+    std::vector<std::string> files;
+    std::string file; ///< the first of `files`
+    PhotoRunArguments photos;
     std::string format = "auto";
     std::string outputFile;
     std::string intoFile; ///< empty for a new scenario
@@ -191,31 +195,6 @@ std::string summary(const SightingTable& table, const ImportResult& result)
     return text;
 }
 
-/** "line 3" is translated by whoever says it. */
-std::string saidPlace(const Rejections& rejected, std::size_t number)
-{
-    if (rejected.place == "feature")
-        return said(QT_TRANSLATE_NOOP("CommandLine", "feature %1"), {countOf(number)});
-    if (rejected.place == "packet")
-        return said(QT_TRANSLATE_NOOP("CommandLine", "packet %1"), {countOf(number)});
-    return placeOf(rejected, number);
-}
-
-constexpr std::size_t kMostRows = 100; ///< of a list on stderr
-
-void printRows(const std::string& file, const Rejections& rows)
-{
-    std::size_t printed = 0;
-    for (const RejectedRow& row : rows.first)
-        if (printed++ < kMostRows)
-            printMessage(word(file) + ": " +
-                         said(Issue{Severity::Error, saidPlace(rows, row.line), reasonOf(row)}));
-    if (rows.count > kMostRows)
-        printMessage(word(file) + ": " +
-                     said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
-                          {countOf(rows.count - kMostRows)}));
-}
-
 /** Writes the rows that were rejected, changed or outside, with their reasons, to stderr; of a long
  * list only its start. */
 void printDetails(const std::string& file, const ImportResult& result)
@@ -291,17 +270,28 @@ SightingTable sightingsOf(const std::string& file, const ReadOptions& formats)
     }
 }
 
-std::pair<SightingTable, ImportResult>
-imported(const ImportArguments& arguments, const ReadOptions& formats, const ImportOptions& options)
+/** The sightings of a file or of photographs, and what was made of them. */
+struct Imported
+{
+    SightingTable table;
+    ImportResult result;
+    std::optional<PhotoYield> photos;
+};
+
+Imported imported(const ImportArguments& arguments, const ReadOptions& formats,
+                  const ImportOptions& options, const std::stop_token& stop)
 {
     const std::string& output = arguments.outputFile;
     const std::filesystem::path named = isOpenDescriptor(output) ? arguments.file : output;
     const Scenario base = arguments.intoFile.empty() ? newScenarioForImport(named.stem().string())
                                                      : loadScenario(arguments.intoFile);
-    SightingTable table = sightingsOf(arguments.file, formats);
+    std::optional<PhotoYield> photos;
+    if (arePhotos(arguments.files))
+        photos = readPhotoFiles(arguments.files, arguments.photos, stop);
+    SightingTable table = photos ? photos->table : sightingsOf(arguments.file, formats);
     try {
         ImportResult result = importSightings(base, table, options);
-        return {std::move(table), std::move(result)};
+        return {std::move(table), std::move(result), std::move(photos)};
     } catch (const Error& error) {
         if (error.code() != ErrorCode::FileTooLarge)
             throw;
@@ -402,8 +392,17 @@ ReadOptions readOptionsOf(const ImportArguments& given)
     return options;
 }
 
-int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/)
+int importFile(const ImportArguments& given, const std::stop_token& stop)
 {
+    ImportArguments arguments = given;
+    arguments.file = given.files.front();
+    const bool isPhotos = arePhotos(given.files);
+    if (!isPhotos && !given.photos.runFile.empty())
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--run is about photographs only"));
+    if (isPhotos && given.format != "auto" && given.format != "photo")
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine", "--format: %1 has one file, not photographs"),
+            {given.format});
     if (arguments.file == "/dev/stdin" && arguments.intoFile == arguments.file)
         throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"),
                          {"FILE -", "--into -"});
@@ -420,11 +419,12 @@ int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/
     const ReadOptions formats = readOptionsOf(arguments);
     const ImportOptions options = optionsOf(arguments);
     // Not an input that must stay: an import adds to the scenario, which --force may overwrite.
-    checkFiles({.inputs = {arguments.file},
+    checkFiles({.inputs = arguments.files,
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.force,
                 .json = arguments.json});
-    const auto [table, result] = reading([&] { return imported(arguments, formats, options); });
+    const auto [table, result, photos] =
+        reading([&] { return imported(arguments, formats, options, stop); });
     if (!table.guessedDate.empty())
         printWarnings(arguments.file, {{Severity::Warning,
                                         saidPlace(table.rejected, table.guessedLine),
@@ -438,7 +438,9 @@ int importFile(const ImportArguments& arguments, const std::stop_token& /*stop*/
     if (!arguments.acceptDoubtful)
         requireConsent(arguments.file, result);
     const NewFile file{.path = arguments.outputFile, .content = scenarioToJson(result.scenario)};
-    deliver({&file, 1}, arguments.json ? importJson(table, result) : summary(table, result));
+    deliver({&file, 1}, arguments.json
+                            ? importJson(table, result, photos ? photoYieldJson(*photos) : "")
+                            : (photos ? photoSummary(*photos) : "") + summary(table, result));
     return kDone;
 }
 
@@ -449,7 +451,10 @@ void addImportCommand(CLI::App& app, Action& action)
     CLI::App* command =
         app.add_subcommand("import", "Make a scenario from sightings of real icebergs");
     ImportArguments& a = argumentsOf(*command, action, importFile);
-    command->add_option("FILE", a.file, "File of sightings")->required();
+    command
+        ->add_option("FILE", a.files,
+                     "File of sightings; or photographs with GPS (JPEG), or a folder of them")
+        ->required();
     command->add_option("-f,--format", a.format, formatList())->capture_default_str();
     addOutputFile(*command, "-o,--output", a.outputFile, "Scenario to write")->required();
     addForce(*command, a.force);
@@ -491,6 +496,11 @@ void addImportCommand(CLI::App& app, Action& action)
     command->add_flag("--replace", a.replace,
                       "Replace the scenario's forecast; without it both are combined");
     command->add_flag("--with-tracks", a.withTracks, "Sightings after --at become the true motion");
+    CLI::Option* const run =
+        command->add_option("--run", a.photos.runFile,
+                            "Run file of the flight of the photographs, which places those without "
+                            "a position and finds their icebergs");
+    command->add_option("--uav", a.photos.uav, "UAV with the camera (the first)")->needs(run);
     command->add_flag("--json", a.json, "Print one JSON document");
 }
 

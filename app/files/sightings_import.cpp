@@ -114,7 +114,8 @@ void SightingsImport::chooseSightings()
         return;
     const QString path = interaction().openPath(
         &window(),
-        tr("Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints);;"
+        tr("Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints "
+           "*.nmea *.jpg);;"
            "All files (*)"));
     if (!path.isEmpty())
         importSightings(path);

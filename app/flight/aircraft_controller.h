@@ -134,6 +134,7 @@ private:
     void recheckMission(const LinkVehicle& vehicle, Aircraft& aircraft);
     void followAssetShip();
     void followHomeShip();
+    void reportIce(std::uint32_t id);
     [[nodiscard]] std::vector<Point> homes_m() const;
     void watchBattery(const LinkVehicle& vehicle, Aircraft& aircraft);
     [[nodiscard]] std::optional<double> wayHome_s(const LinkVehicle& vehicle,

@@ -66,7 +66,8 @@ void AircraftController::showOnMap()
                             ? std::optional(poseAt(target.place, *target.course_rad).psi_rad)
                             : std::nullopt,
              .label = trafficName(target),
-             .isShip = target.kind == TrafficTarget::Kind::Ship});
+             .isShip = target.kind == TrafficTarget::Kind::Ship,
+             .isIce = target.kind == TrafficTarget::Kind::Ice});
     for (const auto& [address, aircraft] : m_aircraft) {
         const std::optional<LinkShip> ship = shipOf(status, shipKey(address));
         if (!ship || uavIndex(aircraft))
@@ -117,7 +118,8 @@ void AircraftController::showPanel()
     panels().aircraft->showFlight(
         {.isLive = workspace().record().now.isLive,
          .isRehearsing = m_rehearsal != nullptr,
-         .mayRehearse = m_rehearsal != nullptr || m_isRehearsalLink || !status.isListening});
+         .mayRehearse = m_rehearsal != nullptr || m_isRehearsalLink || !status.isListening,
+         .mayReport = workspace().inFlight()});
     // Never hidden: a label that appears would lay out the whole window at once.
     m_mark->setText(!status.isListening ? QString()
                     : status.replay     ? tr("Link: replay")

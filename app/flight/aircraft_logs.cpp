@@ -42,6 +42,7 @@ void AircraftController::connectShipsAndLogs()
         workspace().stopHomeMotion();
         followHomeShip();
     });
+    connect(panel, &AircraftPanel::iceReported, this, &AircraftController::reportIce);
     connect(panel, &AircraftPanel::logEdited, this, &AircraftController::setLog);
     connect(panel, &AircraftPanel::openLogRequested, this, &AircraftController::chooseLog);
     connect(panel, &AircraftPanel::replaySpeedEdited, &workspace().link(),
@@ -66,7 +67,7 @@ void AircraftController::setLog(bool isOn)
 void AircraftController::chooseLog()
 {
     const QString path =
-        interaction().openPath(&window(), tr("Telemetry logs (*.tlog);;All files (*)"));
+        interaction().openPath(&window(), tr("Telemetry logs (*.tlog *.nmea);;All files (*)"));
     if (!path.isEmpty())
         replay(path);
 }

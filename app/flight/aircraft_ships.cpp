@@ -1,6 +1,7 @@
 #include "app/flight/aircraft_controller.h"
 #include "app/layout/panels.h"
 #include "widgets/map/paint/graticule.h"
+#include "widgets/sightings/flight_sightings.h"
 #include "widgets/workspace/workspace.h"
 
 #include <algorithm>
@@ -80,6 +81,16 @@ void AircraftController::followHomeShip()
         next_m.push_back(offset_m.norm() <= kSamePad_m ? Point(place_m + offset_m) : place_m);
     }
     workspace().setHomes(next_m);
+}
+
+/** The crew takes ice that a radar tracks for a sighting by others. */
+void AircraftController::reportIce(std::uint32_t id)
+{
+    const LinkStatus& status = workspace().link().status();
+    for (const TrafficTarget& target : status.traffic)
+        if (target.kind == TrafficTarget::Kind::Ice && target.id == id && workspace().inFlight())
+            workspace().report(reportsOfIce(workspace().record(), target,
+                                            std::max(0.0, status.now_s - target.received_s)));
 }
 
 } // namespace berg

@@ -18,13 +18,13 @@ constexpr int kPiecesAtOnce = 16; ///< A mebibyte.
 constexpr std::int64_t kOutOfOrder_us = 1'000'000;
 constexpr std::int64_t kLongestPause_us = 600'000'000;
 
-/** Returns the size of the record of a frame, whose time takes 8 bytes. */
-std::uint64_t recordSize(std::span<const std::uint8_t> frame)
-{
-    return 8 + frame.size();
-}
-
 } // namespace
+
+/** Returns the size of a frame in the file: the time of a record takes 8 bytes. */
+std::uint64_t LogReplay::recordSize(std::span<const std::uint8_t> frame) const
+{
+    return (m_isNmea ? 0 : 8) + frame.size();
+}
 
 std::variant<std::unique_ptr<LogReplay>, LogFault> LogReplay::open(const std::string& path)
 {
@@ -76,12 +76,15 @@ void LogReplay::read()
     for (int i = 0; i < kPiecesAtOnce && m_frames.empty() && !m_isRead; ++i) {
         m_file.read(reinterpret_cast<char*>(piece.data()), kPiece_bytes);
         const auto count = static_cast<std::size_t>(m_file.gcount());
+        const std::span<const std::uint8_t> bytes = std::span(piece).first(count);
+        if (m_read_bytes == 0)
+            m_isNmea = isNmeaLog({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
         m_read_bytes += count;
-        add(m_reader.feed(std::span(piece).first(count)));
+        add(m_isNmea ? m_lines.feed(bytes) : m_reader.feed(bytes));
         if (m_file) // else the end, or a failing disk: what has been read counts
             continue;
         m_isRead = true;
-        add(m_reader.finish());
+        add(m_isNmea ? m_lines.finish() : m_reader.finish());
     }
 }
 

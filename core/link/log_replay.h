@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/link/byte_link.h"
+#include "core/link/nmea_log.h"
 #include "core/link/telemetry_log.h"
 
 #include <cstdint>
@@ -12,20 +13,21 @@
 
 namespace berg {
 
-/** Reason why a telemetry log cannot be played. */
+/** Reason why a log cannot be played. */
 struct LogFault
 {
     enum class Kind
     {
         Unreadable, ///< `reason` has the system's words.
-        NotALog     ///< Its first mebibyte contains no record.
+        NotALog     ///< Its first mebibyte contains neither a record nor a sentence.
     };
     Kind kind = Kind::Unreadable;
     std::string reason;
 };
 
 /**
- * A telemetry log as a link: each frame is received at its time, by a clock that `advance` moves.
+ * A telemetry log, or a log of NMEA 0183 sentences (`isNmeaLog`), as a link: each frame or line is
+ * received at its time, by a clock that `advance` moves.
  * Bytes sent are dropped. Times that jump back by more than a second or ahead by more than ten
  * minutes are taken as a change of the recording clock and cost no time. The file is read in
  * pieces, so that its size does not matter; memory: some pieces. Damaged parts are skipped. Used by
@@ -52,8 +54,11 @@ public:
     /** Returns the part of the file that has been played, 0 to 1. */
     [[nodiscard]] double part() const;
     [[nodiscard]] bool isAtEnd() const { return m_isRead && m_frames.empty(); }
-    /** Returns the number of bytes so far that belong to no record. */
-    [[nodiscard]] std::uint64_t skipped_bytes() const { return m_reader.skipped_bytes(); }
+    /** Returns the number of bytes so far that belong to no record or whole sentence. */
+    [[nodiscard]] std::uint64_t skipped_bytes() const
+    {
+        return m_reader.skipped_bytes() + m_lines.skipped_bytes();
+    }
 
     static constexpr double kStart_s = 1;
 
@@ -70,6 +75,7 @@ private:
 
     /** Reads on until frames wait, at most some pieces at once. */
     void read();
+    [[nodiscard]] std::uint64_t recordSize(std::span<const std::uint8_t> frame) const;
     void add(std::vector<LoggedFrame> frames);
 
     std::ifstream m_file;
@@ -77,7 +83,9 @@ private:
     std::uint64_t m_read_bytes = 0;
     std::uint64_t m_waiting_bytes = 0; ///< of `m_frames` in the file
     bool m_isRead = false;
+    bool m_isNmea = false;
     TelemetryLogReader m_reader;
+    NmeaLogReader m_lines; ///< in place of `m_reader`
     std::deque<Waiting> m_frames;
     std::int64_t m_clock_us = 0;
     std::int64_t m_last_us = 0; ///< of the frame added last

@@ -34,10 +34,21 @@ std::optional<LinkPacket> TrackerLink::receive()
         return packet;
     if (m_readers.size() >= kMostReaders && !m_readers.contains(packet->peer))
         m_readers.clear();
-    for (NmeaFix& fix : m_readers[packet->peer].feed(packet->bytes))
-        if (m_fixes.size() < static_cast<std::size_t>(kPacketsAtOnce))
+    NmeaReader& reader = m_readers[packet->peer];
+    constexpr auto kMost = static_cast<std::size_t>(kPacketsAtOnce);
+    for (NmeaFix& fix : reader.feed(packet->bytes))
+        if (m_fixes.size() < kMost)
             m_fixes.push_back({.peer = packet->peer, .fix = std::move(fix)});
+    static_cast<void>(reader.takeFindings());
+    for (NmeaTarget& target : reader.takeTargets())
+        if (m_targets.size() < kMost)
+            m_targets.push_back(std::move(target));
     return packet;
+}
+
+std::vector<NmeaTarget> TrackerLink::takeTargets()
+{
+    return std::exchange(m_targets, {});
 }
 
 std::vector<TrackerFix> TrackerLink::takeFixes()

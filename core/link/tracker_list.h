@@ -24,7 +24,7 @@ struct TrackerFix
     NmeaFix fix;
 };
 
-/** Passes a link on and reads the NMEA sentences in it. Memory: a line for each of 64 peers. */
+/** Passes a link on and reads the NMEA sentences in it. Memory: a reader for each of 64 peers. */
 class TrackerLink final : public ByteLink
 {
 public:
@@ -38,11 +38,17 @@ public:
 
     /** Returns the fixes since the last call, at most 1000; further ones are dropped. */
     [[nodiscard]] std::vector<TrackerFix> takeFixes();
+    /**
+     * Returns what the peers' radars and AIS receivers have reported since the last call, at most
+     * 1000 targets; further ones are dropped. Bearings are placed by fixes of the same peer.
+     */
+    [[nodiscard]] std::vector<NmeaTarget> takeTargets();
 
 private:
     ByteLink& m_link;
     std::map<int, NmeaReader> m_readers;
     std::vector<TrackerFix> m_fixes;
+    std::vector<NmeaTarget> m_targets;
 };
 
 /**

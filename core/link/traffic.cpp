@@ -1,6 +1,7 @@
 #include "core/link/traffic.h"
 
 #include "core/base/angles.h"
+#include "core/link/ais_message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,9 @@ namespace {
 constexpr std::ptrdiff_t kMostOfKind = 250;
 constexpr double kAircraftKept_s = 60;
 constexpr double kShipKept_s = 600;
+constexpr double kIceKept_s = 120;
+constexpr double kAtShip_m = 300;     ///< Length of a ship, and the error of a radar.
+constexpr double kShipPlaced_s = 180; ///< Anchored ships report every three minutes.
 // Flags of valid fields.
 constexpr std::int64_t kAdsbPosition = 1;
 constexpr std::int64_t kAdsbAltitude = 2;
@@ -65,10 +69,42 @@ void TrafficList::receive(const LinkMessage& message, double now_s)
     TrafficTarget target = isAircraft ? aircraftOf(message) : shipOf(message);
     target.place = {.latitude_deg = message.real("lat") / 1e7,
                     .longitude_deg = message.real("lon") / 1e7};
-    target.received_s = now_s;
     // AIS reports 91 and 181 degrees for an unknown position.
     if (std::abs(target.place.latitude_deg) > 90 || std::abs(target.place.longitude_deg) > 180)
         return;
+    keep(std::move(target), now_s);
+}
+
+void TrafficList::receive(const NmeaTarget& reported, double now_s)
+{
+    const bool isShip = reported.kind == NmeaTarget::Kind::Ship;
+    if (reported.kind == NmeaTarget::Kind::Aid && !saysIce(reported.name))
+        return;
+    if (reported.kind == NmeaTarget::Kind::Radar && isAtShip(reported.place, now_s))
+        return;
+    TrafficTarget target{.kind = isShip ? TrafficTarget::Kind::Ship : TrafficTarget::Kind::Ice,
+                         .id = reported.id,
+                         .name = reported.name,
+                         .place = reported.place,
+                         .speed_mps = reported.speed_mps.value_or(0)};
+    if (reported.course_deg)
+        target.course_rad = radFromDeg(*reported.course_deg);
+    keep(std::move(target), now_s);
+}
+
+bool TrafficList::isAtShip(const LatLon& place, double now_s) const
+{
+    return std::ranges::any_of(m_targets, [&](const auto& entry) {
+        const TrafficTarget& target = entry.second;
+        if (target.kind != TrafficTarget::Kind::Ship || now_s - target.received_s > kShipPlaced_s)
+            return false;
+        return LocalFrame(target.place).toPlane(place).norm() <= kAtShip_m;
+    });
+}
+
+void TrafficList::keep(TrafficTarget target, double now_s)
+{
+    target.received_s = now_s;
     const std::pair key(target.kind, target.id);
     const std::ptrdiff_t known =
         std::count_if(m_targets.begin(), m_targets.end(),
@@ -81,8 +117,16 @@ void TrafficList::advance(double now_s)
 {
     std::erase_if(m_targets, [now_s](const auto& entry) {
         const TrafficTarget& target = entry.second;
-        const bool isShip = target.kind == TrafficTarget::Kind::Ship;
-        return now_s - target.received_s > (isShip ? kShipKept_s : kAircraftKept_s);
+        const double age_s = now_s - target.received_s;
+        switch (target.kind) {
+        case TrafficTarget::Kind::Aircraft:
+            return age_s > kAircraftKept_s;
+        case TrafficTarget::Kind::Ship:
+            return age_s > kShipKept_s;
+        case TrafficTarget::Kind::Ice:
+            return age_s > kIceKept_s;
+        }
+        return true;
     });
 }
 

@@ -23,6 +23,12 @@ inline constexpr std::array<IcebergSize, 6> kIcebergSizes{{
     {"very-large", "vlg", 200},
 }};
 
+/**
+ * Returns the class of a length at the waterline >= 0: below 5 m, below 15 m, to 60 m, to 120 m,
+ * below 200 m, from 200 m (MANICE; canada.ca, which ends the class before at 200 m).
+ */
+[[nodiscard]] const IcebergSize& sizeOfLength(double length_m);
+
 /** Length from which ice is an iceberg; shorter pieces are bergy bits and growlers. */
 inline constexpr double kShortestIceberg_m = 15;
 

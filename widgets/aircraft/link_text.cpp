@@ -108,6 +108,8 @@ QString trafficName(const TrafficTarget& target)
     QString name = plainText(target.name);
     if (!name.isEmpty())
         return name;
+    if (target.kind == TrafficTarget::Kind::Ice)
+        return LinkText::tr("Radar target %1").arg(target.id);
     return target.kind == TrafficTarget::Kind::Ship // MMSI, or ICAO address
                ? QString::number(target.id)
                : QString::number(target.id, 16).toUpper().rightJustified(6, u'0');

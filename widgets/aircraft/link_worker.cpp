@@ -162,6 +162,8 @@ void LinkWorker::receiveUntil(LinkTime now)
         m_places[place.vehicle].push_back(place.place);
     for (const TrackerFix& fix : m_received->takeFixes())
         m_trackers.receive(fix, now.monotonic_s);
+    for (const NmeaTarget& target : m_received->takeTargets())
+        m_traffic.receive(target, now.monotonic_s);
     std::ranges::move(m_trackers.advance(now.monotonic_s), std::back_inserter(update.events));
     for (LinkEvent& event : update.events) {
         if (event.kind == LinkEvent::Kind::SyncEnded)

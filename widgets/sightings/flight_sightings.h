@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/link/traffic.h"
 #include "widgets/flight/flight_record.h"
 #include "widgets/sightings/import_preview.h"
 
@@ -22,5 +23,14 @@ namespace berg {
  * the age of their last sighting, new ones appear. Icebergs left out change nothing.
  */
 [[nodiscard]] std::vector<Intervention> reportsOf(const ImportPreview& preview);
+
+/**
+ * Returns the interventions that report ice that a radar tracks or AIS marks, `age_s` after that
+ * was received. The nearest monitored iceberg whose 95 % position circle and that of the radar
+ * overlap is reported seen; without one, a new iceberg appears, named as the target. Empty if the
+ * place is outside the plane.
+ */
+[[nodiscard]] std::vector<Intervention> reportsOfIce(const FlightRecord& record,
+                                                     const TrafficTarget& ice, double age_s);
 
 } // namespace berg

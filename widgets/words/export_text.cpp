@@ -90,6 +90,11 @@ ExportFormatText tableText(std::string_view id)
                 .tool = ExportText::tr("Browsers"),
                 .about = ExportText::tr("Page with planned and flown, zeta against prediction, all "
                                         "sightings and deviations.")};
+    if (id == "sightings")
+        return {.name = ExportText::tr("Sightings"),
+                .tool = ExportText::tr("Ice services"),
+                .about = ExportText::tr("Table of the sightings of the flight in the columns of "
+                                        "the International Ice Patrol.")};
     if (id == "zeta-csv")
         return {.name = ExportText::tr("Zeta"),
                 .tool = ExportText::tr("Spreadsheets"),

@@ -61,6 +61,8 @@ public:
         {"gpx", QT_TR_NOOP("GPX (waypoints, routes and tracks)")},
         {"plan", QT_TR_NOOP("QGroundControl plan")},
         {"wpl", QT_TR_NOOP("ArduPilot mission (QGC WPL)")},
+        {"nmea", QT_TR_NOOP("Radar and AIS of a ship (NMEA log)")},
+        {"photo", QT_TR_NOOP("Photograph with GPS (JPEG)")},
         {"metno", QT_TR_NOOP("MET Norway (GeoJSON)")},
         {"geojson", QT_TR_NOOP("GeoJSON (QGIS)")},
         {"iip", QT_TR_NOOP("International Ice Patrol (CSV)")},

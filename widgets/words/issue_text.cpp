@@ -170,7 +170,8 @@ QString placedIssueText(const Issue& issue)
     for (const auto& [start, text] :
          {std::pair("line ", QT_TRANSLATE_NOOP("IssueText", "line %1")),
           std::pair("feature ", QT_TRANSLATE_NOOP("IssueText", "feature %1")),
-          std::pair("packet ", QT_TRANSLATE_NOOP("IssueText", "packet %1"))})
+          std::pair("packet ", QT_TRANSLATE_NOOP("IssueText", "packet %1")),
+          std::pair("photograph ", QT_TRANSLATE_NOOP("IssueText", "photograph %1"))})
         if (issue.field.starts_with(start)) {
             place = IssueText::tr(text).arg(place.section(u' ', 1));
             break;

@@ -7,6 +7,7 @@
 #include "core/io/export/missions/plan_csv.h"
 #include "core/io/export/missions/plan_qgc.h"
 #include "core/io/export/missions/plan_wpl.h"
+#include "core/io/export/sightings_csv.h"
 #include "core/io/results/result_csv.h"
 
 #include <algorithm>
@@ -108,6 +109,8 @@ constexpr std::array kFormats{
                  kFlightTableHolds, flightPieces<writeEvents>},
     ExportFormat{"zeta-csv", "csv", "spreadsheets: zeta over time", kFlightTableHolds,
                  flightPieces<writeZeta>, &kZetaTable},
+    ExportFormat{"sightings", "csv", "ice services: sightings in the columns of the Ice Patrol",
+                 kFlightTableHolds, writeSightings},
     ExportFormat{"gpx",
                  "gpx",
                  "chart plotters, Garmin devices, GPSBabel",

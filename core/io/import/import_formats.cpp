@@ -8,6 +8,7 @@
 #include "core/io/import/import_identity.h"
 #include "core/io/import/maps/map_readers.h"
 #include "core/io/import/missions/mission_readers.h"
+#include "core/io/import/receivers/receiver_readers.h"
 #include "core/io/import/shared_ids.h"
 #include "core/io/import/tables/table_readers.h"
 #include "core/io/import/tables/table_text.h"
@@ -29,6 +30,10 @@ constexpr std::array kFormats{
     ImportFormat{"gpx", "GPS devices: waypoints, routes and tracks", false, {}, isGpx, readGpx},
     ImportFormat{"plan", "QGroundControl: places of a mission", false, {}, isPlan, readPlan},
     ImportFormat{"wpl", "ArduPilot: places of a mission (QGC WPL)", false, {}, isWpl, readWpl},
+    ImportFormat{"nmea", "NMEA 0183 and AIS: logs of a ship's radar", false, SightingSource::Radar,
+                 isNmea, readNmea},
+    ImportFormat{"photo", "Photographs with GPS (JPEG with EXIF)", false, SightingSource::Camera,
+                 isPhoto, readPhoto},
     ImportFormat{"metno", "MET Norway and Copernicus: icebergs seen by radar", true,
                  SightingSource::Satellite, isMetno, readGeoJson},
     ImportFormat{"geojson",
@@ -107,7 +112,10 @@ SightingTable sightingsOf(std::string_view bytes, const ReadOptions& options, Re
     if (isPacked && options.format != "auto" && options.format != "kmz" && options.format != "kml")
         throw Error(ErrorCode::WrongFormat, subject,
                     {IssueId::ArchiveWithout, {'.' + options.format}});
-    const std::string decoded = isPacked ? std::string() : textOfXml(bytes, subject);
+    const bool isBinary = isPacked || isPhoto(bytes);
+    if (isPhoto(bytes) && options.format != "auto" && options.format != "photo")
+        throw Error(ErrorCode::WrongFormat, subject, {IssueId::NotFormat, {options.format}});
+    const std::string decoded = isBinary ? std::string() : textOfXml(bytes, subject);
     std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
     std::optional<std::size_t> linesAbove;
     if (options.headerLine) {

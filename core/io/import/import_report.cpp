@@ -69,7 +69,8 @@ std::string rowsJson(const Rejections& rows)
     return jsonLines(textsOf(rows.first, rowText), 1);
 }
 
-std::string importJson(const SightingTable& table, const ImportResult& result)
+std::string importJson(const SightingTable& table, const ImportResult& result,
+                       const std::string& photographs)
 {
     std::map<std::string, const Iceberg*> byId;
     for (const Iceberg& iceberg : result.scenario.icebergs)
@@ -84,6 +85,8 @@ std::string importJson(const SightingTable& table, const ImportResult& result)
     JsonObject object;
     object.add("format", table.format);
     object.add("sightings", table.sightings.size());
+    if (!photographs.empty())
+        object.addText("photographs", photographs);
     object.add("rejected", result.rejected.count);
     object.add("noted", result.noted.count);
     object.add("outside_area", result.outsideArea);

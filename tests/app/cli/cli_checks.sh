@@ -467,6 +467,7 @@ for format in sigma-csv decisions-csv zeta-csv; do
     check "no $format of a plan" exits 2 "$cli" export "$default" --format $format --output none.$format
     check "no $format of a plan: no file" test ! -e none.$format
 done
+check "no sightings of a plan" exits 2 "$cli" export "$default" --format sightings --output none.sightings
 check "export zeta-csv: the run's table" cmp -s run.zeta-csv out/zeta.csv
 cp plan.plan before.plan
 check "export does not write over a file" exits 2 "$cli" export "$default" --format plan --altitude 90 --output plan.plan
@@ -527,12 +528,27 @@ data="$source_dir/tests/data/import"
 for file in iip.csv cis-beacon.csv usnic.csv metno.geojson points.geojson places.kml waypoints.gpx \
             qgc.plan fence.plan ardupilot.waypoints route.gpx route.geojson scene.geojson scene.kml \
             scene.gpx table.csv geometries.geojson lines.geojsonl polar.geojson tracks.kml \
-            commas.kml shapes.kml links.kmz; do
+            commas.kml shapes.kml links.kmz radar.nmea; do
     check "import $file" exits 0 "$cli" import "$data/$file" --output imported.berg --force
     check "import $file: names each rejected row" grep -q "$file: \(line\|feature\) " stderr.txt
     check "import $file: valid" exits 0 "$cli" validate imported.berg
     check "import $file: flies" exits 0 "$cli" simulate imported.berg --duration 20
 done
+# Photographs, where this build reads them.
+if "$cli" import "$data/photo-gps.jpg" --output photo.berg 2>stderr.txt >stdout.txt; then
+    check "import of photographs" exits 0 "$cli" import "$data"/photo-*.jpg --output photo.berg --force --json
+    check "import of photographs: counts" json '(d["photographs"]["photographs"], d["photographs"]["with_position"], d["photographs"]["new"], d["added"], d["rejected"]) == (3, 1, 1, 1, 2)'
+    mkdir -p folder && cp "$data"/photo-gps.jpg folder/A.JPEG && cp "$data/photo-plain.jpg" folder/b.jpg && echo no >folder/c.txt
+    check "import of a folder" exits 0 "$cli" import folder --output photo.berg --force
+    check "import of a folder: counts" grep -Eq '^read +2 photographs$' stdout.txt
+    check "import of a folder: names the photograph" grep -q 'photograph 2: the photograph has no position' stderr.txt
+    check "import of photographs without any position" exits 3 "$cli" import "$data/photo-plain.jpg" --output none.berg
+    check "import of a photograph as a table" exits 2 "$cli" import "$data/photo-gps.jpg" --format csv --output none.berg
+else
+    check "import of photographs: this build says that it reads none" says "libexiv2"
+    echo "NOTE: no libexiv2, photographs were not tested"
+fi
+check "--run without photographs" exits 2 "$cli" import "$data/iip.csv" --run run.bergrun --output none.berg
 printf '{x "coordinates"' >broken.geojson
 check "import of broken JSON" exits 3 "$cli" import broken.geojson --output none.berg
 check "import of broken JSON: does not hint at itself" test -z "$(grep "'import'" stderr.txt)"

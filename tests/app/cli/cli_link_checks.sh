@@ -56,6 +56,12 @@ check "replay of an empty log" exits 0 "$cli" listen --replay empty.tlog
 check "replay of a log above 64 MiB" exits 0 "$cli" listen --replay large.tlog
 check "replay of a log above 64 MiB: its positions" grep -Eq '^1/1 +[0-9]+ positions' stdout.txt
 rm large.tlog
+# --- a log of NMEA sentences -------------------------------------------------------------------
+check "replay of NMEA" exits 0 "$cli" listen --replay "$source_dir/tests/data/import/radar.nmea" --output targets.csv
+check "replay of NMEA: targets" grep -Eq '^radar +3 reports$' stdout.txt
+check "replay of NMEA: broken lines" grep -Eq '^broken +4 lines$' stdout.txt
+check "replay of NMEA: each with its reason" grep -q 'line 12: another part of the AIS message' stderr.txt
+check "replay of NMEA: table" grep -qx '2026-05-02T12:00:02Z,radar,1,,47.0833500,-48.1666667,,' targets.csv
 check "replay of another file" exits 3 "$cli" listen --replay "$scenario"
 check "replay of another file: says why" says "is no telemetry log"
 

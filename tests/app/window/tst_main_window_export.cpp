@@ -17,7 +17,9 @@ namespace {
 
 Scenario three()
 {
-    return randomScenario(31, {.icebergs = 3});
+    Scenario scenario = randomScenario(31, {.icebergs = 3});
+    scenario.startUtc = "2026-05-01T12:00:00Z"; // sightings need dates
+    return scenario;
 }
 
 ExportRequest requestFor(const char* format, const QString& path)

@@ -56,19 +56,24 @@ public:
         m_timer.start(500);
     }
     void moveTo(const LatLon& place) { m_place = place; }
+    void setRadarTarget(const LatLon& place) { m_target = place; }
 
 private:
     void send()
     {
         static_cast<void>(m_link->receive()); // opens the link
-        const std::string text =
+        std::string text =
             nmeaSentence("GPRMC,120000,A," + minutesText(m_place.latitude_deg, 2) + ",N," +
                          minutesText(m_place.longitude_deg, 3) + ",W,0.0,,010126,,");
+        if (m_target)
+            text += nmeaSentence("RATLL,05," + minutesText(m_target->latitude_deg, 2) + ",N," +
+                                 minutesText(m_target->longitude_deg, 3) + ",W,,120000,T,");
         m_link->send(0, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     }
 
     std::unique_ptr<TransportLink> m_link;
     LatLon m_place;
+    std::optional<LatLon> m_target;
     QTimer m_timer;
 };
 
@@ -153,6 +158,41 @@ private slots:
                     Point(900, -400))
                        .norm() < 1;
         }));
+    }
+
+    /** Ice on the radar is a sighting by others: of a known iceberg, or of a new one. */
+    void iceOnTheRadarIsReported()
+    {
+        WindowFixture w(withAsset());
+        const int port = shipPort(0) + 4'001;
+        listenAt(w, port);
+        Tracker tracker(port, placeAt(w, {300, 200}));
+        tracker.setRadarTarget(placeAt(w, {-4000, 3000}));
+        auto& ice = child<QComboBox>(w.window(), u"iceTarget"_s);
+        auto& button = child<QPushButton>(w.window(), u"reportIce"_s);
+        QVERIFY(w.until([&] { return ice.count() == 1; }));
+        QCOMPARE(ice.itemText(0), u"Radar target 5"_s);
+        QVERIFY(w.until([&] { return w.map().live().traffic.size() == 2; }));
+        QVERIFY(w.map().live().traffic.front().isIce);
+        QVERIFY(!button.isEnabled());
+        QVERIFY(w.untilReady());
+        w.workspace.fly(1);
+        QVERIFY(w.until([&] { return w.record().now.time_s > 0.5 && button.isEnabled(); }));
+        button.click();
+        QVERIFY(w.until([&] { return w.record().now.icebergs.size() == 2; }));
+        QCOMPARE(w.record().now.icebergs.back().id, std::string("radar 5"));
+        QVERIFY((w.record().now.icebergs.back().position_m - Point(-4000, 3000)).norm() < 1);
+        tracker.setRadarTarget(placeAt(w, {2010, 510})); // the known iceberg
+        QVERIFY(w.until([&] {
+            const auto& traffic = w.map().live().traffic;
+            return (traffic.front().position_m - Point(2010, 510)).norm() < 1;
+        }));
+        button.click();
+        w.workspace.pause();
+        QVERIFY(w.until(RunPhase::Paused));
+        const std::shared_ptr<const RunFile> run = test::flownRun(w);
+        QCOMPARE(run->interventions.size(), std::size_t{2});
+        QCOMPARE(run->interventions.back().seen, std::optional(w.scenario().icebergs[0].id));
     }
 };
 

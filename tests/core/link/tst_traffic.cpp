@@ -80,6 +80,36 @@ private slots:
         QVERIFY(list.targets().empty());
     }
 
+    void targetsOfNmeaAreListed()
+    {
+        const auto at = [](NmeaTarget::Kind kind, std::uint32_t id, double latitude_deg,
+                           const char* name = "") {
+            return NmeaTarget{.kind = kind,
+                              .id = id,
+                              .name = name,
+                              .place = {.latitude_deg = latitude_deg, .longitude_deg = -48},
+                              .speed_mps = 0.3,
+                              .course_deg = 90};
+        };
+        TrafficList list;
+        list.receive(at(NmeaTarget::Kind::Ship, 257'000'001, 47), 0);
+        list.receive(at(NmeaTarget::Kind::Radar, 3, 47.1), 0);
+        list.receive(at(NmeaTarget::Kind::Radar, 4, 47.002), 0); // the ship, 222 m away
+        list.receive(at(NmeaTarget::Kind::Aid, 992'570'001, 47.2, "ICEBERG 7"), 0);
+        list.receive(at(NmeaTarget::Kind::Aid, 992'570'002, 47.3, "OFFICE BUOY"), 0);
+        std::vector<TrafficTarget> targets = list.targets();
+        QCOMPARE(targets.size(), std::size_t{3});
+        QVERIFY(targets[0].kind == TrafficTarget::Kind::Ship);
+        QVERIFY(targets[1].kind == TrafficTarget::Kind::Ice && targets[1].id == 3);
+        QCOMPARE(targets[1].course_rad.value(), 0.5 * 3.14159265358979312);
+        QCOMPARE(targets[2].name, std::string("ICEBERG 7"));
+        list.advance(121);
+        targets = list.targets();
+        QCOMPARE(targets.size(), std::size_t{1});                  // the radar has lost its target
+        list.receive(at(NmeaTarget::Kind::Radar, 4, 47.002), 200); // the ship is silent
+        QCOMPARE(list.targets().size(), std::size_t{2});
+    }
+
     void memoryIsBounded()
     {
         TrafficList list;

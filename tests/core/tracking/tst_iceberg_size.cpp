@@ -18,6 +18,17 @@ private slots:
         QVERIFY(kIcebergSizes[2].length_m > kShortestIceberg_m);
     }
 
+    void classesByLength()
+    {
+        const std::vector<std::pair<double, std::string_view>> limits{
+            {0, "gr"},   {4.9, "gr"},  {5, "bb"},   {14.9, "bb"}, {15, "sm"},   {60, "sm"},
+            {61, "med"}, {120, "med"}, {121, "lg"}, {199, "lg"},  {200, "vlg"}, {5000, "vlg"}};
+        for (const auto& [length_m, code] : limits)
+            QCOMPARE(sizeOfLength(length_m).code, code);
+        for (const IcebergSize& size : kIcebergSizes)
+            QCOMPARE(sizeOfLength(size.length_m).code, size.code);
+    }
+
     void dimensionsByHand()
     {
         // 100^0.71 = 10^1.42 = 26.3027; 1.78 x 26.3027 = 46.819.

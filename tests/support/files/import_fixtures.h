@@ -22,7 +22,7 @@ struct ImportFixture
     std::size_t rejected;
 };
 
-inline constexpr std::array<ImportFixture, 30> kImportFixtures = {{
+inline constexpr std::array<ImportFixture, 31> kImportFixtures = {{
     {"iip.csv", "iip", 10, 4},
     {"cis-beacon.csv", "cis-beacon", 9, 3},
     {"usnic.csv", "usnic", 5, 1},
@@ -52,6 +52,7 @@ inline constexpr std::array<ImportFixture, 30> kImportFixtures = {{
     {"qgc.plan", "plan", 3, 3},
     {"fence.plan", "plan", 1, 1},
     {"ardupilot.waypoints", "wpl", 3, 3},
+    {"radar.nmea", "nmea", 4, 4},
     {"table.csv", "csv", 5, 4},
 }};
 

@@ -253,7 +253,7 @@ private:
             m_faults.add(Fault::Replay, issue.field + ' ' + issue.message());
         const Plan& plan = *m_mission.plans().front();
         for (const ExportFormat& format : exportFormats()) {
-            if (format.holds.painted)
+            if (format.holds.painted || format.id == "sightings") // which need a start time
                 continue;
             for (const Uav& uav : m_fleet.scenario().uavs) {
                 const std::string text =

@@ -77,13 +77,19 @@ void paintAircraft(const MapPaint& p, const MapAircraft& aircraft)
     drawLiveLabel(p, at + QPointF(6, 0), aircraft.label, p.theme.text);
 }
 
-/** Ships are hulls, aircraft are crosses with a tail. */
+/** Ships are hulls, ice is a triangle, aircraft are crosses with a tail. */
 void paintTraffic(const MapPaint& p, const MapTraffic& traffic)
 {
     const PainterState saved(p.painter);
     const QPointF at = p.layout.view.toPixel(traffic.position_m);
     drawLiveLabel(p, at, traffic.label, p.theme.mutedText);
     p.painter.translate(at);
+    if (traffic.isIce) {
+        p.painter.setPen(QPen(p.theme.ink, 1.4));
+        p.painter.setBrush(p.theme.panel);
+        p.painter.drawPolygon(QPolygonF{{0, -9}, {8, 6}, {-8, 6}});
+        return;
+    }
     p.painter.rotate(-degFromRad(traffic.psi_rad.value_or(kPi / 2)));
     p.painter.setPen(QPen(p.theme.ink, 1.4));
     p.painter.setBrush(p.theme.panel);

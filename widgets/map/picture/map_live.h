@@ -23,13 +23,14 @@ struct MapAircraft
     QString contactLabel;           ///< time until then
 };
 
-/** Another aircraft or a ship nearby. */
+/** Another aircraft, a ship or tracked ice nearby. */
 struct MapTraffic
 {
     Point position_m = Point::Zero();
     std::optional<double> psi_rad; ///< course
     QString label;
     bool isShip = false;
+    bool isIce = false;
 };
 
 /** Additions of the live link to a picture. */

@@ -4,6 +4,7 @@
 #include "core/link/tracker_list.h"
 #include "widgets/aircraft/link_text.h"
 #include "widgets/panels/aircraft/log_rows.h"
+#include "widgets/panels/aircraft/ice_row.h"
 #include "widgets/panels/aircraft/ship_rows.h"
 #include "widgets/panels/fields/wheel_guard.h"
 #include "widgets/theme/quantity_text.h"
@@ -145,6 +146,7 @@ AircraftPanel::AircraftPanel(QWidget* parent)
     , m_log(new LogRows)
     , m_battery(wrapped("aircraftBattery"))
     , m_ships(new ShipRows)
+    , m_ice(new IceRow)
     , m_events(new QPlainTextEdit)
     , m_theme(Theme::light())
 {
@@ -234,6 +236,8 @@ void AircraftPanel::addDetails(QVBoxLayout& column)
     column.addWidget(m_steering);
     column.addWidget(m_steeringState);
     column.addWidget(m_ships);
+    column.addWidget(m_ice);
+    connect(m_ice, &IceRow::iceReported, this, &AircraftPanel::iceReported);
     connect(m_ships, &ShipRows::assetShipEdited, this, &AircraftPanel::assetShipEdited);
     connect(m_ships, &ShipRows::homeShipEdited, this, &AircraftPanel::homeShipEdited);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &AircraftPanel::showDetails);
@@ -308,6 +312,7 @@ void AircraftPanel::showStatus(const LinkStatus& status,
     m_status = status;
     m_notes = notes;
     m_ships->showShips(status);
+    m_ice->showIce(status);
     m_log->showStatus(status);
     m_listen->setChecked(status.isListening);
     m_send->setChecked(status.isSending);
@@ -408,6 +413,7 @@ void AircraftPanel::showFlight(const LiveFlightState& state)
 {
     m_flight = state;
     m_rehearse->setChecked(state.isRehearsing);
+    m_ice->setReporting(state.mayReport);
     m_rehearse->setEnabled(!m_status.replay && state.mayRehearse);
     m_flyLive->setText(state.isLive ? tr("The flight follows the aircraft")
                                     : tr("Fly with the aircraft"));

@@ -22,6 +22,7 @@ class QVBoxLayout;
 namespace berg {
 
 class LogRows;
+class IceRow;
 class ShipRows;
 
 /** State of one aircraft besides its telemetry. */
@@ -41,6 +42,7 @@ struct LiveFlightState
     bool isLive = false;       ///< it follows the aircraft
     bool isRehearsing = false; ///< simulated aircraft fly
     bool mayRehearse = true;   ///< they may start: no other link is open
+    bool mayReport = false;    ///< a flight runs that sightings can be reported to
 };
 
 /**
@@ -93,6 +95,8 @@ signals:
     void assetShipEdited(quint64 key);
     /** Emitted with the key of the ship that launch and home are on; 0 for none. */
     void homeShipEdited(quint64 key);
+    /** Emitted with the id of the ice (`TrafficTarget`) that the crew reports as a sighting. */
+    void iceReported(std::uint32_t id);
     void logEdited(bool isOn);
     void openLogRequested();
     void replaySpeedEdited(double speed);
@@ -123,6 +127,7 @@ private:
     LogRows* m_log;
     QLabel* m_battery;
     ShipRows* m_ships;
+    IceRow* m_ice;
     QPlainTextEdit* m_events;
     LinkStatus m_status;
     std::map<LinkAddress, AircraftNotes> m_notes;

@@ -121,14 +121,15 @@ struct Rejections
 {
     std::vector<RejectedRow> first;
     std::size_t count = 0;
-    std::string_view place = "line"; ///< unit of `RejectedRow::line`: "line", "feature" or "packet"
+    /** Unit of `RejectedRow::line`: "line", "feature", "packet" or "photograph". */
+    std::string_view place = "line";
 
     void add(RejectedRow row);
     /** Removes the rows that were added after the first `from` ones. */
     void forget(std::size_t from);
 };
 
-/** Returns "line 3", "feature 3" or "packet 3". */
+/** Returns "line 3", "feature 3", "packet 3" or "photograph 3". */
 [[nodiscard]] std::string placeOf(const Rejections& rejected, std::size_t line);
 
 /** Column of the file that is used for a field. */

@@ -191,9 +191,11 @@ struct ImportResult
 /**
  * Returns the JSON document that the command line prints for an import: format, counts, start,
  * origin, results for UAVs, area and asset, an entry for each iceberg of the file, and the first
- * thousand each of the rows that are rejected, noted and outside the area or the time.
+ * thousand each of the rows that are rejected, noted and outside the area or the time. The member
+ * `photographs` has the JSON text given, unless that is empty.
  */
-[[nodiscard]] std::string importJson(const SightingTable& table, const ImportResult& result);
+[[nodiscard]] std::string importJson(const SightingTable& table, const ImportResult& result,
+                                     const std::string& photographs = {});
 
 /** Returns the stored rows of a list as a JSON array of lines (or features) and reasons. */
 [[nodiscard]] std::string rowsJson(const Rejections& rows);

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTreeWidget>
 #include <QWheelEvent>
 
@@ -78,6 +79,32 @@ private slots:
         panel.showStatus(status, {});
         QCOMPARE(box.count(), 2);
         QCOMPARE(box.itemText(1), u"The asset follows POLAR"_s);
+    }
+
+    /** Ice that a radar tracks can be reported in flight. */
+    void iceIsReported()
+    {
+        AircraftPanel panel;
+        LinkStatus status = steerable();
+        panel.showStatus(status, {});
+        auto& box = child<QComboBox>(panel, u"iceTarget"_s);
+        auto& button = child<QPushButton>(panel, u"reportIce"_s);
+        QVERIFY(!box.isVisibleTo(&panel));
+        status.traffic = {{.kind = TrafficTarget::Kind::Ice, .id = 7},
+                          {.kind = TrafficTarget::Kind::Ice, .id = 9, .name = "BERG"}};
+        panel.showStatus(status, {});
+        QVERIFY(box.isVisibleTo(&panel));
+        QCOMPARE(box.itemText(0), u"Radar target 7"_s);
+        QCOMPARE(box.itemText(1), u"BERG"_s);
+        QVERIFY(!button.isEnabled());
+        panel.showFlight({.mayReport = true});
+        QSignalSpy reported(&panel, &AircraftPanel::iceReported);
+        box.setCurrentIndex(1);
+        status.traffic.erase(status.traffic.begin());
+        panel.showStatus(status, {}); // the choice stays
+        button.click();
+        QCOMPARE(reported.size(), 1);
+        QCOMPARE(reported[0][0].toUInt(), 9U);
     }
 
     /** A change of language makes a new panel. */

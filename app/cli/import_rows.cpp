@@ -1,0 +1,35 @@
+#include "app/cli/import_rows.h"
+
+#include "app/cli/console.h"
+#include "app/cli/language.h"
+#include "app/cli/usage.h"
+#include "core/base/number_text.h"
+#include "core/scenario/text_checks.h"
+
+namespace berg::cli {
+
+std::string saidPlace(const Rejections& rejected, std::size_t number)
+{
+    if (rejected.place == "feature")
+        return said(QT_TRANSLATE_NOOP("CommandLine", "feature %1"), {countOf(number)});
+    if (rejected.place == "packet")
+        return said(QT_TRANSLATE_NOOP("CommandLine", "packet %1"), {countOf(number)});
+    if (rejected.place == "photograph")
+        return said(QT_TRANSLATE_NOOP("CommandLine", "photograph %1"), {countOf(number)});
+    return placeOf(rejected, number);
+}
+
+void printRows(const std::string& file, const Rejections& rows)
+{
+    std::size_t printed = 0;
+    for (const RejectedRow& row : rows.first)
+        if (printed++ < kMostRows)
+            printMessage(word(file) + ": " +
+                         said(Issue{Severity::Error, saidPlace(rows, row.line), reasonOf(row)}));
+    if (rows.count > kMostRows)
+        printMessage(word(file) + ": " +
+                     said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
+                          {countOf(rows.count - kMostRows)}));
+}
+
+} // namespace berg::cli

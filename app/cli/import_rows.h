@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/io/import/fields/import_table.h"
+
+#include <string>
+
+namespace berg::cli {
+
+/** Longest list of rows on stderr. */
+inline constexpr std::size_t kMostRows = 100;
+
+/** Returns "line 3" in the language of the command line. */
+[[nodiscard]] std::string saidPlace(const Rejections& rejected, std::size_t number);
+
+/** Writes rows with their reasons to stderr; of a long list only its start. */
+void printRows(const std::string& file, const Rejections& rows);
+
+} // namespace berg::cli
