@@ -28,6 +28,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS gdal-bin) # files of GIS programs
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Bergwatch plans in which order an unmanned aircraft visits drifting icebergs,
 flies the plan in simulation while the icebergs drift, measures how well their

@@ -168,10 +168,6 @@
         <translation>og %1 bemærkninger mere om isbjerge</translation>
     </message>
     <message>
-        <source>--format airspace needs --into, the scenario to add it to</source>
-        <translation>--format airspace kræver --into, scenariet, som det føjes til</translation>
-    </message>
-    <message>
         <source>the MPI processes have different options</source>
         <translation>MPI-processerne har forskellige tilvalg</translation>
     </message>
@@ -376,10 +372,6 @@
         <translation>%1 mangler</translation>
     </message>
     <message>
-        <source>--format airspace accepts only --into, --output, --force and --json</source>
-        <translation>--format airspace tillader kun --into, --output, --force og --json</translation>
-    </message>
-    <message>
         <source>%1 is airspace; use --format airspace with --into SCENARIO</source>
         <translation>%1 er luftrum: brug --format airspace med --into SCENARIO</translation>
     </message>
@@ -570,6 +562,18 @@
     <message>
         <source>--uav: the run has no UAV %1</source>
         <translation>--uav: flyvningen har ingen UAV %1</translation>
+    </message>
+    <message>
+        <source>--format %1 needs --into, the scenario to add it to</source>
+        <translation>--format %1 kræver --into, scenariet, som det føjes til</translation>
+    </message>
+    <message>
+        <source>--format %1 accepts only --into, --output, --force and --json</source>
+        <translation>--format %1 tillader kun --into, --output, --force og --json</translation>
+    </message>
+    <message>
+        <source>%1 is an ice chart; use --into SCENARIO</source>
+        <translation>%1 er et iskort: brug --into SCENARIO</translation>
     </message>
 </context>
 <context>
@@ -1354,6 +1358,34 @@
     <message>
         <source>Table of the sightings of the flight in the columns of the International Ice Patrol.</source>
         <translation>Tabel over flyvningens observationer i kolonnerne fra International Ice Patrol.</translation>
+    </message>
+    <message>
+        <source>ArcGIS and other GIS, through ogr2ogr</source>
+        <translation>ArcGIS og andre GIS, gennem ogr2ogr</translation>
+    </message>
+    <message>
+        <source>Everything on the map as zipped Shapefiles of points, lines and areas. Needs ogr2ogr (package gdal-bin).</source>
+        <translation>Alt på kortet som pakkede Shapefiler med punkter, linjer og områder. Kræver ogr2ogr (pakken gdal-bin).</translation>
+    </message>
+    <message>
+        <source>QGIS and other GIS, through ogr2ogr</source>
+        <translation>QGIS og andre GIS, gennem ogr2ogr</translation>
+    </message>
+    <message>
+        <source>Everything on the map in one layer. Needs ogr2ogr (package gdal-bin).</source>
+        <translation>Alt på kortet i ét lag. Kræver ogr2ogr (pakken gdal-bin).</translation>
+    </message>
+    <message>
+        <source>Other GIS, through ogr2ogr</source>
+        <translation>Andre GIS, gennem ogr2ogr</translation>
+    </message>
+    <message>
+        <source>CAD programs, through ogr2ogr</source>
+        <translation>CAD-programmer, gennem ogr2ogr</translation>
+    </message>
+    <message>
+        <source>A drawing in metres: places, lines and outlines in layers, without names and numbers. Needs ogr2ogr (package gdal-bin).</source>
+        <translation>En tegning i meter: steder, linjer og omrids i lag, uden navne og tal. Kræver ogr2ogr (pakken gdal-bin).</translation>
     </message>
 </context>
 <context>
@@ -4755,6 +4787,78 @@ Tilstødende område %4</translation>
         <source>photograph %1</source>
         <translation>fotografi %1</translation>
     </message>
+    <message>
+        <source>an ice chart holds at most %1 areas, not %2</source>
+        <translation>et iskort har højst %1 områder, ikke %2</translation>
+    </message>
+    <message>
+        <source>the outlines of an ice chart hold at most %1 corners together, not %2</source>
+        <translation>omridsene i et iskort har højst %1 hjørner tilsammen, ikke %2</translation>
+    </message>
+    <message>
+        <source>an ice area needs outlines of at least 3 corners</source>
+        <translation>et isområde kræver omrids med mindst 3 hjørner</translation>
+    </message>
+    <message>
+        <source>the ice chart is %1 hours older than the start: ice has moved since</source>
+        <translation>iskortet er %1 timer ældre end starten: isen har flyttet sig siden</translation>
+    </message>
+    <message>
+        <source>is no ice chart: it has no polygons with concentrations (CT, POLY_TYPE of SIGRID-3)</source>
+        <translation>er ikke et iskort: filen har ingen polygoner med koncentrationer (CT, POLY_TYPE i SIGRID-3)</translation>
+    </message>
+    <message>
+        <source>holds no ice-chart area within %1 km of the scenario</source>
+        <translation>indeholder ikke noget isområde inden for %1 km af scenariet</translation>
+    </message>
+    <message>
+        <source>is read with ogr2ogr: install gdal-bin</source>
+        <translation>læses med ogr2ogr: installer gdal-bin</translation>
+    </message>
+    <message>
+        <source>is written with ogr2ogr: install gdal-bin</source>
+        <translation>skrives med ogr2ogr: installer gdal-bin</translation>
+    </message>
+    <message>
+        <source>ogr2ogr reports: %1</source>
+        <translation>ogr2ogr melder: %1</translation>
+    </message>
+    <message>
+        <source>ogr2ogr failed without a reason (%1)</source>
+        <translation>ogr2ogr mislykkedes uden at angive en grund (%1)</translation>
+    </message>
+    <message>
+        <source>ogr2ogr was stopped after %1 s</source>
+        <translation>ogr2ogr blev stoppet efter %1 s</translation>
+    </message>
+    <message>
+        <source>ogr2ogr did not print GeoJSON</source>
+        <translation>ogr2ogr skrev ikke GeoJSON</translation>
+    </message>
+    <message>
+        <source>holds no features</source>
+        <translation>indeholder ingen objekter</translation>
+    </message>
+    <message>
+        <source>the archive holds several files that ogr2ogr can read: %1; unpack the one that you need</source>
+        <translation>arkivet indeholder flere filer, som ogr2ogr kan læse: %1; udpak den, du skal bruge</translation>
+    </message>
+    <message>
+        <source>ice area left out: its outline cannot be read</source>
+        <translation>isområde udeladt: omridset kan ikke læses</translation>
+    </message>
+    <message>
+        <source>the times along paths and tracks are left out: the format has no place for them</source>
+        <translation>tiderne langs baner og spor udelades: formatet har ikke plads til dem</translation>
+    </message>
+    <message>
+        <source>there is a Shapefile each for points, lines and areas; names of properties are cut to 10 letters, texts to 254 bytes</source>
+        <translation>der er en Shapefile hver for punkter, linjer og områder; navne på egenskaber afkortes til 10 bogstaver, tekster til 254 byte</translation>
+    </message>
+    <message>
+        <source>coordinates are metres of EPSG:%1; names, numbers and times are left out</source>
+        <translation>koordinaterne er meter i EPSG:%1; navne, tal og tider udelades</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -5444,6 +5548,59 @@ Tilstødende område %4</translation>
         <source>Patrol</source>
         <translation>Patrulje</translation>
     </message>
+    <message>
+        <source>Ice free</source>
+        <translation>Isfrit</translation>
+    </message>
+    <message>
+        <source>Open water</source>
+        <translation>Åbent vand</translation>
+    </message>
+    <message>
+        <source>Ice 1–3 tenths</source>
+        <translation>Is 1–3 tiendedele</translation>
+    </message>
+    <message>
+        <source>Ice 4–6 tenths</source>
+        <translation>Is 4–6 tiendedele</translation>
+    </message>
+    <message>
+        <source>Ice 7–8 tenths</source>
+        <translation>Is 7–8 tiendedele</translation>
+    </message>
+    <message>
+        <source>Ice 9–10 tenths</source>
+        <translation>Is 9–10 tiendedele</translation>
+    </message>
+    <message>
+        <source>Fast ice</source>
+        <translation>Fastis</translation>
+    </message>
+    <message>
+        <source>Ice, concentration unknown</source>
+        <translation>Is, ukendt koncentration</translation>
+    </message>
+    <message>
+        <source>no date</source>
+        <comment>ice chart</comment>
+        <translation>uden dato</translation>
+    </message>
+    <message>
+        <source>Old ice chart: %1</source>
+        <translation>Gammelt iskort: %1</translation>
+    </message>
+    <message>
+        <source>Ice chart: %1</source>
+        <translation>Iskort: %1</translation>
+    </message>
+    <message>
+        <source>Old ice chart</source>
+        <translation>Gammelt iskort</translation>
+    </message>
+    <message>
+        <source>Ice chart</source>
+        <translation>Iskort</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -5498,6 +5655,24 @@ Tilstødende område %4</translation>
         <source>%1: %2, %3</source>
         <comment>name, uncertainty, drift</comment>
         <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>Ice concentration %1 tenths</source>
+        <translation>Iskoncentration %1 tiendedele</translation>
+    </message>
+    <message>
+        <source>Ice concentration unknown</source>
+        <translation>Ukendt iskoncentration</translation>
+    </message>
+    <message>
+        <source>, fast ice</source>
+        <translation>, fastis</translation>
+    </message>
+    <message>
+        <source>
+On the chart: %1</source>
+        <translation>
+På kortet: %1</translation>
     </message>
 </context>
 <context>
@@ -8029,10 +8204,6 @@ mod %2</translation>
 <context>
     <name>berg::BackdropFile</name>
     <message>
-        <source>Maps (*.geojson *.json *.kml *.kmz);;All files (*)</source>
-        <translation>Kort (*.geojson *.json *.kml *.kmz);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>%1 contains no points, lines or polygons</source>
         <translation>%1 indeholder ingen punkter, linjer eller polygoner</translation>
     </message>
@@ -8043,6 +8214,10 @@ mod %2</translation>
     <message>
         <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
         <translation>%1 er hverken GeoJSON eller KML. Konvertér filen med et kortprogram, f.eks. QGIS, og vælg den igen.</translation>
+    </message>
+    <message>
+        <source>Maps (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
+        <translation>Kort (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
     </message>
 </context>
 <context>
@@ -9654,6 +9829,26 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Length at the waterline. With it, wind and current carry the iceberg, and it may run aground; without it, the current alone.</source>
         <translation>Længden i vandlinjen. Med den fører vind og strøm isbjerget, og det kan gå på grund; uden den kun strømmen.</translation>
     </message>
+    <message>
+        <source>Source of the ice chart</source>
+        <translation>Kilde til iskortet</translation>
+    </message>
+    <message>
+        <source>Date of the ice chart</source>
+        <translation>Dato for iskortet</translation>
+    </message>
+    <message>
+        <source>Label of the ice</source>
+        <translation>Betegnelse for isen</translation>
+    </message>
+    <message>
+        <source>Ice concentration</source>
+        <translation>Iskoncentration</translation>
+    </message>
+    <message>
+        <source>Fast ice</source>
+        <translation>Fastis</translation>
+    </message>
 </context>
 <context>
     <name>berg::FigureView</name>
@@ -10707,6 +10902,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Place names</source>
         <translation>Stednavne</translation>
     </message>
+    <message>
+        <source>Ice chart</source>
+        <translation>Iskort</translation>
+    </message>
 </context>
 <context>
     <name>berg::LogRows</name>
@@ -11314,6 +11513,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>I&amp;mport forecast...</source>
         <translation>I&amp;mportér prognose...</translation>
+    </message>
+    <message>
+        <source>Import ice c&amp;hart...</source>
+        <translation>Imp&amp;ortér iskort...</translation>
     </message>
 </context>
 <context>
@@ -12458,10 +12661,6 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         </translation>
     </message>
     <message>
-        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
-        <translation>Luftrum: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>Import airspace from %1</source>
         <translation>Importér luftrum fra %1</translation>
     </message>
@@ -12505,6 +12704,37 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
     <message>
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;All files (*)</source>
         <translation>Observationer (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
+        <translation>Observationer (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;All files (*)</source>
+        <translation>Luftrum: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Ice charts (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;All files (*)</source>
+        <translation>Iskort (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Ice charts cannot be imported in flight. Stop the flight before importing.</source>
+        <translation>Iskort kan ikke importeres under flyvning. Stop flyvningen, før du importerer.</translation>
+    </message>
+    <message>
+        <source>Import ice chart from %1</source>
+        <translation>Importer iskort fra %1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>ukendt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ice chart of %1: %n areas, date %2, %3 left out or far away</source>
+        <translation>
+            <numerusform>Iskort fra %1: %n område, dato %2, %3 udeladt eller langt væk</numerusform>
+            <numerusform>Iskort fra %1: %n områder, dato %2, %3 udeladt eller langt væk</numerusform>
+        </translation>
     </message>
 </context>
 <context>

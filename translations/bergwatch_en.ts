@@ -506,6 +506,13 @@
             <numerusform>Reported %n icebergs from %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Ice chart of %1: %n areas, date %2, %3 left out or far away</source>
+        <translation>
+            <numerusform>Ice chart of %1: %n area, date %2, %3 left out or far away</numerusform>
+            <numerusform>Ice chart of %1: %n areas, date %2, %3 left out or far away</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>berg::SolveTimeChart</name>

@@ -168,10 +168,6 @@
         <translation>et %1 remarques de plus sur des icebergs</translation>
     </message>
     <message>
-        <source>--format airspace needs --into, the scenario to add it to</source>
-        <translation>--format airspace a besoin de --into, le scénario auquel il est ajouté</translation>
-    </message>
-    <message>
         <source>the MPI processes have different options</source>
         <translation>les processus MPI ont des options différentes</translation>
     </message>
@@ -376,10 +372,6 @@
         <translation>%1 est obligatoire</translation>
     </message>
     <message>
-        <source>--format airspace accepts only --into, --output, --force and --json</source>
-        <translation>--format airspace n&apos;accepte que --into, --output, --force et --json</translation>
-    </message>
-    <message>
         <source>%1 is airspace; use --format airspace with --into SCENARIO</source>
         <translation>%1 est un fichier d&apos;espace aérien : utilisez --format airspace avec --into SCENARIO</translation>
     </message>
@@ -570,6 +562,18 @@
     <message>
         <source>--uav: the run has no UAV %1</source>
         <translation>--uav : le vol n&apos;a pas de drone %1</translation>
+    </message>
+    <message>
+        <source>--format %1 needs --into, the scenario to add it to</source>
+        <translation>--format %1 a besoin de --into, le scénario auquel il est ajouté</translation>
+    </message>
+    <message>
+        <source>--format %1 accepts only --into, --output, --force and --json</source>
+        <translation>--format %1 n&apos;accepte que --into, --output, --force et --json</translation>
+    </message>
+    <message>
+        <source>%1 is an ice chart; use --into SCENARIO</source>
+        <translation>%1 est une carte des glaces : utilisez --into SCENARIO</translation>
     </message>
 </context>
 <context>
@@ -1354,6 +1358,34 @@
     <message>
         <source>Table of the sightings of the flight in the columns of the International Ice Patrol.</source>
         <translation>Tableau des observations du vol, dans les colonnes de l&apos;International Ice Patrol.</translation>
+    </message>
+    <message>
+        <source>ArcGIS and other GIS, through ogr2ogr</source>
+        <translation>ArcGIS et autres SIG, par ogr2ogr</translation>
+    </message>
+    <message>
+        <source>Everything on the map as zipped Shapefiles of points, lines and areas. Needs ogr2ogr (package gdal-bin).</source>
+        <translation>Tout ce qui est sur la carte, en Shapefiles compressés de points, de lignes et de zones. Nécessite ogr2ogr (paquet gdal-bin).</translation>
+    </message>
+    <message>
+        <source>QGIS and other GIS, through ogr2ogr</source>
+        <translation>QGIS et autres SIG, par ogr2ogr</translation>
+    </message>
+    <message>
+        <source>Everything on the map in one layer. Needs ogr2ogr (package gdal-bin).</source>
+        <translation>Tout ce qui est sur la carte, en une couche. Nécessite ogr2ogr (paquet gdal-bin).</translation>
+    </message>
+    <message>
+        <source>Other GIS, through ogr2ogr</source>
+        <translation>Autres SIG, par ogr2ogr</translation>
+    </message>
+    <message>
+        <source>CAD programs, through ogr2ogr</source>
+        <translation>Logiciels de CAO, par ogr2ogr</translation>
+    </message>
+    <message>
+        <source>A drawing in metres: places, lines and outlines in layers, without names and numbers. Needs ogr2ogr (package gdal-bin).</source>
+        <translation>Un dessin en mètres : lieux, lignes et contours par calques, sans noms ni nombres. Nécessite ogr2ogr (paquet gdal-bin).</translation>
     </message>
 </context>
 <context>
@@ -4755,6 +4787,78 @@ Zone adjacente %4</translation>
         <source>photograph %1</source>
         <translation>photographie %1</translation>
     </message>
+    <message>
+        <source>an ice chart holds at most %1 areas, not %2</source>
+        <translation>une carte des glaces contient au plus %1 zones, et non %2</translation>
+    </message>
+    <message>
+        <source>the outlines of an ice chart hold at most %1 corners together, not %2</source>
+        <translation>les contours d&apos;une carte des glaces ont au plus %1 sommets en tout, et non %2</translation>
+    </message>
+    <message>
+        <source>an ice area needs outlines of at least 3 corners</source>
+        <translation>une zone de glace a besoin de contours d&apos;au moins 3 sommets</translation>
+    </message>
+    <message>
+        <source>the ice chart is %1 hours older than the start: ice has moved since</source>
+        <translation>la carte des glaces a %1 heures de plus que le départ : la glace s&apos;est déplacée depuis</translation>
+    </message>
+    <message>
+        <source>is no ice chart: it has no polygons with concentrations (CT, POLY_TYPE of SIGRID-3)</source>
+        <translation>n&apos;est pas une carte des glaces : il n&apos;y a pas de polygones avec des concentrations (CT, POLY_TYPE de SIGRID-3)</translation>
+    </message>
+    <message>
+        <source>holds no ice-chart area within %1 km of the scenario</source>
+        <translation>ne contient aucune zone de glace à moins de %1 km du scénario</translation>
+    </message>
+    <message>
+        <source>is read with ogr2ogr: install gdal-bin</source>
+        <translation>est lu avec ogr2ogr : installez gdal-bin</translation>
+    </message>
+    <message>
+        <source>is written with ogr2ogr: install gdal-bin</source>
+        <translation>est écrit avec ogr2ogr : installez gdal-bin</translation>
+    </message>
+    <message>
+        <source>ogr2ogr reports: %1</source>
+        <translation>ogr2ogr signale : %1</translation>
+    </message>
+    <message>
+        <source>ogr2ogr failed without a reason (%1)</source>
+        <translation>ogr2ogr a échoué sans donner de raison (%1)</translation>
+    </message>
+    <message>
+        <source>ogr2ogr was stopped after %1 s</source>
+        <translation>ogr2ogr a été arrêté après %1 s</translation>
+    </message>
+    <message>
+        <source>ogr2ogr did not print GeoJSON</source>
+        <translation>ogr2ogr n&apos;a pas produit de GeoJSON</translation>
+    </message>
+    <message>
+        <source>holds no features</source>
+        <translation>ne contient aucun objet</translation>
+    </message>
+    <message>
+        <source>the archive holds several files that ogr2ogr can read: %1; unpack the one that you need</source>
+        <translation>l&apos;archive contient plusieurs fichiers qu&apos;ogr2ogr peut lire : %1 ; décompressez celui dont vous avez besoin</translation>
+    </message>
+    <message>
+        <source>ice area left out: its outline cannot be read</source>
+        <translation>zone de glace omise : son contour est illisible</translation>
+    </message>
+    <message>
+        <source>the times along paths and tracks are left out: the format has no place for them</source>
+        <translation>les heures le long des trajectoires et des traces sont omises : le format n&apos;a pas de place pour elles</translation>
+    </message>
+    <message>
+        <source>there is a Shapefile each for points, lines and areas; names of properties are cut to 10 letters, texts to 254 bytes</source>
+        <translation>il y a un Shapefile pour les points, un pour les lignes et un pour les zones ; les noms des propriétés sont coupés à 10 lettres, les textes à 254 octets</translation>
+    </message>
+    <message>
+        <source>coordinates are metres of EPSG:%1; names, numbers and times are left out</source>
+        <translation>les coordonnées sont des mètres d&apos;EPSG:%1 ; noms, nombres et heures sont omis</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -5444,6 +5548,59 @@ Zone adjacente %4</translation>
         <source>Patrol</source>
         <translation>Patrouille</translation>
     </message>
+    <message>
+        <source>Ice free</source>
+        <translation>Libre de glace</translation>
+    </message>
+    <message>
+        <source>Open water</source>
+        <translation>Eau libre</translation>
+    </message>
+    <message>
+        <source>Ice 1–3 tenths</source>
+        <translation>Glace 1–3 dixièmes</translation>
+    </message>
+    <message>
+        <source>Ice 4–6 tenths</source>
+        <translation>Glace 4–6 dixièmes</translation>
+    </message>
+    <message>
+        <source>Ice 7–8 tenths</source>
+        <translation>Glace 7–8 dixièmes</translation>
+    </message>
+    <message>
+        <source>Ice 9–10 tenths</source>
+        <translation>Glace 9–10 dixièmes</translation>
+    </message>
+    <message>
+        <source>Fast ice</source>
+        <translation>Banquise côtière</translation>
+    </message>
+    <message>
+        <source>Ice, concentration unknown</source>
+        <translation>Glace, concentration inconnue</translation>
+    </message>
+    <message>
+        <source>no date</source>
+        <comment>ice chart</comment>
+        <translation>sans date</translation>
+    </message>
+    <message>
+        <source>Old ice chart: %1</source>
+        <translation>Ancienne carte des glaces : %1</translation>
+    </message>
+    <message>
+        <source>Ice chart: %1</source>
+        <translation>Carte des glaces : %1</translation>
+    </message>
+    <message>
+        <source>Old ice chart</source>
+        <translation>Ancienne carte des glaces</translation>
+    </message>
+    <message>
+        <source>Ice chart</source>
+        <translation>Carte des glaces</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -5498,6 +5655,24 @@ Zone adjacente %4</translation>
         <source>%1: %2, %3</source>
         <comment>name, uncertainty, drift</comment>
         <translation>%1 : %2, %3</translation>
+    </message>
+    <message>
+        <source>Ice concentration %1 tenths</source>
+        <translation>Concentration de glace : %1 dixièmes</translation>
+    </message>
+    <message>
+        <source>Ice concentration unknown</source>
+        <translation>Concentration de glace inconnue</translation>
+    </message>
+    <message>
+        <source>, fast ice</source>
+        <translation>, banquise côtière</translation>
+    </message>
+    <message>
+        <source>
+On the chart: %1</source>
+        <translation>
+Sur la carte : %1</translation>
     </message>
 </context>
 <context>
@@ -8029,10 +8204,6 @@ vers le %2</translation>
 <context>
     <name>berg::BackdropFile</name>
     <message>
-        <source>Maps (*.geojson *.json *.kml *.kmz);;All files (*)</source>
-        <translation>Cartes (*.geojson *.json *.kml *.kmz);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>%1 contains no points, lines or polygons</source>
         <translation>%1 ne contient ni points, ni lignes, ni polygones</translation>
     </message>
@@ -8043,6 +8214,10 @@ vers le %2</translation>
     <message>
         <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
         <translation>%1 n&apos;est ni du GeoJSON ni du KML. Convertissez-le avec un logiciel de cartographie, par exemple QGIS, et choisissez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Maps (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
+        <translation>Cartes (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -9654,6 +9829,26 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Length at the waterline. With it, wind and current carry the iceberg, and it may run aground; without it, the current alone.</source>
         <translation>Longueur à la flottaison. Avec elle, le vent et le courant portent l&apos;iceberg, qui peut s&apos;échouer ; sans elle, le courant seul.</translation>
     </message>
+    <message>
+        <source>Source of the ice chart</source>
+        <translation>Source de la carte des glaces</translation>
+    </message>
+    <message>
+        <source>Date of the ice chart</source>
+        <translation>Date de la carte des glaces</translation>
+    </message>
+    <message>
+        <source>Label of the ice</source>
+        <translation>Étiquette de la glace</translation>
+    </message>
+    <message>
+        <source>Ice concentration</source>
+        <translation>Concentration de glace</translation>
+    </message>
+    <message>
+        <source>Fast ice</source>
+        <translation>Banquise côtière</translation>
+    </message>
 </context>
 <context>
     <name>berg::FigureView</name>
@@ -10707,6 +10902,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Place names</source>
         <translation>Noms de lieux</translation>
     </message>
+    <message>
+        <source>Ice chart</source>
+        <translation>Carte des glaces</translation>
+    </message>
 </context>
 <context>
     <name>berg::LogRows</name>
@@ -11314,6 +11513,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>I&amp;mport forecast...</source>
         <translation>I&amp;mporter une prévision…</translation>
+    </message>
+    <message>
+        <source>Import ice c&amp;hart...</source>
+        <translation>Importer une carte des &amp;glaces…</translation>
     </message>
 </context>
 <context>
@@ -12458,10 +12661,6 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         </translation>
     </message>
     <message>
-        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
-        <translation>Espace aérien : OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Import airspace from %1</source>
         <translation>Importer l&apos;espace aérien de %1</translation>
     </message>
@@ -12505,6 +12704,37 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;All files (*)</source>
         <translation>Observations (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
+        <translation>Observations (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;All files (*)</source>
+        <translation>Espace aérien : OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Ice charts (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;All files (*)</source>
+        <translation>Cartes des glaces (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Ice charts cannot be imported in flight. Stop the flight before importing.</source>
+        <translation>Une carte des glaces ne peut pas être importée en vol. Arrêtez le vol avant d&apos;importer.</translation>
+    </message>
+    <message>
+        <source>Import ice chart from %1</source>
+        <translation>Importer la carte des glaces de %1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnue</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ice chart of %1: %n areas, date %2, %3 left out or far away</source>
+        <translation>
+            <numerusform>Carte des glaces de %1 : %n zone, date %2, %3 omises ou éloignées</numerusform>
+            <numerusform>Carte des glaces de %1 : %n zones, date %2, %3 omises ou éloignées</numerusform>
+        </translation>
     </message>
 </context>
 <context>

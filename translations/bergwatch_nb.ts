@@ -168,10 +168,6 @@
         <translation>og %1 merknader til om isfjell</translation>
     </message>
     <message>
-        <source>--format airspace needs --into, the scenario to add it to</source>
-        <translation>--format airspace trenger --into, scenarioet som det legges til i</translation>
-    </message>
-    <message>
         <source>the MPI processes have different options</source>
         <translation>MPI-prosessene har ulike valg</translation>
     </message>
@@ -376,10 +372,6 @@
         <translation>%1 mangler</translation>
     </message>
     <message>
-        <source>--format airspace accepts only --into, --output, --force and --json</source>
-        <translation>--format airspace godtar bare --into, --output, --force og --json</translation>
-    </message>
-    <message>
         <source>%1 is airspace; use --format airspace with --into SCENARIO</source>
         <translation>%1 er luftrom: bruk --format airspace med --into SCENARIO</translation>
     </message>
@@ -570,6 +562,18 @@
     <message>
         <source>--uav: the run has no UAV %1</source>
         <translation>--uav: flygingen har ingen UAV %1</translation>
+    </message>
+    <message>
+        <source>--format %1 needs --into, the scenario to add it to</source>
+        <translation>--format %1 trenger --into, scenarioet som det legges til i</translation>
+    </message>
+    <message>
+        <source>--format %1 accepts only --into, --output, --force and --json</source>
+        <translation>--format %1 godtar bare --into, --output, --force og --json</translation>
+    </message>
+    <message>
+        <source>%1 is an ice chart; use --into SCENARIO</source>
+        <translation>%1 er et iskart: bruk --into SCENARIO</translation>
     </message>
 </context>
 <context>
@@ -1354,6 +1358,34 @@
     <message>
         <source>Table of the sightings of the flight in the columns of the International Ice Patrol.</source>
         <translation>Tabell over observasjonene i flygingen, i kolonnene til International Ice Patrol.</translation>
+    </message>
+    <message>
+        <source>ArcGIS and other GIS, through ogr2ogr</source>
+        <translation>ArcGIS og andre GIS, gjennom ogr2ogr</translation>
+    </message>
+    <message>
+        <source>Everything on the map as zipped Shapefiles of points, lines and areas. Needs ogr2ogr (package gdal-bin).</source>
+        <translation>Alt på kartet som pakkede Shapefiler med punkter, linjer og områder. Trenger ogr2ogr (pakken gdal-bin).</translation>
+    </message>
+    <message>
+        <source>QGIS and other GIS, through ogr2ogr</source>
+        <translation>QGIS og andre GIS, gjennom ogr2ogr</translation>
+    </message>
+    <message>
+        <source>Everything on the map in one layer. Needs ogr2ogr (package gdal-bin).</source>
+        <translation>Alt på kartet i ett lag. Trenger ogr2ogr (pakken gdal-bin).</translation>
+    </message>
+    <message>
+        <source>Other GIS, through ogr2ogr</source>
+        <translation>Andre GIS, gjennom ogr2ogr</translation>
+    </message>
+    <message>
+        <source>CAD programs, through ogr2ogr</source>
+        <translation>CAD-programmer, gjennom ogr2ogr</translation>
+    </message>
+    <message>
+        <source>A drawing in metres: places, lines and outlines in layers, without names and numbers. Needs ogr2ogr (package gdal-bin).</source>
+        <translation>En tegning i meter: steder, linjer og omriss i lag, uten navn og tall. Trenger ogr2ogr (pakken gdal-bin).</translation>
     </message>
 </context>
 <context>
@@ -4755,6 +4787,78 @@ Tilstøtende område %4</translation>
         <source>photograph %1</source>
         <translation>fotografi %1</translation>
     </message>
+    <message>
+        <source>an ice chart holds at most %1 areas, not %2</source>
+        <translation>et iskart har høyst %1 områder, ikke %2</translation>
+    </message>
+    <message>
+        <source>the outlines of an ice chart hold at most %1 corners together, not %2</source>
+        <translation>omrissene i et iskart har høyst %1 hjørner til sammen, ikke %2</translation>
+    </message>
+    <message>
+        <source>an ice area needs outlines of at least 3 corners</source>
+        <translation>et isområde trenger omriss med minst 3 hjørner</translation>
+    </message>
+    <message>
+        <source>the ice chart is %1 hours older than the start: ice has moved since</source>
+        <translation>iskartet er %1 timer eldre enn starten: isen har flyttet seg siden</translation>
+    </message>
+    <message>
+        <source>is no ice chart: it has no polygons with concentrations (CT, POLY_TYPE of SIGRID-3)</source>
+        <translation>er ikke et iskart: filen har ingen polygoner med konsentrasjoner (CT, POLY_TYPE i SIGRID-3)</translation>
+    </message>
+    <message>
+        <source>holds no ice-chart area within %1 km of the scenario</source>
+        <translation>inneholder ikke noe isområde innen %1 km fra scenarioet</translation>
+    </message>
+    <message>
+        <source>is read with ogr2ogr: install gdal-bin</source>
+        <translation>leses med ogr2ogr: installer gdal-bin</translation>
+    </message>
+    <message>
+        <source>is written with ogr2ogr: install gdal-bin</source>
+        <translation>skrives med ogr2ogr: installer gdal-bin</translation>
+    </message>
+    <message>
+        <source>ogr2ogr reports: %1</source>
+        <translation>ogr2ogr melder: %1</translation>
+    </message>
+    <message>
+        <source>ogr2ogr failed without a reason (%1)</source>
+        <translation>ogr2ogr mislyktes uten å oppgi en grunn (%1)</translation>
+    </message>
+    <message>
+        <source>ogr2ogr was stopped after %1 s</source>
+        <translation>ogr2ogr ble stoppet etter %1 s</translation>
+    </message>
+    <message>
+        <source>ogr2ogr did not print GeoJSON</source>
+        <translation>ogr2ogr skrev ikke GeoJSON</translation>
+    </message>
+    <message>
+        <source>holds no features</source>
+        <translation>inneholder ingen objekter</translation>
+    </message>
+    <message>
+        <source>the archive holds several files that ogr2ogr can read: %1; unpack the one that you need</source>
+        <translation>arkivet inneholder flere filer som ogr2ogr kan lese: %1; pakk ut den du trenger</translation>
+    </message>
+    <message>
+        <source>ice area left out: its outline cannot be read</source>
+        <translation>isområde utelatt: omrisset kan ikke leses</translation>
+    </message>
+    <message>
+        <source>the times along paths and tracks are left out: the format has no place for them</source>
+        <translation>tidene langs baner og spor utelates: formatet har ikke plass til dem</translation>
+    </message>
+    <message>
+        <source>there is a Shapefile each for points, lines and areas; names of properties are cut to 10 letters, texts to 254 bytes</source>
+        <translation>det er én Shapefile hver for punkter, linjer og områder; navn på egenskaper kuttes til 10 bokstaver, tekster til 254 byte</translation>
+    </message>
+    <message>
+        <source>coordinates are metres of EPSG:%1; names, numbers and times are left out</source>
+        <translation>koordinatene er meter i EPSG:%1; navn, tall og tider utelates</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -5444,6 +5548,59 @@ Tilstøtende område %4</translation>
         <source>Patrol</source>
         <translation>Patrulje</translation>
     </message>
+    <message>
+        <source>Ice free</source>
+        <translation>Isfritt</translation>
+    </message>
+    <message>
+        <source>Open water</source>
+        <translation>Åpent vann</translation>
+    </message>
+    <message>
+        <source>Ice 1–3 tenths</source>
+        <translation>Is 1–3 tideler</translation>
+    </message>
+    <message>
+        <source>Ice 4–6 tenths</source>
+        <translation>Is 4–6 tideler</translation>
+    </message>
+    <message>
+        <source>Ice 7–8 tenths</source>
+        <translation>Is 7–8 tideler</translation>
+    </message>
+    <message>
+        <source>Ice 9–10 tenths</source>
+        <translation>Is 9–10 tideler</translation>
+    </message>
+    <message>
+        <source>Fast ice</source>
+        <translation>Fastis</translation>
+    </message>
+    <message>
+        <source>Ice, concentration unknown</source>
+        <translation>Is, ukjent konsentrasjon</translation>
+    </message>
+    <message>
+        <source>no date</source>
+        <comment>ice chart</comment>
+        <translation>uten dato</translation>
+    </message>
+    <message>
+        <source>Old ice chart: %1</source>
+        <translation>Gammelt iskart: %1</translation>
+    </message>
+    <message>
+        <source>Ice chart: %1</source>
+        <translation>Iskart: %1</translation>
+    </message>
+    <message>
+        <source>Old ice chart</source>
+        <translation>Gammelt iskart</translation>
+    </message>
+    <message>
+        <source>Ice chart</source>
+        <translation>Iskart</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -5498,6 +5655,24 @@ Tilstøtende område %4</translation>
         <source>%1: %2, %3</source>
         <comment>name, uncertainty, drift</comment>
         <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>Ice concentration %1 tenths</source>
+        <translation>Iskonsentrasjon %1 tideler</translation>
+    </message>
+    <message>
+        <source>Ice concentration unknown</source>
+        <translation>Ukjent iskonsentrasjon</translation>
+    </message>
+    <message>
+        <source>, fast ice</source>
+        <translation>, fastis</translation>
+    </message>
+    <message>
+        <source>
+On the chart: %1</source>
+        <translation>
+På kartet: %1</translation>
     </message>
 </context>
 <context>
@@ -8029,10 +8204,6 @@ mot %2</translation>
 <context>
     <name>berg::BackdropFile</name>
     <message>
-        <source>Maps (*.geojson *.json *.kml *.kmz);;All files (*)</source>
-        <translation>Kart (*.geojson *.json *.kml *.kmz);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>%1 contains no points, lines or polygons</source>
         <translation>%1 inneholder ingen punkter, linjer eller polygoner</translation>
     </message>
@@ -8043,6 +8214,10 @@ mot %2</translation>
     <message>
         <source>%1 is neither GeoJSON nor KML. Convert it with a map program, such as QGIS, and choose it again.</source>
         <translation>%1 er verken GeoJSON eller KML. Konverter filen med et kartprogram, for eksempel QGIS, og velg den på nytt.</translation>
+    </message>
+    <message>
+        <source>Maps (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
+        <translation>Kart (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
     </message>
 </context>
 <context>
@@ -9654,6 +9829,26 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Length at the waterline. With it, wind and current carry the iceberg, and it may run aground; without it, the current alone.</source>
         <translation>Lengden i vannlinjen. Med den fører vind og strøm isfjellet, og det kan gå på grunn; uten den bare strømmen.</translation>
     </message>
+    <message>
+        <source>Source of the ice chart</source>
+        <translation>Kilde til iskartet</translation>
+    </message>
+    <message>
+        <source>Date of the ice chart</source>
+        <translation>Dato for iskartet</translation>
+    </message>
+    <message>
+        <source>Label of the ice</source>
+        <translation>Etikett for isen</translation>
+    </message>
+    <message>
+        <source>Ice concentration</source>
+        <translation>Iskonsentrasjon</translation>
+    </message>
+    <message>
+        <source>Fast ice</source>
+        <translation>Fastis</translation>
+    </message>
 </context>
 <context>
     <name>berg::FigureView</name>
@@ -10707,6 +10902,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Place names</source>
         <translation>Stedsnavn</translation>
     </message>
+    <message>
+        <source>Ice chart</source>
+        <translation>Iskart</translation>
+    </message>
 </context>
 <context>
     <name>berg::LogRows</name>
@@ -11314,6 +11513,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>I&amp;mport forecast...</source>
         <translation>Importer &amp;varsel …</translation>
+    </message>
+    <message>
+        <source>Import ice c&amp;hart...</source>
+        <translation>Im&amp;porter iskart …</translation>
     </message>
 </context>
 <context>
@@ -12458,10 +12661,6 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         </translation>
     </message>
     <message>
-        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;All files (*)</source>
-        <translation>Luftrom: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;Alle filer (*)</translation>
-    </message>
-    <message>
         <source>Import airspace from %1</source>
         <translation>Importer luftrom fra %1</translation>
     </message>
@@ -12505,6 +12704,37 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;All files (*)</source>
         <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
+        <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;All files (*)</source>
+        <translation>Luftrom: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Ice charts (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;All files (*)</source>
+        <translation>Iskart (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Ice charts cannot be imported in flight. Stop the flight before importing.</source>
+        <translation>Iskart kan ikke importeres under flyging. Stopp flygingen før du importerer.</translation>
+    </message>
+    <message>
+        <source>Import ice chart from %1</source>
+        <translation>Importer iskart fra %1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>ukjent</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ice chart of %1: %n areas, date %2, %3 left out or far away</source>
+        <translation>
+            <numerusform>Iskart fra %1: %n område, dato %2, %3 utelatt eller langt unna</numerusform>
+            <numerusform>Iskart fra %1: %n områder, dato %2, %3 utelatt eller langt unna</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/forecast_files.h"
+#include "app/cli/import_additions.h"
 #include "app/cli/import_forecast.h"
 #include "app/cli/import_rows.h"
 #include "app/cli/options.h"
@@ -10,8 +11,10 @@
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/import/airspace/import_airspace.h"
+#include "core/io/import/import_file.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/import_identity.h"
+#include "core/io/import/maps/import_ice_chart.h"
 #include "core/io/import/scenario/import_scenario.h"
 #include "core/io/text/atomic_file.h"
 
@@ -60,13 +63,12 @@ constexpr std::array<Named<DateOrder>, 2> kDateOrderNames{{
     {DateOrder::DayFirst, "day-first"},
 }};
 
-constexpr const char* kAirspaceFormat = "airspace"; ///< no sightings: added to a scenario
 constexpr const char* kForecastFormat = "forecast"; ///< no sightings: added to a scenario
 
 std::string formatList()
 {
     return "auto, " + joined(importFormats(), ", ", &ImportFormat::id) + ", " + kAirspaceFormat +
-           ", " + kForecastFormat;
+           ", " + kIceChartFormat + ", " + kForecastFormat;
 }
 
 /** "FIELD=COLUMN". */
@@ -239,9 +241,9 @@ void printFar(const std::string& file, const ImportResult& result, bool isInto)
              {countOf(result.tooFar), place}));
 }
 
-SightingTable sightingsOf(const std::string& file, const ReadOptions& formats)
+SightingTable sightingsOf(const std::string& text, const std::string& file,
+                          const ReadOptions& formats)
 {
-    const std::string text = readFile(file);
     try {
         SightingTable table = readSightings(text, file, formats);
         requireIdentity(table, text, file, formats);
@@ -278,8 +280,9 @@ struct Imported
     std::optional<PhotoYield> photos;
 };
 
-Imported imported(const ImportArguments& arguments, const ReadOptions& formats,
-                  const ImportOptions& options, const std::stop_token& stop)
+Imported imported(const std::string& text, const ImportArguments& arguments,
+                  const ReadOptions& formats, const ImportOptions& options,
+                  const std::stop_token& stop)
 {
     const std::string& output = arguments.outputFile;
     const std::filesystem::path named = isOpenDescriptor(output) ? arguments.file : output;
@@ -288,7 +291,7 @@ Imported imported(const ImportArguments& arguments, const ReadOptions& formats,
     std::optional<PhotoYield> photos;
     if (arePhotos(arguments.files))
         photos = readPhotoFiles(arguments.files, arguments.photos, stop);
-    SightingTable table = photos ? photos->table : sightingsOf(arguments.file, formats);
+    SightingTable table = photos ? photos->table : sightingsOf(text, arguments.file, formats);
     try {
         ImportResult result = importSightings(base, table, options);
         return {std::move(table), std::move(result), std::move(photos)};
@@ -311,26 +314,6 @@ void requireConsent(const std::string& file, const ImportResult& result)
     throw Error(ErrorCode::InvalidInput, file, std::move(issues));
 }
 
-/** Prints on stderr which parts of the file were not imported, and how much was. */
-std::string airspaceSummary(const std::string& file, const AirspaceResult& result)
-{
-    printRows(file, result.rejected);
-    printRows(file, result.noted);
-    std::string text = "added      " + std::to_string(result.added) + " areas\n";
-    if (result.known > 0)
-        text += "known      " + std::to_string(result.known) + " areas\n";
-    if (result.far > 0)
-        text += "left out   " + std::to_string(result.far) + " areas farther than 100 km\n";
-    if (result.tooMany > 0)
-        text += "left out   " + std::to_string(result.tooMany) + " areas: a scenario holds " +
-                std::to_string(kMostAirspaceAreas) + '\n';
-    if (result.rejected.count > 0)
-        text += "rejected   " + std::to_string(result.rejected.count) + " areas\n";
-    if (result.noted.count > 0)
-        text += "noted      " + std::to_string(result.noted.count) + " lines or areas\n";
-    return text;
-}
-
 /** Whether there is an option that is about sightings. */
 bool isAboutSightings(const ImportArguments& given)
 {
@@ -341,26 +324,26 @@ bool isAboutSightings(const ImportArguments& given)
            isGiven(given.until) || isGiven(given.area) || isGiven(given.positionError);
 }
 
-int importAirspaceFile(const ImportArguments& arguments)
+/** Refuses options about sightings for a file of another kind, and a missing scenario. */
+void requireAddition(const ImportArguments& arguments, const char* format)
 {
     if (arguments.intoFile.empty())
-        throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--format airspace needs --into, the scenario to add it to"));
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine", "--format %1 needs --into, the scenario to add it to"),
+            {format});
     if (isAboutSightings(arguments))
-        throw UsageError(QT_TRANSLATE_NOOP(
-            "CommandLine", "--format airspace accepts only --into, --output, --force and --json"));
-    checkFiles({.inputs = {arguments.file},
-                .outputs = {{.option = "--output", .path = arguments.outputFile}},
-                .force = arguments.force,
-                .json = arguments.json});
-    const AirspaceResult result = reading([&] {
-        return importAirspace(loadScenario(arguments.intoFile), readFile(arguments.file),
-                              arguments.file);
-    });
-    const NewFile file{.path = arguments.outputFile, .content = scenarioToJson(result.scenario)};
-    deliver({&file, 1},
-            arguments.json ? airspaceJson(result) : airspaceSummary(arguments.file, result));
-    return kDone;
+        throw UsageError(
+            QT_TRANSLATE_NOOP("CommandLine",
+                              "--format %1 accepts only --into, --output, --force and --json"),
+            {format});
+}
+
+Addition additionOf(const ImportArguments& arguments)
+{
+    return {.file = arguments.file,
+            .intoFile = arguments.intoFile,
+            .outputFile = arguments.outputFile,
+            .json = arguments.json};
 }
 
 int importForecastFile(ImportArguments arguments)
@@ -406,14 +389,17 @@ int importFile(const ImportArguments& given, const std::stop_token& stop)
     if (arguments.file == "/dev/stdin" && arguments.intoFile == arguments.file)
         throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"),
                          {"FILE -", "--into -"});
+    const bool isAirspace = arguments.format == kAirspaceFormat;
+    const bool isChart = arguments.format == kIceChartFormat;
+    const bool isFound = arguments.format == "auto";
     if (arguments.replace && arguments.format != kForecastFormat)
         throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 needs %2"),
                          {"--replace", "--format forecast"});
-    if (arguments.format == kAirspaceFormat)
-        return importAirspaceFile(arguments);
     if (arguments.format == kForecastFormat)
         return importForecastFile(arguments);
-    if (arguments.format != "auto" && findImportFormat(arguments.format) == nullptr)
+    if (isAirspace || isChart)
+        requireAddition(arguments, isAirspace ? kAirspaceFormat : kIceChartFormat);
+    else if (!isFound && findImportFormat(arguments.format) == nullptr)
         throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "--format: %1 is none of %2"),
                          {arguments.format, formatList()});
     const ReadOptions formats = readOptionsOf(arguments);
@@ -423,8 +409,21 @@ int importFile(const ImportArguments& given, const std::stop_token& stop)
                 .outputs = {{.option = "--output", .path = arguments.outputFile}},
                 .force = arguments.force,
                 .json = arguments.json});
+    const std::string text =
+        isPhotos ? std::string()
+                 : reading([&] { return readImportFile(arguments.file, arguments.file, stop); });
+    if (isAirspace)
+        return addAirspace(additionOf(arguments), text, stop);
+    if (isChart || (isFound && !isPhotos && isIceChart(text))) {
+        if (isFound && arguments.intoFile.empty())
+            throw UsageError(
+                QT_TRANSLATE_NOOP("CommandLine", "%1 is an ice chart; use --into SCENARIO"),
+                {arguments.file});
+        requireAddition(arguments, kIceChartFormat);
+        return addIceChart(additionOf(arguments), text, stop);
+    }
     const auto [table, result, photos] =
-        reading([&] { return imported(arguments, formats, options, stop); });
+        reading([&] { return imported(text, arguments, formats, options, stop); });
     if (!table.guessedDate.empty())
         printWarnings(arguments.file, {{Severity::Warning,
                                         saidPlace(table.rejected, table.guessedLine),

@@ -4,6 +4,7 @@
 #include "app/files/scenario_files.h"
 #include "app/files/start_page_controller.h"
 #include "app/layout/panels.h"
+#include "core/io/import/import_file.h"
 #include "core/io/text/atomic_file.h"
 #include "widgets/map/view/map_view.h"
 #include "widgets/panels/flight/playback_bar.h"
@@ -33,7 +34,9 @@ namespace {
 const QStringList& sightingEndings()
 {
     static const QStringList kEndings{u"csv"_s, u"txt"_s,  u"geojson"_s, u"json"_s, u"kml"_s,
-                                      u"kmz"_s, u"czml"_s, u"gpx"_s,     u"plan"_s, u"waypoints"_s};
+                                      u"kmz"_s, u"czml"_s, u"gpx"_s,     u"plan"_s, u"waypoints"_s,
+                                      u"shp"_s, u"gpkg"_s, u"gml"_s,     u"dxf"_s,  u"fgb"_s,
+                                      u"tab"_s, u"mif"_s,  u"e00"_s,     u"zip"_s};
     return kEndings;
 }
 
@@ -42,14 +45,26 @@ bool isAirspaceEnding(const QString& ending)
     return ending == u"openair"_s || ending == u"air"_s;
 }
 
-/** By its start. */
-bool holdsOpenAir(const QString& path)
+/** The start of a file; empty if it cannot be read, as whoever reads it says why. */
+std::string startOf(const QString& path)
 {
     constexpr qint64 kStart = 65'536;
     QFile file(path);
-    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
-        return false; // whoever reads it says why
-    return isOpenAir(file.read(kStart).toStdString());
+    return QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly)
+               ? file.read(kStart).toStdString()
+               : std::string();
+}
+
+/** By its start. */
+bool holdsOpenAir(const QString& path)
+{
+    return isOpenAir(startOf(path));
+}
+
+/** By its name and start; the content of a file of a GIS program is known when it is converted. */
+bool mayHoldIceChart(const QString& path)
+{
+    return isGisFileName(QFile::encodeName(path).toStdString()) || isIceChart(startOf(path));
 }
 
 /** A line each; the start of a long list. */
@@ -71,11 +86,24 @@ SightingsImport::AirspacePointer SightingsImport::read(const AirspaceRequest& re
                                                        const std::stop_token& stop)
 {
     const std::string name = QFileInfo(request.path).fileName().toStdString();
-    const std::string bytes = readFile(QFile::encodeName(request.path).toStdString(), stop);
+    const std::string bytes =
+        readImportFile(QFile::encodeName(request.path).toStdString(), name, stop);
     return std::make_shared<const Airspace>(
         Airspace{.path = request.path,
                  .into = request.into,
                  .result = importAirspace(*request.into, bytes, name, stop)});
+}
+
+SightingsImport::IceChartPointer SightingsImport::readIce(const AirspaceRequest& request,
+                                                          const std::stop_token& stop)
+{
+    const std::string name = QFileInfo(request.path).fileName().toStdString();
+    const std::string bytes =
+        readImportFile(QFile::encodeName(request.path).toStdString(), name, stop);
+    IceChartFile file{.path = request.path, .into = request.into, .result = {}};
+    if (isIceChart(bytes))
+        file.result = importIceChart(*request.into, bytes, name, stop);
+    return std::make_shared<const IceChartFile>(std::move(file));
 }
 
 SightingsImport::SightingsImport(WindowContext& context, ScenarioFiles& files,
@@ -92,6 +120,15 @@ SightingsImport::SightingsImport(WindowContext& context, ScenarioFiles& files,
                           if (failure)
                               interaction().showError(&window(), failure->report);
                       }})
+    , m_ice(u"ice chart"_s,
+            {.work = [](const AirspaceRequest& request, const std::stop_token& stop,
+                        const auto& deliver) { deliver(readIce(request, stop)); },
+             .deliver = [this](const IceChartPointer& file) { takeIceChart(*file); },
+             .end =
+                 [this](const std::optional<WorkFailure>& failure) {
+                     if (failure)
+                         interaction().showError(&window(), failure->report);
+                 }})
 {
     window().setAcceptDrops(true);
     window().installEventFilter(this);
@@ -115,7 +152,7 @@ void SightingsImport::chooseSightings()
     const QString path = interaction().openPath(
         &window(),
         tr("Sightings (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints "
-           "*.nmea *.jpg);;"
+           "*.nmea *.jpg *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;"
            "All files (*)"));
     if (!path.isEmpty())
         importSightings(path);
@@ -126,10 +163,56 @@ void SightingsImport::chooseAirspace()
     if (!mayImport())
         return;
     const QString path = interaction().openPath(
-        &window(), tr("Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json);;"
-                      "All files (*)"));
+        &window(), tr("Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp "
+                      "*.gpkg *.gml *.zip);;All files (*)"));
     if (!path.isEmpty())
         readAirspace(path);
+}
+
+void SightingsImport::chooseIceChart()
+{
+    const QString path = interaction().openPath(
+        &window(), tr("Ice charts (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;"
+                      "All files (*)"));
+    if (!path.isEmpty())
+        readIceChart(path);
+}
+
+void SightingsImport::readIceChart(const QString& path)
+{
+    panels().finishTyping();
+    m_ice.start({.path = path,
+                 .into = std::make_shared<const Scenario>(workspace().document().scenario())});
+}
+
+/** A file that is no ice chart may hold sightings. */
+void SightingsImport::takeIceChart(const IceChartFile& file)
+{
+    if (!file.result) {
+        askSightings(file.path);
+        return;
+    }
+    if (workspace().inFlight()) {
+        showMessage(
+            tr("Ice charts cannot be imported in flight. Stop the flight before importing."),
+            kMessage_ms);
+        return;
+    }
+    if (workspace().document().scenario() != *file.into) {
+        readIceChart(file.path); // into what it is now
+        return;
+    }
+    const IceChartResult& result = *file.result;
+    const QString name = QFileInfo(file.path).fileName();
+    workspace().document().edit(tr("Import ice chart from %1").arg(name),
+                                [&](Scenario& scenario) { scenario = result.scenario; });
+    m_start.closePage();
+    const std::string& date = result.scenario.iceChart->dateUtc;
+    showMessage(tr("Ice chart of %1: %n areas, date %2, %3 left out or far away", nullptr,
+                   static_cast<int>(result.taken))
+                    .arg(name, date.empty() ? tr("unknown") : QString::fromStdString(date),
+                         QString::number(result.far + result.leftOut + result.rejected.count)),
+                kLongMessage_ms);
 }
 
 void SightingsImport::readAirspace(const QString& path)
@@ -210,6 +293,15 @@ void SightingsImport::importSightings(const QString& path)
         readAirspace(path);
         return;
     }
+    if (mayHoldIceChart(path)) {
+        readIceChart(path);
+        return;
+    }
+    askSightings(path);
+}
+
+void SightingsImport::askSightings(const QString& path)
+{
     panels().finishTyping();
     if (workspace().inFlight()) {
         importInFlight(path);

@@ -2,11 +2,13 @@
 
 #include "app/layout/window_part.h"
 #include "core/io/import/airspace/import_airspace.h"
+#include "core/io/import/maps/import_ice_chart.h"
 #include "widgets/tasks/latest_task.h"
 
 #include <QTemporaryDir>
 
 #include <memory>
+#include <optional>
 
 namespace berg {
 
@@ -15,8 +17,8 @@ class StartPageController;
 struct ImportChoice;
 
 /**
- * Sightings of real icebergs from files of others or from the clipboard; files dropped on the
- * window. In flight they are reports: `reportsOf`.
+ * Sightings of real icebergs, ice charts and airspace from files of others or from the clipboard;
+ * files dropped on the window. In flight they are reports: `reportsOf`.
  */
 class SightingsImport : public WindowPart
 {
@@ -27,6 +29,7 @@ public:
 
     void chooseSightings();
     void chooseAirspace();
+    void chooseIceChart();
     /** Icebergs copied here or elsewhere, or a table of sightings, which the dialog reads. */
     void paste();
 
@@ -49,11 +52,24 @@ private:
     [[nodiscard]] static AirspacePointer read(const AirspaceRequest& request,
                                               const std::stop_token& stop);
 
+    struct IceChartFile
+    {
+        QString path;
+        std::shared_ptr<const Scenario> into; ///< as it was when reading began
+        std::optional<IceChartResult> result; ///< nullopt if the file is no ice chart
+    };
+    using IceChartPointer = std::shared_ptr<const IceChartFile>;
+    [[nodiscard]] static IceChartPointer readIce(const AirspaceRequest& request,
+                                                 const std::stop_token& stop);
+
     [[nodiscard]] bool mayImport();
     void readAirspace(const QString& path);
     void takeAirspace(const Airspace& airspace);
     void reportLeftOut(const AirspaceResult& result, const QString& summary);
+    void readIceChart(const QString& path);
+    void takeIceChart(const IceChartFile& file);
     void importSightings(const QString& path);
+    void askSightings(const QString& path);
     void importInFlight(const QString& path);
     void askReports(const QString& path);
     void acceptImport(const ImportChoice& choice, const QString& fileName);
@@ -62,6 +78,7 @@ private:
     ScenarioFiles& m_files;
     StartPageController& m_start;
     LatestTask<AirspaceRequest, AirspacePointer> m_airspace;
+    LatestTask<AirspaceRequest, IceChartPointer> m_ice;
     QMetaObject::Connection m_pause; ///< until the flight pauses to take reports
     QTemporaryDir m_pasted;          ///< for the text of the clipboard
 };

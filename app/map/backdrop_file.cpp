@@ -3,7 +3,7 @@
 #include "app/dialogs/interaction.h"
 #include "app/layout/panels.h"
 #include "app/map/map_controller.h"
-#include "core/io/text/atomic_file.h"
+#include "core/io/import/import_file.h"
 #include "widgets/panels/map/layers_panel.h"
 
 #include <QFile>
@@ -22,8 +22,8 @@ constexpr const char* kFileKey = "view/backdrop";
 void readBackdrop(const QString& path, const std::stop_token& stop, const auto& deliver)
 {
     const std::string name = QFile::encodeName(path).toStdString();
-    deliver(
-        std::make_shared<const BackdropShapes>(readMapShapes(readFile(name, stop), name, stop)));
+    deliver(std::make_shared<const BackdropShapes>(
+        readMapShapes(readImportFile(name, name, stop), name, stop)));
 }
 
 } // namespace
@@ -48,8 +48,10 @@ BackdropFile::BackdropFile(WindowContext& context, MapController& map)
 
 void BackdropFile::choose()
 {
-    const QString path =
-        interaction().openPath(&window(), tr("Maps (*.geojson *.json *.kml *.kmz);;All files (*)"));
+    const QString path = interaction().openPath(
+        &window(),
+        tr("Maps (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All "
+           "files (*)"));
     if (!path.isEmpty())
         open(QFileInfo(path).absoluteFilePath(), true);
 }

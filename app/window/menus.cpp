@@ -73,6 +73,7 @@ std::vector<Command> Menus::fileCommands()
          "Ctrl+I"},
         {"airspaceAction", tr("Import airspa&ce..."), [&p] { p.sightings.chooseAirspace(); }},
         {"forecastAction", tr("I&mport forecast..."), [&p] { p.dialogs.askForecast(); }},
+        {"iceChartAction", tr("Import ice c&hart..."), [&p] { p.sightings.chooseIceChart(); }},
         kLine,
         {"saveAction", tr("&Save"), [&p] { p.files.saveScenario(); }, Key::Save, IconName::Save},
         {"saveAsAction", tr("Save &as..."), [&p] { p.files.saveScenarioAs(); }, "Ctrl+Shift+S"},

@@ -140,6 +140,37 @@ void checkAirspace(const std::vector<AirspaceArea>& airspace, Findings& findings
     }
 }
 
+/** Checks the fields and outlines of an ice chart; outlines may cross, as only a map shows them. */
+void checkIceChart(const IceChart& chart, Findings& findings)
+{
+    checkFields(chart, "ice_chart.", findings);
+    if (chart.areas.size() > kMostIceAreas) {
+        findings.error("ice_chart.areas", IssueId::IceAreaCount,
+                       {countOf(kMostIceAreas), countOf(chart.areas.size())});
+        return;
+    }
+    std::size_t corners = 0;
+    for (std::size_t i = 0; i < chart.areas.size(); ++i) {
+        const IceArea& area = chart.areas[i];
+        const std::string path = entryPath("ice_chart.areas", i);
+        checkFields(area, path + '.', findings);
+        if (area.outlines_m.empty())
+            findings.error(path + ".outlines_m", IssueId::IceOutlineCorners);
+        for (std::size_t ring = 0; ring < area.outlines_m.size(); ++ring) {
+            const std::vector<Point>& outline_m = area.outlines_m[ring];
+            const std::string ringPath = entryPath(path + ".outlines_m", ring);
+            corners += outline_m.size();
+            if (outline_m.size() < 3)
+                findings.error(ringPath, IssueId::IceOutlineCorners);
+            for (std::size_t j = 0; j < outline_m.size(); ++j)
+                findings.inRange(outline_m[j], limits::kCoordinate_m, entryPath(ringPath, j));
+        }
+    }
+    if (corners > kMostIceCorners)
+        findings.error("ice_chart.areas", IssueId::IceCornerCount,
+                       {countOf(kMostIceCorners), countOf(corners)});
+}
+
 /** Returns why an id is unusable of which `owner` is the object that has it already, if any. */
 std::optional<IssueReason> faultOf(const std::string& id, const std::optional<std::string>& owner)
 {
@@ -389,6 +420,8 @@ std::vector<Issue> found(const Scenario& scenario, Findings::Kind kind)
     checkNoFlyAreas(scenario.noFly, findings);
     checkFields(scenario.operation, "operation.", findings);
     checkAirspace(scenario.airspace, findings);
+    if (scenario.iceChart)
+        checkIceChart(*scenario.iceChart, findings);
     checkUavs(scenario, ownerOfId, findings);
     checkGeofence(scenario, findings);
     checkClosedAreas(scenario, findings);

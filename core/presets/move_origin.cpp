@@ -67,6 +67,11 @@ void keepPlaces(Scenario& scenario, const PlaneChange& change)
     for (AirspaceArea& area : scenario.airspace)
         for (Point& corner_m : area.corners_m)
             corner_m = change(corner_m);
+    if (scenario.iceChart)
+        for (IceArea& area : scenario.iceChart->areas)
+            for (std::vector<Point>& outline_m : area.outlines_m)
+                for (Point& corner_m : outline_m)
+                    corner_m = change(corner_m);
     if (scenario.groundStation)
         scenario.groundStation->position_m = change(scenario.groundStation->position_m);
     for (Uav& uav : scenario.uavs) {

@@ -197,6 +197,18 @@ struct Fields
         {"until_utc", [](AirspaceArea& a) { return &a.untilUtc; }, Utc, {}, {}, en("End of the airspace")},
     });
 
+    static constexpr auto kIceChart = std::to_array<Field<IceChart>>({
+        {"source", [](IceChart& c) { return &c.source; }, Text, {}, {}, en("Source of the ice chart")},
+        {"date_utc", [](IceChart& c) { return &c.dateUtc; }, Utc, {}, {}, en("Date of the ice chart")},
+    });
+
+    static constexpr auto kIceArea = std::to_array<Field<IceArea>>({
+        {"label", [](IceArea& a) { return &a.label; }, Text, {}, {}, en("Label of the ice")},
+        {"concentration_tenths", [](IceArea& a) { return &a.concentration_tenths; }, Number, limits::kTenths, {},
+         en("Ice concentration")},
+        {"fast", [](IceArea& a) { return &a.isFast; }, Text, {}, {}, en("Fast ice")},
+    });
+
     static constexpr auto kGroundStation = std::to_array<Field<GroundStation>>({
         {"position_m", [](GroundStation& g) { return &g.position_m; }, Distance, limits::kCoordinate_m,
          {.step = 10, .presence = Needed}, en("Station east"), en("East of the scenario's origin."),
@@ -380,6 +392,8 @@ template <> std::span<const Field<Iceberg>> fieldsOf() { return Fields::kIceberg
 template <> std::span<const Field<Asset>> fieldsOf() { return Fields::kAsset; }
 template <> std::span<const Field<NoFlyArea>> fieldsOf() { return Fields::kNoFlyArea; }
 template <> std::span<const Field<AirspaceArea>> fieldsOf() { return Fields::kAirspaceArea; }
+template <> std::span<const Field<IceChart>> fieldsOf() { return Fields::kIceChart; }
+template <> std::span<const Field<IceArea>> fieldsOf() { return Fields::kIceArea; }
 template <> std::span<const Field<GroundStation>> fieldsOf() { return Fields::kGroundStation; }
 template <> std::span<const Field<Operation>> fieldsOf() { return Fields::kOperation; }
 template <> std::span<const Field<Weather>> fieldsOf() { return Fields::kWeather; }

@@ -104,6 +104,8 @@ void forEachObject(const Use& use)
     use("origin.", fieldsOf<LatLon>());
     use("no_fly[].", fieldsOf<NoFlyArea>());
     use("airspace[].", fieldsOf<AirspaceArea>());
+    use("ice_chart.", fieldsOf<IceChart>());
+    use("ice_chart.areas[].", fieldsOf<IceArea>());
     use("operation.", fieldsOf<Operation>());
     use("uavs[].", fieldsOf<Uav>());
     use("icebergs[].", fieldsOf<Iceberg>());

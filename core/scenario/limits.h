@@ -19,6 +19,8 @@ inline constexpr std::size_t kMostUavs = 100;
 inline constexpr std::size_t kMostAreaCorners = 2000;
 inline constexpr std::size_t kMostNoFlyAreas = 100;
 inline constexpr std::size_t kMostAirspaceAreas = 200;
+inline constexpr std::size_t kMostIceAreas = 500;
+inline constexpr std::size_t kMostIceCorners = 20'000; ///< of all areas of an ice chart together
 /** Share of the airspeed: in stronger wind a UAV makes little headway. */
 inline constexpr double kStrongWindShare = 0.7;
 /** UAVs whose altitudes differ by less than this are in one layer and must be separated. */
@@ -82,6 +84,7 @@ inline constexpr Limits kTau{.low = 0, .high = 100};
 inline constexpr Limits kPlanningDelay_s{.low = 0, .high = 3600};
 inline constexpr Limits kSmallError_m{.low = 0, .high = 1000}; ///< error of a position or height
 inline constexpr Limits kReaction_s{.low = 0, .high = 600};
+inline constexpr Limits kTenths{.low = 0, .high = 10};
 inline constexpr Limits kPart{.low = 0, .high = 10}; ///< factor of a term in a formula
 } // namespace limits
 

@@ -3,6 +3,7 @@
 #include "core/earth/forecast_field.h"
 #include "core/earth/geodesy.h"
 #include "core/plan/policy/policy.h"
+#include "core/scenario/ice_chart.h"
 #include "core/scenario/limits.h"
 #include "core/tracking/drift.h"
 #include "core/tracking/observer.h"
@@ -220,6 +221,7 @@ struct ScenarioLabels
     std::string notes;
     std::optional<Operation> operation; ///< nullopt if no permit is applied for
     std::vector<AirspaceArea> airspace;
+    std::optional<IceChart> iceChart;
     bool operator==(const ScenarioLabels&) const = default;
 };
 

@@ -75,6 +75,23 @@ std::string printable(std::string_view text)
     return end < text.size() ? shown + "..." : shown;
 }
 
+double utcSeconds(std::string_view text)
+{
+    const auto number = [&](std::size_t from, std::size_t length) {
+        int value = 0;
+        std::from_chars(text.data() + from, text.data() + from + length, value);
+        return value;
+    };
+    const std::chrono::sys_days day = std::chrono::year_month_day(
+        std::chrono::year(number(0, 4)), std::chrono::month(static_cast<unsigned>(number(5, 2))),
+        std::chrono::day(static_cast<unsigned>(number(8, 2))));
+    double time_s = 86400.0 * static_cast<double>(day.time_since_epoch().count()) +
+                    3600.0 * number(11, 2) + 60.0 * number(14, 2);
+    if (text.size() > 17) // the fraction does not matter here
+        time_s += number(17, 2);
+    return time_s;
+}
+
 bool isUtf8(std::string_view text)
 {
     // Smallest code point by number of bytes after the lead; a smaller one is an overlong form.

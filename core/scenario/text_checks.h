@@ -34,6 +34,8 @@ namespace berg {
  */
 [[nodiscard]] std::optional<std::chrono::sys_time<std::chrono::milliseconds>>
 utcTimeOf(std::string_view text);
+/** Returns the seconds since 1970, without a fraction, of a text accepted by `isUtcTime`. */
+[[nodiscard]] double utcSeconds(std::string_view text);
 
 /** Returns true if the bytes are well-formed UTF-8 (no overlong form, no surrogate). */
 [[nodiscard]] bool isUtf8(std::string_view text);

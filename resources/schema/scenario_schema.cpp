@@ -132,6 +132,18 @@ std::string forecastSchema()
     return schema.inLine();
 }
 
+/** An ice chart with its areas, and their outlines in lists of corners. */
+std::string iceChartSchema()
+{
+    const std::string corner = listSchema(numberSchema("number", limits::kCoordinate_m), 2, 2);
+    const std::string outline = listSchema(corner, 3, kMostIceCorners);
+    const std::string area =
+        objectSchema(fieldsOf<IceArea>(), {{"outlines_m", listSchema(outline, 1, kMostIceCorners)}},
+                     {"outlines_m"});
+    return objectSchema(fieldsOf<IceChart>(), {{"areas", listSchema(area, 0, kMostIceAreas)}},
+                        {"areas"});
+}
+
 std::string scenarioObject()
 {
     return objectSchema(fieldsOf<Scenario>(),
@@ -140,6 +152,7 @@ std::string scenarioObject()
                          {"origin", objectSchema(fieldsOf<LatLon>())},
                          {"no_fly", listSchema(reference("no_fly"), 0, kMostNoFlyAreas)},
                          {"airspace", listSchema(reference("airspace"), 0, kMostAirspaceAreas)},
+                         {"ice_chart", reference("ice_chart")},
                          {"operation", objectSchema(fieldsOf<Operation>())},
                          {"uavs", listSchema(reference("uav"), 1, kMostUavs)},
                          {"icebergs", listSchema(reference("iceberg"), 0, kMostIcebergs)},
@@ -161,6 +174,7 @@ int main()
     parts.addText("policy", fieldSchema(plannerFields().front(), PolicyKind::Visitation));
     parts.addText("scenario", scenarioObject());
     parts.addText("airspace", objectSchema(fieldsOf<AirspaceArea>()));
+    parts.addText("ice_chart", iceChartSchema());
     parts.addText("uav", objectSchema(fieldsOf<Uav>()));
     parts.addText("iceberg", objectSchema(fieldsOf<Iceberg>(), {{"track", trackSchema()}}));
     parts.addText("asset", objectSchema(fieldsOf<Asset>()));

@@ -1,5 +1,6 @@
 #include "widgets/sightings/import_preview.h"
 
+#include "core/io/import/import_file.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/tables/table_readers.h"
 #include "core/io/text/atomic_file.h"
@@ -181,7 +182,8 @@ std::optional<ImportPreview> ImportLoader::preview(const ImportRequest& request,
     const auto failure = failureOf([&] {
         if (m_path != request.path) {
             forget();
-            m_bytes = readFile(QFile::encodeName(request.path).toStdString(), stop);
+            m_bytes = readImportFile(QFile::encodeName(request.path).toStdString(),
+                                     QFileInfo(request.path).fileName().toStdString(), stop);
             m_path = request.path;
         }
         preview.head = tableHead(m_bytes, request.reading);

@@ -64,6 +64,31 @@ ExportFormatText mapText(std::string_view id)
                 .tool = u"Cesium"_s,
                 .about = ExportText::tr("UAVs and icebergs moving in time over the globe, with "
                                         "paths, area and asset.")};
+    if (id == "shapefile")
+        return {.group = group,
+                .name = u"Shapefile"_s,
+                .tool = ExportText::tr("ArcGIS and other GIS, through ogr2ogr"),
+                .about = ExportText::tr("Everything on the map as zipped Shapefiles of points, "
+                                        "lines and areas. Needs ogr2ogr (package gdal-bin).")};
+    if (id == "gpkg" || id == "fgb")
+        return {.group = group,
+                .name = id == "gpkg" ? u"GeoPackage"_s : u"FlatGeobuf"_s,
+                .tool = ExportText::tr("QGIS and other GIS, through ogr2ogr"),
+                .about = ExportText::tr("Everything on the map in one layer. Needs ogr2ogr "
+                                        "(package gdal-bin).")};
+    if (id == "gml")
+        return {.group = group,
+                .name = u"GML"_s,
+                .tool = ExportText::tr("Other GIS, through ogr2ogr"),
+                .about = ExportText::tr("Everything on the map in one layer. Needs ogr2ogr "
+                                        "(package gdal-bin).")};
+    if (id == "dxf")
+        return {.group = group,
+                .name = u"DXF"_s,
+                .tool = ExportText::tr("CAD programs, through ogr2ogr"),
+                .about = ExportText::tr("A drawing in metres: places, lines and outlines in "
+                                        "layers, without names and numbers. Needs ogr2ogr "
+                                        "(package gdal-bin).")};
     return {.group = group,
             .name = id == "kmz" ? u"KMZ"_s : u"KML"_s,
             .tool = u"Google Earth"_s,

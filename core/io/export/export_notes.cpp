@@ -2,6 +2,7 @@
 
 #include "core/base/translate_noop.h"
 #include "core/io/export/export_files.h"
+#include "core/io/export/maps/map_writers.h"
 #include "core/io/export/mission_checks.h"
 #include "core/io/export/missions/mission_ends.h"
 #include "core/scenario/fence.h"
@@ -63,6 +64,9 @@ constexpr NoteRow kNoteWords[]{
     {ExportNoteKind::TooManyItems, "too-many-items", QT_TRANSLATE_NOOP("IssueText", "the mission has %2 items; %1 holds about %3")},
     {ExportNoteKind::AirspaceOnTheWay, "airspace-on-the-way", QT_TRANSLATE_NOOP("IssueText", "airspace areas that the mission enters at its altitudes: %1")},
     {ExportNoteKind::EnduranceShort, "endurance-short", QT_TRANSLATE_NOOP("IssueText", "with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min")},
+    {ExportNoteKind::LineTimesLeft, "line-times-left", QT_TRANSLATE_NOOP("IssueText", "the times along paths and tracks are left out: the format has no place for them")},
+    {ExportNoteKind::ShapefileNames, "shapefile-names", QT_TRANSLATE_NOOP("IssueText", "there is a Shapefile each for points, lines and areas; names of properties are cut to 10 letters, texts to 254 bytes")},
+    {ExportNoteKind::DrawingOnly, "drawing-only", QT_TRANSLATE_NOOP("IssueText", "coordinates are metres of EPSG:%1; names, numbers and times are left out")},
     {ExportNoteKind::OptionNotUsed, "option-not-used", QT_TRANSLATE_NOOP("IssueText", "nothing in the file depends on %1")},
 };
 // clang-format on
@@ -293,6 +297,14 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
         notes.add(ExportNoteKind::LaterSorties, {}, static_cast<double>(later));
     if (const std::size_t crossing = legsThatCross(content); crossing > 0)
         notes.add(ExportNoteKind::LegsCross, {}, static_cast<double>(crossing));
+    const bool hasLines = content.what == ExportScope::Path || content.what == ExportScope::Track;
+    if (holds.gis && hasLines)
+        notes.add(ExportNoteKind::LineTimesLeft);
+    if (format.id == "shapefile")
+        notes.add(ExportNoteKind::ShapefileNames);
+    if (format.id == "dxf")
+        notes.add(ExportNoteKind::DrawingOnly, {},
+                  static_cast<double>(utmEpsg(content.frame.origin())));
     if (holds.times && !content.start)
         notes.add(ExportNoteKind::NoTimes);
     if (content.geofence && !holds.fence)
@@ -325,6 +337,7 @@ std::vector<IssueArgument> noteArguments(const ExportNote& note)
     case ExportNoteKind::EndsCross:
     case ExportNoteKind::WaypointsClose:
     case ExportNoteKind::AirspaceOnTheWay:
+    case ExportNoteKind::DrawingOnly:
         return {note.value};
     case ExportNoteKind::ReturnAdded:
         return {std::round(note.value)};
@@ -363,6 +376,8 @@ std::vector<IssueArgument> noteArguments(const ExportNote& note)
     case ExportNoteKind::EndsLoitering:
     case ExportNoteKind::NoLoiterTurns:
     case ExportNoteKind::ApproachOverLand:
+    case ExportNoteKind::LineTimesLeft:
+    case ExportNoteKind::ShapefileNames:
         return {};
     }
     throw std::logic_error("noteArguments: unknown kind");

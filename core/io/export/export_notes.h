@@ -50,6 +50,9 @@ enum class ExportNoteKind
     TooManyItems,     ///< tool; value: number of items, limit: number that it holds
     AirspaceOnTheWay, ///< value: number of airspace areas entered at the altitudes flown
     EnduranceShort,   ///< value: time of the mission in s, limit: endurance without reserve in s
+    LineTimesLeft,    ///< lines have no times of their points
+    ShapefileNames,   ///< names of properties are cut to ten letters, texts to 254 bytes
+    DrawingOnly,      ///< value: EPSG code of the coordinates; there are no names or properties
     OptionNotUsed     ///< tool: the given option, on which nothing in the file depends
 };
 

@@ -36,6 +36,7 @@ struct ExportCapabilities
     bool airspeed = false;  ///< airspeeds of the UAVs, besides the times that result from them
     bool legHome = false;   ///< the leg home at the end of an order; a path includes it
     bool painted = false;   ///< a figure or page made by an `ExportPainter`
+    bool gis = false;       ///< written by ogr2ogr, which may be missing, with flat properties
     bool predicted = false; ///< the zeta predicted before take-off
 
     /** Returns true if a file of this content depends on the option. */

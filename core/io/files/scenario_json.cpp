@@ -87,6 +87,7 @@ void members(Io io, S& scenario)
     io.fields(own("start_utc", "geofence"), scenario);
     io.list("no_fly", scenario.noFly, kMostNoFlyAreas, false);
     io.list("airspace", scenario.airspace, kMostAirspaceAreas, false);
+    io.one("ice_chart", scenario.iceChart);
     io.one("operation", scenario.operation);
     io.fields(own("separation_m", "separation_m"), scenario);
     io.list("uavs", scenario.uavs, kMostUavs, true);

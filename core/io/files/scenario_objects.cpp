@@ -43,6 +43,47 @@ std::string trackText(const Iceberg& iceberg)
     return object.inLine();
 }
 
+/** Reads outlines; `validate` checks their corners. */
+std::vector<std::vector<Point>> readOutlines(ObjectReader& object)
+{
+    const Faults& faults = object.faults();
+    return readEach(object, "outlines_m", [&](const Json& ring, const std::string& path) {
+        std::vector<Point> outline_m;
+        if (!ring.is_array()) {
+            object.faults().add(path, {IssueId::WrongType, {ValueKind::Array, kindOf(ring)}});
+            return outline_m;
+        }
+        faults.take(ring.size() * sizeof(Point));
+        outline_m.reserve(ring.size());
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            outline_m.push_back(
+                pointOf(ring[i], entryPath(path, i), object.faults()).value_or(Point::Zero()));
+        return outline_m;
+    });
+}
+
+/** Reads the areas; their number is limited before their outlines are read. */
+std::vector<IceArea> readIceAreas(ObjectReader& object)
+{
+    const Json* const list = object.neededArray("areas");
+    if (list != nullptr && list->size() > kMostIceAreas) {
+        object.faults().add(
+            object.path("areas"),
+            {IssueId::IceAreaCount, {countOf(kMostIceAreas), countOf(list->size())}});
+        return {};
+    }
+    return readEach(object, "areas", [&](const Json& area, const std::string& path) {
+        return readObject<IceArea>(area, path, object.faults());
+    });
+}
+
+std::string outlinesText(const IceArea& area)
+{
+    return jsonArray(textsOf(area.outlines_m, [](const std::vector<Point>& outline_m) {
+        return jsonArrayOf(outline_m);
+    }));
+}
+
 } // namespace
 
 std::vector<Point> readCorners(ObjectReader& reader, const char* name)
@@ -76,6 +117,10 @@ T readObject(const Json& value, const std::string& path, Faults& faults)
     if constexpr (std::is_same_v<T, Iceberg>)
         if (const Json* track = reader.find("track"))
             readTrack(*track, reader.path("track"), faults, object);
+    if constexpr (std::is_same_v<T, IceArea>)
+        object.outlines_m = readOutlines(reader);
+    if constexpr (std::is_same_v<T, IceChart>)
+        object.areas = readIceAreas(reader);
     object.extraJson = reader.unknown();
     return object;
 }
@@ -88,6 +133,10 @@ std::string objectText(const T& object)
     if constexpr (std::is_same_v<T, Iceberg>)
         if (!object.track.empty())
             members.addText("track", trackText(object));
+    if constexpr (std::is_same_v<T, IceArea>)
+        members.addText("outlines_m", outlinesText(object));
+    if constexpr (std::is_same_v<T, IceChart>)
+        members.addText("areas", jsonArray(textsOf(object.areas, &objectText<IceArea>)));
     members.addExtra(object.extraJson);
     return members.inLine();
 }
@@ -102,6 +151,10 @@ template NoFlyArea readObject(const Json&, const std::string&, Faults&);
 template std::string objectText(const NoFlyArea&);
 template AirspaceArea readObject(const Json&, const std::string&, Faults&);
 template std::string objectText(const AirspaceArea&);
+template IceArea readObject(const Json&, const std::string&, Faults&);
+template std::string objectText(const IceArea&);
+template IceChart readObject(const Json&, const std::string&, Faults&);
+template std::string objectText(const IceChart&);
 template GroundStation readObject(const Json&, const std::string&, Faults&);
 template std::string objectText(const GroundStation&);
 template Operation readObject(const Json&, const std::string&, Faults&);

@@ -20,7 +20,7 @@ namespace berg {
 
 /**
  * Reads an object of a scenario file: Uav, Iceberg (with empty ids if the file gives none), Asset,
- * NoFlyArea, AirspaceArea, GroundStation, Operation, Weather or ForecastField.
+ * NoFlyArea, AirspaceArea, IceChart, IceArea, GroundStation, Operation, Weather or ForecastField.
  */
 template <class T>
 [[nodiscard]] T readObject(const Json& value, const std::string& path, Faults& faults);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <deque>
 #include <exception>
 #include <memory>
 #include <zip.h>
@@ -128,33 +129,58 @@ zip_int64_t serve(void* user, void* data, zip_uint64_t length, zip_source_cmd_t 
     }
 }
 
-/**
- * Compresses the text, dates it to the first possible day and closes the archive. Returns false if
- * libzip or a buffer fails.
- */
-bool pack(const std::string& entryName, BufferFile& text, BufferFile& packed)
+/** Text of an entry with its name. */
+struct NamedText
+{
+    std::string name;
+    BufferFile text;
+};
+
+/** Adds an entry, compressed and dated to the first possible day. Returns false on failure. */
+bool add(zip_t* archive, NamedText& named)
 {
     constexpr unsigned kBest = 9;
     constexpr unsigned kFirstDay = (1U << 5U) | 1U; // 1980-01-01, the earliest date of the format
+    Source entry(zip_source_function(archive, &serve, &named.text), &zip_source_free);
+    const zip_int64_t at =
+        entry == nullptr ? -1
+                         : zip_file_add(archive, named.name.c_str(), entry.get(), ZIP_FL_ENC_UTF_8);
+    if (at < 0)
+        return false;
+    static_cast<void>(entry.release()); // the archive owns it now
+    const auto index = static_cast<zip_uint64_t>(at);
+    return zip_set_file_compression(archive, index, ZIP_CM_DEFLATE, kBest) == 0 &&
+           zip_file_set_dostime(archive, index, 0, kFirstDay, 0) == 0;
+}
+
+/** Adds all texts and closes the archive. Returns false if libzip or a buffer fails. */
+bool pack(std::deque<NamedText>& texts, BufferFile& packed)
+{
     const Source target(zip_source_function_create(&serve, &packed, nullptr), &zip_source_free);
     require(target != nullptr, "libzip has no memory");
     Archive archive = archiveOf(target, ZIP_CREATE | ZIP_TRUNCATE);
     if (archive == nullptr)
         return false;
-    Source entry(zip_source_function(archive.get(), &serve, &text), &zip_source_free);
-    const zip_int64_t at = entry == nullptr ? -1
-                                            : zip_file_add(archive.get(), entryName.c_str(),
-                                                           entry.get(), ZIP_FL_ENC_UTF_8);
-    if (at < 0)
-        return false;
-    static_cast<void>(entry.release()); // the archive owns it now
-    const auto index = static_cast<zip_uint64_t>(at);
-    if (zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE, kBest) != 0 ||
-        zip_file_set_dostime(archive.get(), index, 0, kFirstDay, 0) != 0 ||
-        zip_close(archive.get()) != 0)
+    for (NamedText& text : texts)
+        if (!add(archive.get(), text))
+            return false;
+    if (zip_close(archive.get()) != 0)
         return false;
     static_cast<void>(archive.release()); // zip_close has freed it
     return true;
+}
+
+void writePacked(std::deque<NamedText>& texts, const TextSink& put)
+{
+    BufferFile packed;
+    const bool isPacked = pack(texts, packed);
+    for (const NamedText& named : texts)
+        if (named.text.fault)
+            std::rethrow_exception(named.text.fault);
+    if (packed.fault)
+        std::rethrow_exception(packed.fault);
+    require(isPacked, "libzip does not write");
+    packed.buffer.putAll(put);
 }
 
 } // namespace
@@ -162,15 +188,24 @@ bool pack(const std::string& entryName, BufferFile& text, BufferFile& packed)
 void writeZip(const std::string& entryName, const std::function<void(const TextSink&)>& write,
               const TextSink& put)
 {
-    BufferFile text;
-    BufferFile packed;
-    write([&text](std::string_view piece) { text.buffer.append(piece); });
-    const bool isPacked = pack(entryName, text, packed);
-    for (const BufferFile* file : {&text, &packed})
-        if (file->fault)
-            std::rethrow_exception(file->fault);
-    require(isPacked, "libzip does not write");
-    packed.buffer.putAll(put);
+    std::deque<NamedText> texts;
+    NamedText& named = texts.emplace_back();
+    named.name = entryName;
+    write([&named](std::string_view piece) { named.text.buffer.append(piece); });
+    writePacked(texts, put);
+}
+
+std::string zipOf(const std::vector<ZipEntry>& entries)
+{
+    std::deque<NamedText> texts;
+    for (const ZipEntry& entry : entries) {
+        NamedText& named = texts.emplace_back();
+        named.name = entry.name;
+        named.text.buffer.append(entry.content);
+    }
+    std::string archive;
+    writePacked(texts, [&archive](std::string_view piece) { archive += piece; });
+    return archive;
 }
 
 struct ZipReader::Opened

@@ -19,6 +19,16 @@ namespace berg {
 void writeZip(const std::string& entryName, const std::function<void(const TextSink&)>& write,
               const TextSink& put);
 
+/** A file of an archive. */
+struct ZipEntry
+{
+    std::string name;
+    std::string content;
+};
+
+/** Returns a zip archive of the entries, which holds no times. Throws as `FileBackedBuffer`. */
+[[nodiscard]] std::string zipOf(const std::vector<ZipEntry>& entries);
+
 /** Returns true if the bytes begin as a zip archive. */
 [[nodiscard]] inline bool isZip(std::string_view bytes)
 {

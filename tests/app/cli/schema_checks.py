@@ -117,7 +117,7 @@ def unnamed(value, node, path):
 
 
 every = json.loads((source / "tests/data/scenarios/every-field.berg").read_text())
-foreign = """.origin.datum .no_fly[].class .airspace[].frequency .operation.insurer .uavs[].colour .icebergs[].track.beacon .icebergs[].source .asset.flag
+foreign = """.origin.datum .no_fly[].class .airspace[].frequency .ice_chart.areas[].stage .ice_chart.agency .operation.insurer .uavs[].colour .icebergs[].track.beacon .icebergs[].source .asset.flag
     .weather.visibility_m .ground_station.operator .planner.depth .camera""".split()
 check("members without a name are those of others", unnamed(every, scenario, "") == foreign)
 

@@ -34,6 +34,19 @@ auto accepts()
 
 const QByteArray kZoneOfNoPlace = "AC D\nAN NOWHERE\nAL GND\nAH FL100\nDP nowhere\n";
 
+/** An ice chart of one triangle there. */
+QByteArray iceAt(const LatLon& origin)
+{
+    const auto corner = [&](double north, double east) {
+        return '[' + QByteArray::number(origin.longitude_deg + east) + ',' +
+               QByteArray::number(origin.latitude_deg + north) + ']';
+    };
+    return R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":)"
+           R"({"CT":"46","POLY_TYPE":"I"},"geometry":{"type":"Polygon","coordinates":[[)" +
+           corner(0, 0) + ',' + corner(0, 0.2) + ',' + corner(0.1, 0) + ',' + corner(0, 0) +
+           "]]}}]}";
+}
+
 /** A triangle of 5 km there. */
 QByteArray zoneAt(const LatLon& origin)
 {
@@ -96,6 +109,44 @@ private slots:
         w.document().undoStack()->undo();
         w.document().undoStack()->undo();
         QVERIFY(w.scenario() == before);
+    }
+
+    void iceChartIsOneUndoStep_data()
+    {
+        QTest::addColumn<QString>("action"); // empty for a dropped file
+        for (const char* action : {"iceChartAction", "importAction", ""})
+            QTest::newRow(action) << QString::fromLatin1(action);
+    }
+
+    /** Whether it is chosen as one or as sightings, or dropped. */
+    void iceChartIsOneUndoStep()
+    {
+        QFETCH(QString, action);
+        WindowFixture w(test::openSea());
+        const Scenario before = w.scenario();
+        w.interaction.path = written(w.file(u"ice_20210118.geojson"_s), iceAt(before.origin));
+        if (action.isEmpty())
+            drop(w.window(), w.interaction.path);
+        else
+            w.trigger(action);
+        QVERIFY(w.until([&] { return w.scenario().iceChart.has_value(); }));
+        QCOMPARE(w.scenario().iceChart->areas.size(), std::size_t{1});
+        QCOMPARE(w.scenario().iceChart->dateUtc, std::string("2021-01-18T00:00:00Z"));
+        QVERIFY(w.window().statusBar()->currentMessage().contains(u"1 area, date 2021-01-18"_s));
+        QVERIFY(w.interaction.importOffers.empty());
+        w.document().undoStack()->undo();
+        QVERIFY(w.scenario() == before);
+    }
+
+    /** Sightings of a file that may hold an ice chart go to the dialog. */
+    void gisFilesWithoutIceAreSightings()
+    {
+        WindowFixture w(test::openSea());
+        const QString path = written(w.file(u"table.dxf"_s), "id,lat,lon\na,60,-50\nb,60.1,-50\n");
+        w.interaction.importAnswer = accepts();
+        drop(w.window(), path);
+        QVERIFY(w.until([&] { return w.scenario().icebergs.size() == 2; }));
+        QVERIFY(w.interaction.errors.isEmpty());
     }
 
     /** Why each area was left out, and where it is in the file. */

@@ -419,6 +419,50 @@ private slots:
         }
     }
 
+    void iceChartsAreLimited()
+    {
+        Scenario s = defaultScenario();
+        const IceArea area{.concentration_tenths = 5, .outlines_m = {{{0, 0}, {9, 0}, {0, 9}}}};
+        s.iceChart = IceChart{.areas = {area}};
+        QVERIFY(validate(s).empty());
+        const auto faultOf = [](IceArea faulty) {
+            Scenario wrong = defaultScenario();
+            wrong.iceChart = IceChart{.areas = {std::move(faulty)}};
+            const std::vector<Issue> issues = validate(wrong);
+            return issues.size() == 1 ? issues[0].field : std::to_string(issues.size());
+        };
+        QCOMPARE(faultOf({.concentration_tenths = 11, .outlines_m = area.outlines_m}),
+                 std::string("ice_chart.areas[0].concentration_tenths"));
+        QCOMPARE(faultOf({}), std::string("ice_chart.areas[0].outlines_m"));
+        QCOMPARE(faultOf({.outlines_m = {{{0, 0}, {9, 0}}}}),
+                 std::string("ice_chart.areas[0].outlines_m[0]"));
+        QCOMPARE(faultOf({.outlines_m = {{{0, 0}, {2e6, 0}, {0, 9}}}}),
+                 std::string("ice_chart.areas[0].outlines_m[0][1]"));
+        QCOMPARE(faultOf({.outlines_m = {std::vector<Point>(kMostIceCorners + 1, Point(1, 1))}}),
+                 std::string("ice_chart.areas"));
+        s.iceChart->areas.resize(kMostIceAreas + 1, area);
+        QCOMPARE(validate(s).size(), 1U);
+        s.iceChart->areas.resize(1);
+        s.iceChart->dateUtc = "yesterday";
+        QCOMPARE(validate(s).front().field, std::string("ice_chart.date_utc"));
+    }
+
+    void oldIceChartsAreReported()
+    {
+        Scenario s = defaultScenario();
+        s.startUtc = "2021-01-20T18:00:00Z";
+        s.iceChart = IceChart{.dateUtc = "2021-01-18T18:00:00Z"};
+        QVERIFY(validate(s).empty());
+        s.iceChart->dateUtc = "2021-01-18T16:30:00Z";
+        const std::vector<Issue> issues = validate(s);
+        QCOMPARE(issues.size(), 1U);
+        QVERIFY(issues[0].severity == Severity::Hint);
+        QCOMPARE(issues[0].message(), std::string("the ice chart is 49 hours older than the start: "
+                                                  "ice has moved since"));
+        s.startUtc.clear();
+        QVERIFY(validate(s).empty());
+    }
+
     void hugeListsAreCountedNotChecked()
     {
         Scenario s = defaultScenario();

@@ -67,6 +67,10 @@ std::string scenarioWith(const QString& field, double value)
         members << u"\"ground_station\": %1"_s.arg(object(owner));
     if (owner == u"operation"_s)
         members << u"\"operation\": {%1}"_s.arg(text);
+    if (owner == u"ice_chart.areas[]"_s)
+        members
+            << u"\"ice_chart\": {\"areas\": [{\"outlines_m\": [[[0, 0], [9, 0], [0, 9]]], %1}]}"_s
+                   .arg(text);
     if (owner == u"airspace[]"_s)
         members << u"\"airspace\": [{\"area_m\": [[0, 0], [9, 0], [0, 9]], %1}]"_s.arg(text);
     if (owner == u"no_fly[]"_s)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/export/formats.h"
+#include "core/io/text/ogr2ogr.h"
 #include "tests/support/files/czml_rules.h"
 #include "tests/support/files/geojson_rules.h"
 #include "tests/support/files/golden.h"
@@ -91,7 +92,7 @@ inline void exportRows()
         {"South Pole", south},          {"no start", timeless},  {"no icebergs", empty},
         {"500 icebergs", fiveHundred()}};
     for (const ExportFormat& row : exportFormats()) {
-        if (row.holds.flownOnly || row.holds.painted)
+        if (row.holds.flownOnly || row.holds.painted || (row.holds.gis && ogr2ogrPath().empty()))
             continue;
         const QString id = QString::fromLatin1(row.id.data(), qsizetype(row.id.size()));
         for (const auto& [name, scenario] : scenarios) {
@@ -149,6 +150,16 @@ inline QString faultOf(const QString& id, const std::string& text)
         return geojsonFault(file);
     if (id == "gpx"_L1 || id == "kml"_L1)
         return xmlFault(file);
+    if (id == "shapefile"_L1)
+        return file.startsWith("PK\x03\x04") ? QString() : u"no archive"_s;
+    if (id == "gpkg"_L1)
+        return file.startsWith("SQLite format 3") ? QString() : u"no GeoPackage"_s;
+    if (id == "fgb"_L1)
+        return file.startsWith("fgb\x03") ? QString() : u"no FlatGeobuf"_s;
+    if (id == "gml"_L1)
+        return xmlFault(file);
+    if (id == "dxf"_L1)
+        return file.trimmed().endsWith("EOF") ? QString() : u"no DXF"_s;
     if (id == "czml"_L1)
         return czmlFault(file);
     if (id == "kmz"_L1) // the shell test unpacks it

@@ -20,12 +20,16 @@ constexpr int kRest_ms = 120;
 void paintGroundOf(QPainter& painter, const LandRequest& request)
 {
     paintLand(painter, request.plane, request.view, request.rect, request.style);
-    if (request.backdrop == nullptr || request.backdropOpacity <= 0)
-        return;
-    const PainterState saved(painter);
-    painter.setOpacity(request.backdropOpacity);
-    BackdropDrawing(request.backdrop, request.plane)
-        .paint(painter, request.view, request.rect, request.backdropStyle);
+    const auto paint = [&](const BackdropPointer& shapes, double opacity) {
+        if (shapes == nullptr || opacity <= 0)
+            return;
+        const PainterState saved(painter);
+        painter.setOpacity(opacity);
+        BackdropDrawing(shapes, request.plane)
+            .paint(painter, request.view, request.rect, request.backdropStyle);
+    };
+    paint(request.ice, request.iceOpacity);
+    paint(request.backdrop, request.backdropOpacity);
 }
 
 LandLayer::LandLayer(QObject* parent) : QObject(parent), m_thread(u"land"_s)
@@ -127,24 +131,29 @@ LandLayer::ShownLand LandLayer::drawn(const LandRequest& request)
         if (!drawing)
             drawing.emplace(landData(detail), m_plane);
         drawing->paint(painter, request.view, rect, request.style);
-        paintBackdrop(painter, request, rect);
+        paintBackdrops(painter, request, rect);
     });
     if (failure)
         painter.fillRect(rect, request.style.sea); // the map remains usable without land
     return shown;
 }
 
-void LandLayer::paintBackdrop(QPainter& painter, const LandRequest& request, const QRectF& rect)
+void LandLayer::paintBackdrops(QPainter& painter, const LandRequest& request, const QRectF& rect)
 {
-    if (request.backdrop == nullptr || request.backdropOpacity <= 0) {
-        m_backdrop.reset();
-        return;
-    }
-    if (!m_backdrop || !m_backdrop->isOf(request.backdrop, request.plane))
-        m_backdrop.emplace(request.backdrop, request.plane);
-    painter.setOpacity(request.backdropOpacity);
-    m_backdrop->paint(painter, request.view, rect, request.backdropStyle);
-    painter.setOpacity(1);
+    const auto paint = [&](std::optional<BackdropDrawing>& drawing, const BackdropPointer& shapes,
+                           double opacity) {
+        if (shapes == nullptr || opacity <= 0) {
+            drawing.reset();
+            return;
+        }
+        if (!drawing || !drawing->isOf(shapes, request.plane))
+            drawing.emplace(shapes, request.plane);
+        painter.setOpacity(opacity);
+        drawing->paint(painter, request.view, rect, request.backdropStyle);
+        painter.setOpacity(1);
+    };
+    paint(m_ice, request.ice, request.iceOpacity);
+    paint(m_backdrop, request.backdrop, request.backdropOpacity);
 }
 
 } // namespace berg

@@ -22,6 +22,8 @@ struct LandRequest
     LandStyle style;
     BackdropPointer backdrop = {}; ///< drawn above the land; null if there is none
     double backdropOpacity = 1;
+    BackdropPointer ice = {}; ///< ice chart, drawn below the backdrop; null if there is none
+    double iceOpacity = 1;
     BackdropStyle backdropStyle = {};
     bool operator==(const LandRequest&) const = default;
 };
@@ -66,7 +68,7 @@ private:
     // On the thread of the layer:
     void drawNewest();
     [[nodiscard]] ShownLand drawn(const LandRequest& request);
-    void paintBackdrop(QPainter& painter, const LandRequest& request, const QRectF& rect);
+    void paintBackdrops(QPainter& painter, const LandRequest& request, const QRectF& rect);
 
     LandRequest m_request;
     std::optional<ShownLand> m_shown;
@@ -76,6 +78,7 @@ private:
 
     std::array<std::optional<LandDrawing>, 2> m_drawings; ///< by level of detail, in `m_plane`
     MapPlane m_plane = LocalFrame({});
+    std::optional<BackdropDrawing> m_ice;
     std::optional<BackdropDrawing> m_backdrop;
 
     WorkThread m_thread; ///< last member: it ends, with the image in progress, before the others

@@ -6,6 +6,7 @@
 #include "widgets/map/paint/map_paths.h"
 #include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/paint/map_symbols.h"
+#include "widgets/map/picture/ice_picture.h"
 #include "widgets/map/picture/route_colours.h"
 #include "widgets/theme/painter_state.h"
 #include "widgets/theme/palette.h"
@@ -16,7 +17,12 @@
 #include <QLinearGradient>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <span>
+#include <utility>
+
+using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
@@ -273,6 +279,80 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
              [&](QPainter& p, const QRectF& r) { drawSweptSwatch(p, r, theme); });
 }
 
+/** Draws the colours of the classes from open water to the closest ice, on the sea. */
+void drawIceSwatch(QPainter& painter, const QRectF& swatch, std::span<const IceClass> classes,
+                   const Theme& theme, double opacity)
+{
+    const QRectF box(swatch.left() + 2, swatch.center().y() - 6, swatch.width() - 4, 12);
+    painter.fillRect(box, theme.sea);
+    const double width = box.width() / static_cast<double>(classes.size());
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        QColor colour = QColor::fromRgba(iceFill(classes[i]));
+        if (theme.isNight)
+            colour = theme.toned(colour);
+        colour.setAlphaF(colour.alphaF() * static_cast<float>(opacity));
+        painter.fillRect(
+            QRectF(box.left() + static_cast<double>(i) * width, box.top(), width, box.height()),
+            colour);
+    }
+    painter.setPen(QPen(theme.panelLine, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(box);
+}
+
+/** "2021-01-18 18:00 UTC" */
+QString dateText(const IceChart& chart)
+{
+    constexpr int kMinutes = 16; // length of the date with hours and minutes
+    return chart.dateUtc.empty()
+               ? MapLegend::tr("no date", "ice chart")
+               : QString::fromStdString(chart.dateUtc).left(kMinutes).replace(u'T', u' ') +
+                     u" UTC"_s;
+}
+
+/** Adds the chart with its date, and each class of ice on it. */
+void addIceRows(RowList& rows, const MapPicture& picture, const MapStyle& style)
+{
+    const double opacity = style.layers.opacity(MapLayer::IceChart);
+    if (picture.iceChart == nullptr || opacity <= 0)
+        return;
+    const std::array<std::pair<QString, QString>, kIceClasses> names{
+        {{MapLegend::tr("Ice free"), u"0/10"_s},
+         {MapLegend::tr("Open water"), u"<1/10"_s},
+         {MapLegend::tr("Ice 1–3 tenths"), u"1–3/10"_s},
+         {MapLegend::tr("Ice 4–6 tenths"), u"4–6/10"_s},
+         {MapLegend::tr("Ice 7–8 tenths"), u"7–8/10"_s},
+         {MapLegend::tr("Ice 9–10 tenths"), u"9–10/10"_s},
+         {MapLegend::tr("Fast ice"), MapLegend::tr("Fast ice")},
+         {MapLegend::tr("Ice, concentration unknown"), u"?/10"_s}}};
+    const IceChart& chart = picture.iceChart->chart;
+    std::array<bool, kIceClasses> isThere{};
+    for (const IceArea& area : chart.areas)
+        isThere[static_cast<std::size_t>(classOf(area))] = true;
+    std::vector<IceClass> there;
+    for (std::size_t i = 0; i < kIceClasses; ++i)
+        if (isThere[i])
+            there.push_back(static_cast<IceClass>(i));
+    if (there.empty())
+        return;
+    const Theme& theme = style.theme;
+    const QString date = dateText(chart);
+    rows.add(true,
+             (picture.iceChart->isOld ? MapLegend::tr("Old ice chart: %1")
+                                      : MapLegend::tr("Ice chart: %1"))
+                 .arg(date),
+             picture.iceChart->isOld ? MapLegend::tr("Old ice chart") : MapLegend::tr("Ice chart"),
+             [&theme, there, opacity](QPainter& p, const QRectF& r) {
+                 drawIceSwatch(p, r, there, theme, opacity);
+             });
+    for (const IceClass one : there)
+        rows.add(true, names[static_cast<std::size_t>(one)].first,
+                 names[static_cast<std::size_t>(one)].second,
+                 [&theme, one, opacity](QPainter& p, const QRectF& r) {
+                     drawIceSwatch(p, r, std::span(&one, 1), theme, opacity);
+                 });
+}
+
 void addPermitRows(RowList& rows, const MapPicture& picture, const Theme& theme,
                    const MapLayers& layers)
 {
@@ -344,6 +424,7 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
     addFleetRows(rows, picture, theme);
     addPathRows(rows, picture, theme, style.layers);
     addPlaceRows(rows, picture, theme, style.layers);
+    addIceRows(rows, picture, style);
     rows.add(scale.showsDots, MapLegend::tr("Close together: dot or number"),
              MapLegend::tr("Close together"), [&theme](QPainter& p, const QRectF& r) {
                  drawIcebergDot(p, r.center() - QPointF(11, 0), theme.sigma.at(0.4), false, theme);

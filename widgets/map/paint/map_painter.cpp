@@ -189,12 +189,13 @@ void paintUavLabels(const MapPaint& p)
 /** Cache key of the legend: all that its drawing depends on. */
 QString legendKey(const MapPaint& p)
 {
-    QString key = u"legend %1 %2 %3 %4 %5 %6"_s.arg(p.layout.symbols.ring_pxpm)
+    QString key = u"legend %1 %2 %3 %4 %5 %6 %7"_s.arg(p.layout.symbols.ring_pxpm)
                       .arg(int(p.layout.symbols.showsRings))
                       .arg(p.picture.sigmaFull_m2)
                       .arg(int(p.layout.isLegendCompact))
                       .arg(p.style.locale.name())
-                      .arg(p.style.layers.opacity(MapLayer::Rings));
+                      .arg(p.style.layers.opacity(MapLayer::Rings))
+                      .arg(p.style.layers.opacity(MapLayer::IceChart));
     for (const LegendRow& row : legendRows(p.picture, p.style, p.layout.symbols))
         key += u'\n' + row.text;
     for (const MapUav& uav : p.picture.uavs)
@@ -311,6 +312,8 @@ void paintMapGround(QPainter& painter, const MapFrame& frame)
                            .style = landStyleOf(p.theme),
                            .backdrop = p.style.layers.backdrop,
                            .backdropOpacity = p.style.layers.opacity(MapLayer::Backdrop),
+                           .ice = p.picture.iceChart ? p.picture.iceChart->shapes : nullptr,
+                           .iceOpacity = p.style.layers.opacity(MapLayer::IceChart),
                            .backdropStyle = backdropStyleOf(p.theme)};
     if (frame.land != nullptr)
         frame.land->paint(painter, land);

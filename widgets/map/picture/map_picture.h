@@ -2,7 +2,9 @@
 
 #include "core/base/index.h"
 #include "core/earth/geodesy.h"
+#include "core/io/import/maps/map_shapes.h"
 #include "core/permit/operation.h"
+#include "core/scenario/ice_chart.h"
 #include "core/tracking/observer.h"
 #include "widgets/map/picture/map_live.h"
 #include "widgets/theme/mission_clock.h"
@@ -169,6 +171,16 @@ struct MapAirspace
     std::optional<double> ceiling_m; ///< nullopt means unlimited height
 };
 
+/** The ice chart below the icebergs. */
+struct MapIceChart
+{
+    IceChart chart; ///< in the plane of the picture
+    LatLon origin;
+    bool isOld = false;                                  ///< much older than the start of the run
+    std::shared_ptr<const std::vector<MapShape>> shapes; ///< areas in the colours of their classes
+};
+using IceChartPointer = std::shared_ptr<const MapIceChart>;
+
 /** Content of one picture of the map, as plain values. */
 struct MapPicture
 {
@@ -188,6 +200,7 @@ struct MapPicture
     bool isFenced = false;             ///< the UAVs stay inside the area
     std::vector<MapClosedArea> closed; ///< no-fly areas as in the scenario, then the ring
     std::vector<MapAirspace> airspace;
+    IceChartPointer iceChart; ///< null without one
     std::optional<OperationVolume> operation;
     double separation_m =
         0; ///< minimum distance of UAVs in one altitude layer; zero if not monitored

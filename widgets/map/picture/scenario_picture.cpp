@@ -9,6 +9,7 @@
 #include "widgets/document/wind.h"
 #include "widgets/flight/asset_approach.h"
 #include "widgets/flight/sigma_end.h"
+#include "widgets/map/picture/ice_picture.h"
 #include "widgets/words/object_names.h"
 
 #include <algorithm>
@@ -207,6 +208,7 @@ void setSurroundings(MapPicture& picture, const Scenario& scenario,
     picture.isFenced = scenario.geofence;
     picture.closed = closedOf(scenario, asset);
     picture.airspace = airspaceOf(scenario);
+    picture.iceChart = iceChartOf(scenario);
     picture.operation = operationOf(scenario);
     picture.separation_m = scenario.separation_m;
     picture.asset = assetOf(asset, time_s);

@@ -24,8 +24,8 @@ namespace berg {
 [[nodiscard]] MapAir airOf(const Scenario& scenario);
 
 /**
- * Sets all of the picture but icebergs and UAVs: areas, airspace, wind, and `asset` at `time_s`.
- * In flight the asset may differ from that of the scenario.
+ * Sets all of the picture but icebergs and UAVs: areas, airspace, ice, wind, and `asset` at
+ * `time_s`. In flight the asset may differ from that of the scenario.
  */
 void setSurroundings(MapPicture& picture, const Scenario& scenario,
                      const std::optional<Asset>& asset, double time_s);

@@ -2,6 +2,7 @@
 
 #include "widgets/flight/asset_approach.h"
 #include "widgets/map/paint/wind_panel.h"
+#include "widgets/map/picture/ice_picture.h"
 #include "widgets/map/picture/scenario_picture.h"
 #include "widgets/map/view/map_scene.h"
 #include "widgets/theme/quantity_text.h"
@@ -32,6 +33,22 @@ QString icebergTip(const MapIceberg& iceberg, const TimesAhead& times, const QLo
     return text;
 }
 
+QString iceTip(const MapIceChart& chart, const Point& place_m, const QLocale& locale)
+{
+    const IceArea* const area = iceAreaAt(chart, place_m);
+    if (area == nullptr)
+        return {};
+    QString text = area->concentration_tenths
+                       ? MapTipText::tr("Ice concentration %1 tenths")
+                             .arg(locale.toString(*area->concentration_tenths, 'g', 3))
+                       : MapTipText::tr("Ice concentration unknown");
+    if (area->isFast)
+        text += MapTipText::tr(", fast ice");
+    if (!area->label.empty())
+        text += MapTipText::tr("\nOn the chart: %1").arg(QString::fromStdString(area->label));
+    return text + u'\n' + QString::fromStdString(chart.chart.source);
+}
+
 } // namespace
 
 QString mapToolTip(MapScene& scene, const QPointF& at)
@@ -43,8 +60,11 @@ QString mapToolTip(MapScene& scene, const QPointF& at)
     if (times.clock.start && scene.layout().title.contains(at))
         return times.clock.details(times.now_s);
     const auto iceberg = std::ranges::find(picture.icebergs, scene.objectAt(at), keyOf);
-    return iceberg == picture.icebergs.end() ? QString()
-                                             : icebergTip(*iceberg, times, scene.locale());
+    if (iceberg != picture.icebergs.end())
+        return icebergTip(*iceberg, times, scene.locale());
+    return picture.iceChart != nullptr && scene.layers().shows(MapLayer::IceChart)
+               ? iceTip(*picture.iceChart, scene.layout().view.toWorld(at), scene.locale())
+               : QString();
 }
 
 } // namespace berg

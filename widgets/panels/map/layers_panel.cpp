@@ -44,6 +44,7 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
          {MapLayer::Compared, "compared", tr("Compared run")},
          {MapLayer::Swept, "swept", tr("Swept area")},
          {MapLayer::Permit, "permit", tr("Airspace and operation volume")},
+         {MapLayer::IceChart, "iceChart", tr("Ice chart")},
          {MapLayer::Backdrop, "backdrop", tr("Background")}}};
     auto* form = new QFormLayout(this);
     form->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);

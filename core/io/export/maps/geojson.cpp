@@ -30,7 +30,10 @@ Json shape(const char* type, Json coordinates)
 class Collection
 {
 public:
-    Collection(const ExportContent& content, const TextSink& put) : m_content(content), m_put(put)
+    /** With `flat`, properties are those that programs without lists can hold. */
+    Collection(const ExportContent& content, const TextSink& put,
+               std::optional<FlatProperties> flat = {})
+        : m_content(content), m_put(put), m_flat(flat)
     {
     }
 
@@ -44,9 +47,17 @@ public:
     }
 
 private:
-    static Json propertiesOf(const MapFeature& feature)
+    [[nodiscard]] Json propertiesOf(const MapFeature& feature) const
     {
         Json properties;
+        if (m_flat == FlatProperties::Layer) {
+            properties["Layer"] = feature.kind;
+            return properties;
+        }
+        if (m_flat) {
+            addProperties(properties, flatProperties(feature));
+            return properties;
+        }
         properties["kind"] = feature.kind;
         addProperties(properties, feature.properties);
         return properties;
@@ -112,6 +123,10 @@ private:
                                                : Json(roundedSeconds(vertex.time_s))));
         });
         std::string properties = jsonText(propertiesOf(feature));
+        if (m_flat) {
+            m_put((several ? "]]}" : "]}") + std::string(R"(,"properties":)") + properties + '}');
+            return;
+        }
         properties.pop_back();
         m_put((several ? "]]}" : "]}") + std::string(R"(,"properties":)") + properties +
               R"(,"coordinateProperties":{")" + (m_content.start ? "times" : "times_s") +
@@ -122,6 +137,7 @@ private:
 
     const ExportContent& m_content;
     const TextSink& m_put;
+    std::optional<FlatProperties> m_flat;
     bool m_isFirst = true;
 };
 
@@ -130,6 +146,11 @@ private:
 void writeGeoJson(const ExportContent& content, const TextSink& put)
 {
     Collection(content, put).write();
+}
+
+void writeFlatGeoJson(const ExportContent& content, FlatProperties properties, const TextSink& put)
+{
+    Collection(content, put, properties).write();
 }
 
 } // namespace berg

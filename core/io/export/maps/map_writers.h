@@ -15,6 +15,36 @@ namespace berg {
  */
 void writeGeoJson(const ExportContent& content, const TextSink& put);
 
+/** Properties of features for programs that hold only numbers and texts. */
+enum class FlatProperties
+{
+    Values, ///< those of `flatProperties`
+    Layer   ///< the kind alone, as property `Layer`
+};
+/** Writes GeoJSON as `writeGeoJson`, but without times of positions and with flat properties. */
+void writeFlatGeoJson(const ExportContent& content, FlatProperties properties, const TextSink& put);
+
+// Writers through ogr2ogr. They throw as `gisFileOfGeoJson`.
+
+/** Writes a zip archive of Shapefiles of points, lines and areas. */
+void writeShapefiles(const ExportContent& content, const TextSink& put);
+/** Writes a GeoPackage with one layer. */
+void writeGeoPackage(const ExportContent& content, const TextSink& put);
+/** Writes GML 3.2 without a schema. */
+void writeGml(const ExportContent& content, const TextSink& put);
+/**
+ * Writes a DXF drawing in metres of UTM (`utmEpsg`) whose layers are the kinds of features, without
+ * names and properties.
+ */
+void writeDxf(const ExportContent& content, const TextSink& put);
+/** Writes a FlatGeobuf with one layer. */
+void writeFlatGeobuf(const ExportContent& content, const TextSink& put);
+/**
+ * Returns the EPSG code of the projection in metres around a place: the UTM zone of WGS 84, or UPS
+ * in the polar caps.
+ */
+[[nodiscard]] int utmEpsg(const LatLon& place);
+
 /**
  * Writes KML 2.2 with folders for the icebergs, each UAV, airspace and the operation volume. A path
  * or track is a `gx:Track` with times if the scenario has a start time, else a line. Lines and

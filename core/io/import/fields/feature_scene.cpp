@@ -112,8 +112,8 @@ bool isVectorPart(std::string_view name)
 
 bool isOwnExport(std::string_view text)
 {
-    // Every export describes its UAVs.
-    constexpr std::array<std::string_view, 3> kNames{"heading_deg", "airspeed_mps", "altitude_m"};
+    // Every export describes its UAVs; a Shapefile cuts names to ten letters.
+    constexpr std::array<std::string_view, 3> kNames{"heading_de", "airspeed_m", "altitude_m"};
     return std::ranges::all_of(kNames, [text](std::string_view name) {
         return text.find(name) != std::string_view::npos;
     });

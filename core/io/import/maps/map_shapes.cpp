@@ -6,6 +6,7 @@
 #include "core/io/import/fields/json_members.h"
 #include "core/io/import/maps/map_readers.h"
 #include "core/io/text/zip_file.h"
+#include "core/scenario/ice_chart.h"
 
 #include <algorithm>
 #include <charconv>
@@ -48,29 +49,17 @@ std::optional<std::uint32_t> colourOf(const Json* properties, const char* name,
 std::optional<std::uint32_t> iceColour(const Json* properties)
 {
     constexpr int kFastIce = 8;
-    constexpr int kIceFree = 55;
     const auto code = [&](const char* name) -> std::optional<int> {
         const std::optional<double> value = numberOf(memberOf(properties, name));
         return value && *value >= 0 && *value < 99 ? std::optional(static_cast<int>(*value))
                                                    : std::nullopt;
     };
     const std::optional<int> total = code("CT");
-    if (!total)
+    const std::optional<double> tenths = total ? tenthsOfSigrid(*total) : std::nullopt;
+    if (!tenths)
         return std::nullopt;
-    const int tenths = *total / 10; // a range counts with its lower end
-    std::uint32_t rgb = 0xFF0000;
-    if (code("FA") == kFastIce)
-        rgb = 0x969696;
-    else if (*total == 0 || *total == kIceFree)
-        rgb = 0x0064FF;
-    else if (tenths == 0) // open and bergy water
-        rgb = 0x96C8FF;
-    else if (tenths <= 3)
-        rgb = 0x8CFFA0;
-    else if (tenths <= 6)
-        rgb = 0xFFFF00;
-    else if (tenths <= 8)
-        rgb = 0xFF7D07;
+    const std::uint32_t rgb =
+        wmoColour(classOf({.concentration_tenths = tenths, .isFast = code("FA") == kFastIce}));
     return kIceOpacity << 24U | rgb;
 }
 

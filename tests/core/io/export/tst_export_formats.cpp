@@ -66,7 +66,7 @@ private slots:
         }
         QCOMPARE(ids.join(u' '),
                  QStringLiteral("plan wpl geojson csv sigma-csv decisions-csv "
-                                "zeta-csv sightings gpx kml kmz czml brief map-pdf map-svg "
+                                "zeta-csv sightings gpx kml kmz czml shapefile gpkg gml dxf fgb brief map-pdf map-svg "
                                 "map-png log log-html charts-pdf charts-svg charts-png"));
         QVERIFY(findExportFormat("mission") == nullptr);
     }

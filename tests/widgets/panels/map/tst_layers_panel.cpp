@@ -4,6 +4,7 @@
 #include "widgets/map/paint/map_layout.h"
 #include "widgets/map/paint/map_overlays.h"
 #include "widgets/map/paint/map_painter.h"
+#include "widgets/map/picture/ice_picture.h"
 #include "widgets/panels/map/layers_panel.h"
 
 #include <QComboBox>
@@ -32,6 +33,11 @@ MapPicture picture()
         {.position_m = {1000, 1000}}, {.position_m = {3000, 1000}, .time_s = 100}});
     shown.comparisonTracks = {{{.position_m = {500, 2500}}, {.position_m = {4500, 2800}}}};
     shown.origin = {48.63, -53.14}; // Bonavista is among them
+    Scenario ice;
+    ice.origin = shown.origin;
+    ice.iceChart = IceChart{
+        .areas = {{.concentration_tenths = 5, .outlines_m = {{{0, 0}, {4000, 0}, {0, 4000}}}}}};
+    shown.iceChart = iceChartOf(ice);
     shown.airspace = {{.corners_m = {{500, 500}, {4500, 500}, {2500, 3500}}}};
     return shown;
 }
@@ -55,8 +61,8 @@ private slots:
     {
         QTest::addColumn<int>("layer");
         const std::array<const char*, kMapLayers> names{
-            "labels", "drift",  "rings",    "graticule", "formerPlan",
-            "swept",  "permit", "backdrop", "compared",  "places"};
+            "labels", "drift",    "rings",    "graticule", "formerPlan", "swept",
+            "permit", "backdrop", "compared", "places",    "iceChart"};
         for (std::size_t i = 0; i < kMapLayers; ++i)
             QTest::newRow(names[i]) << static_cast<int>(i);
     }
