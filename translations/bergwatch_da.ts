@@ -1849,6 +1849,32 @@
         <source>Autopilot mission: %1.</source>
         <translation>Mission til autopiloten: %1.</translation>
     </message>
+    <message>
+        <source>%1 from %2</source>
+        <comment>speed, direction</comment>
+        <translation>%1 fra %2</translation>
+    </message>
+    <message>
+        <source>%1 towards %2</source>
+        <comment>speed, direction</comment>
+        <translation>%1 mod %2</translation>
+    </message>
+    <message>
+        <source>Time, UTC</source>
+        <translation>Tid, UTC</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Vindstød</translation>
+    </message>
+    <message>
+        <source>The forecast has no wind between %1 and %2: the plan uses the constant wind of the scenario.</source>
+        <translation>Prognosen har ingen vind mellem %1 og %2: planen bruger scenariets faste vind.</translation>
+    </message>
+    <message>
+        <source>The forecast was issued %1 h before the flight: look for a newer one.</source>
+        <translation>Prognosen blev udstedt %1 t før flyvningen: se efter en nyere.</translation>
+    </message>
 </context>
 <context>
     <name>FlightDrag</name>
@@ -1929,6 +1955,70 @@
     <message>
         <source>Makes little headway: wind %1, airspeed %2</source>
         <translation>Kommer næsten ikke frem: vind %1, flyvefart %2</translation>
+    </message>
+</context>
+<context>
+    <name>ForecastText</name>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 t</translation>
+    </message>
+    <message>
+        <source>wind</source>
+        <translation>vind</translation>
+    </message>
+    <message>
+        <source>gusts</source>
+        <translation>vindstød</translation>
+    </message>
+    <message>
+        <source>air temperature</source>
+        <translation>lufttemperatur</translation>
+    </message>
+    <message>
+        <source>dew point</source>
+        <translation>dugpunkt</translation>
+    </message>
+    <message>
+        <source>fog</source>
+        <translation>tåge</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>sigtbarhed</translation>
+    </message>
+    <message>
+        <source>cloud base</source>
+        <translation>skybase</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>strøm</translation>
+    </message>
+    <message>
+        <source>unknown source</source>
+        <translation>ukendt kilde</translation>
+    </message>
+    <message>
+        <source>time of issue unknown</source>
+        <translation>udstedelsestid ukendt</translation>
+    </message>
+    <message>
+        <source>issued %1</source>
+        <translation>udstedt %1</translation>
+    </message>
+    <message>
+        <source>issued %1, %2 after the start</source>
+        <translation>udstedt %1, %2 efter starten</translation>
+    </message>
+    <message>
+        <source>issued %1, %2 before the start</source>
+        <translation>udstedt %1, %2 før starten</translation>
+    </message>
+    <message>
+        <source>Forecast of %1, %2</source>
+        <comment>source, time of issue</comment>
+        <translation>Prognose fra %1, %2</translation>
     </message>
 </context>
 <context>
@@ -3150,6 +3240,32 @@ Tilstødende område %4</translation>
     <message>
         <source>Autopilot mission</source>
         <translation>Mission til autopiloten</translation>
+    </message>
+    <message>
+        <source>Forecast</source>
+        <translation>Prognose</translation>
+    </message>
+    <message>
+        <source>Where and when it gives a quantity, it replaces the constant one below.</source>
+        <translation>Hvor og når den giver en størrelse, erstatter den den faste nedenfor.</translation>
+    </message>
+    <message>
+        <source>Remove forecast</source>
+        <translation>Fjern prognose</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>tom</translation>
+    </message>
+    <message>
+        <source>%1; replaces %2</source>
+        <comment>time of issue, quantities</comment>
+        <translation>%1; erstatter %2</translation>
+    </message>
+    <message>
+        <source>%1; not used before the start (UTC) is set, then it replaces %2</source>
+        <comment>time of issue, quantities</comment>
+        <translation>%1; bruges først, når starten (UTC) er sat, og erstatter da %2</translation>
     </message>
 </context>
 <context>
@@ -5601,6 +5717,18 @@ Tilstødende område %4</translation>
         <source>Ice chart</source>
         <translation>Iskort</translation>
     </message>
+    <message>
+        <source>Forecast wind, full barb 10 kn</source>
+        <translation>Vind i prognosen, hel streg 10 kn</translation>
+    </message>
+    <message>
+        <source>Forecast wind</source>
+        <translation>Vind i prognosen</translation>
+    </message>
+    <message>
+        <source>Forecast current</source>
+        <translation>Strøm i prognosen</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -5922,6 +6050,10 @@ På kortet: %1</translation>
     <message>
         <source>Zeta ζ, %1</source>
         <translation>Zeta ζ, %1</translation>
+    </message>
+    <message>
+        <source>Wind and current</source>
+        <translation>Vind og strøm</translation>
     </message>
 </context>
 <context>
@@ -7830,6 +7962,81 @@ På kortet: %1</translation>
     </message>
 </context>
 <context>
+    <name>WeatherChart</name>
+    <message>
+        <source>Wind limit %1</source>
+        <translation>Vindgrænse %1</translation>
+    </message>
+    <message>
+        <source>Gust limit %1</source>
+        <translation>Vindstødsgrænse %1</translation>
+    </message>
+    <message>
+        <source>no wind</source>
+        <translation>ingen vind</translation>
+    </message>
+    <message>
+        <source>wind %1 from %2</source>
+        <translation>vind %1 fra %2</translation>
+    </message>
+    <message>
+        <source>gusts %1</source>
+        <translation>vindstød %1</translation>
+    </message>
+    <message>
+        <source>current %1 towards %2</source>
+        <translation>strøm %1 mod %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>ukendt</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>fra %1</translation>
+    </message>
+    <message>
+        <source>towards %1</source>
+        <translation>mod %1</translation>
+    </message>
+    <message>
+        <source>Forecast of wind and current</source>
+        <translation>Prognose for vind og strøm</translation>
+    </message>
+    <message>
+        <source>Wind and current</source>
+        <translation>Vind og strøm</translation>
+    </message>
+    <message>
+        <source>Wind, %1</source>
+        <translation>Vind, %1</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Vindstød</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strøm</translation>
+    </message>
+    <message>
+        <source>Current, %1</source>
+        <translation>Strøm, %1</translation>
+    </message>
+    <message>
+        <source>The forecast does not cover this run</source>
+        <translation>Prognosen dækker ikke denne flyvning</translation>
+    </message>
+    <message>
+        <source>Weather at %1: %2.</source>
+        <translation>Vejr kl. %1: %2.</translation>
+    </message>
+</context>
+<context>
     <name>WindText</name>
     <message>
         <source>No wind</source>
@@ -7860,6 +8067,26 @@ mod %2</translation>
     <message>
         <source>The small aircraft in the middle of a leg shows the heading flown there.</source>
         <translation>Det lille fly midt på en etape viser den kurs, der flyves der.</translation>
+    </message>
+    <message>
+        <source>reported</source>
+        <translation>meldt</translation>
+    </message>
+    <message>
+        <source>forecast</source>
+        <translation>prognose</translation>
+    </message>
+    <message>
+        <source>Gusts %1</source>
+        <translation>Vindstød %1</translation>
+    </message>
+    <message>
+        <source>UAVs fly in the wind that the crew has reported, and icebergs drift in the forecast.</source>
+        <translation>Dronerne flyver i den vind, som besætningen har meldt, og isbjergene driver i prognosen.</translation>
+    </message>
+    <message>
+        <source>Remove the forecast in the Inspector to set the wind yourself.</source>
+        <translation>Fjern prognosen i Egenskaber for selv at sætte vinden.</translation>
     </message>
 </context>
 <context>
@@ -10906,6 +11133,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <source>Ice chart</source>
         <translation>Iskort</translation>
     </message>
+    <message>
+        <source>Forecast wind</source>
+        <translation>Vind i prognosen</translation>
+    </message>
+    <message>
+        <source>Forecast current</source>
+        <translation>Strøm i prognosen</translation>
+    </message>
 </context>
 <context>
     <name>berg::LogRows</name>
@@ -11517,6 +11752,14 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Import ice c&amp;hart...</source>
         <translation>Imp&amp;ortér iskort...</translation>
+    </message>
+    <message>
+        <source>Forecast wind</source>
+        <translation>Vind i prognosen</translation>
+    </message>
+    <message>
+        <source>Forecast current</source>
+        <translation>Strøm i prognosen</translation>
     </message>
 </context>
 <context>

@@ -1849,6 +1849,32 @@
         <source>Autopilot mission: %1.</source>
         <translation>Mission de l&apos;autopilote : %1.</translation>
     </message>
+    <message>
+        <source>%1 from %2</source>
+        <comment>speed, direction</comment>
+        <translation>%1 du %2</translation>
+    </message>
+    <message>
+        <source>%1 towards %2</source>
+        <comment>speed, direction</comment>
+        <translation>%1 vers le %2</translation>
+    </message>
+    <message>
+        <source>Time, UTC</source>
+        <translation>Heure, UTC</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Rafales</translation>
+    </message>
+    <message>
+        <source>The forecast has no wind between %1 and %2: the plan uses the constant wind of the scenario.</source>
+        <translation>La prévision ne donne pas de vent entre %1 et %2 : le plan utilise le vent constant du scénario.</translation>
+    </message>
+    <message>
+        <source>The forecast was issued %1 h before the flight: look for a newer one.</source>
+        <translation>La prévision a été émise %1 h avant le vol : cherchez-en une plus récente.</translation>
+    </message>
 </context>
 <context>
     <name>FlightDrag</name>
@@ -1929,6 +1955,70 @@
     <message>
         <source>Makes little headway: wind %1, airspeed %2</source>
         <translation>Progresse peu : vent %1, vitesse air %2</translation>
+    </message>
+</context>
+<context>
+    <name>ForecastText</name>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>wind</source>
+        <translation>vent</translation>
+    </message>
+    <message>
+        <source>gusts</source>
+        <translation>rafales</translation>
+    </message>
+    <message>
+        <source>air temperature</source>
+        <translation>température de l&apos;air</translation>
+    </message>
+    <message>
+        <source>dew point</source>
+        <translation>point de rosée</translation>
+    </message>
+    <message>
+        <source>fog</source>
+        <translation>brouillard</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>visibilité</translation>
+    </message>
+    <message>
+        <source>cloud base</source>
+        <translation>base des nuages</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>courant</translation>
+    </message>
+    <message>
+        <source>unknown source</source>
+        <translation>source inconnue</translation>
+    </message>
+    <message>
+        <source>time of issue unknown</source>
+        <translation>heure d&apos;émission inconnue</translation>
+    </message>
+    <message>
+        <source>issued %1</source>
+        <translation>émise %1</translation>
+    </message>
+    <message>
+        <source>issued %1, %2 after the start</source>
+        <translation>émise %1, %2 après le départ</translation>
+    </message>
+    <message>
+        <source>issued %1, %2 before the start</source>
+        <translation>émise %1, %2 avant le départ</translation>
+    </message>
+    <message>
+        <source>Forecast of %1, %2</source>
+        <comment>source, time of issue</comment>
+        <translation>Prévision de %1, %2</translation>
     </message>
 </context>
 <context>
@@ -3150,6 +3240,32 @@ Zone adjacente %4</translation>
     <message>
         <source>Autopilot mission</source>
         <translation>Mission de l&apos;autopilote</translation>
+    </message>
+    <message>
+        <source>Forecast</source>
+        <translation>Prévision</translation>
+    </message>
+    <message>
+        <source>Where and when it gives a quantity, it replaces the constant one below.</source>
+        <translation>Là et quand elle donne une grandeur, elle remplace la valeur constante ci-dessous.</translation>
+    </message>
+    <message>
+        <source>Remove forecast</source>
+        <translation>Supprimer la prévision</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>vide</translation>
+    </message>
+    <message>
+        <source>%1; replaces %2</source>
+        <comment>time of issue, quantities</comment>
+        <translation>%1 ; remplace %2</translation>
+    </message>
+    <message>
+        <source>%1; not used before the start (UTC) is set, then it replaces %2</source>
+        <comment>time of issue, quantities</comment>
+        <translation>%1 ; inutilisée tant que le départ (UTC) n&apos;est pas fixé, puis remplace %2</translation>
     </message>
 </context>
 <context>
@@ -5601,6 +5717,18 @@ Zone adjacente %4</translation>
         <source>Ice chart</source>
         <translation>Carte des glaces</translation>
     </message>
+    <message>
+        <source>Forecast wind, full barb 10 kn</source>
+        <translation>Vent prévu, barbule 10 kn</translation>
+    </message>
+    <message>
+        <source>Forecast wind</source>
+        <translation>Vent prévu</translation>
+    </message>
+    <message>
+        <source>Forecast current</source>
+        <translation>Courant prévu</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -5922,6 +6050,10 @@ Sur la carte : %1</translation>
     <message>
         <source>Zeta ζ, %1</source>
         <translation>Zêta ζ, %1</translation>
+    </message>
+    <message>
+        <source>Wind and current</source>
+        <translation>Vent et courant</translation>
     </message>
 </context>
 <context>
@@ -7830,6 +7962,81 @@ Sur la carte : %1</translation>
     </message>
 </context>
 <context>
+    <name>WeatherChart</name>
+    <message>
+        <source>Wind limit %1</source>
+        <translation>Limite de vent %1</translation>
+    </message>
+    <message>
+        <source>Gust limit %1</source>
+        <translation>Limite de rafales %1</translation>
+    </message>
+    <message>
+        <source>no wind</source>
+        <translation>aucun vent</translation>
+    </message>
+    <message>
+        <source>wind %1 from %2</source>
+        <translation>vent %1 du %2</translation>
+    </message>
+    <message>
+        <source>gusts %1</source>
+        <translation>rafales %1</translation>
+    </message>
+    <message>
+        <source>current %1 towards %2</source>
+        <translation>courant %1 vers le %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>du %1</translation>
+    </message>
+    <message>
+        <source>towards %1</source>
+        <translation>vers le %1</translation>
+    </message>
+    <message>
+        <source>Forecast of wind and current</source>
+        <translation>Prévision du vent et du courant</translation>
+    </message>
+    <message>
+        <source>Wind and current</source>
+        <translation>Vent et courant</translation>
+    </message>
+    <message>
+        <source>Wind, %1</source>
+        <translation>Vent, %1</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vent</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Rafales</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Courant</translation>
+    </message>
+    <message>
+        <source>Current, %1</source>
+        <translation>Courant, %1</translation>
+    </message>
+    <message>
+        <source>The forecast does not cover this run</source>
+        <translation>La prévision ne couvre pas ce vol</translation>
+    </message>
+    <message>
+        <source>Weather at %1: %2.</source>
+        <translation>Météo à %1 : %2.</translation>
+    </message>
+</context>
+<context>
     <name>WindText</name>
     <message>
         <source>No wind</source>
@@ -7860,6 +8067,26 @@ vers le %2</translation>
     <message>
         <source>The small aircraft in the middle of a leg shows the heading flown there.</source>
         <translation>Le petit avion au milieu d&apos;un segment montre le cap qui y est suivi.</translation>
+    </message>
+    <message>
+        <source>reported</source>
+        <translation>signalé</translation>
+    </message>
+    <message>
+        <source>forecast</source>
+        <translation>prévu</translation>
+    </message>
+    <message>
+        <source>Gusts %1</source>
+        <translation>Rafales %1</translation>
+    </message>
+    <message>
+        <source>UAVs fly in the wind that the crew has reported, and icebergs drift in the forecast.</source>
+        <translation>Les drones volent dans le vent signalé par l&apos;équipage, et les icebergs dérivent selon la prévision.</translation>
+    </message>
+    <message>
+        <source>Remove the forecast in the Inspector to set the wind yourself.</source>
+        <translation>Supprimez la prévision dans Propriétés pour régler le vent vous-même.</translation>
     </message>
 </context>
 <context>
@@ -10906,6 +11133,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Ice chart</source>
         <translation>Carte des glaces</translation>
     </message>
+    <message>
+        <source>Forecast wind</source>
+        <translation>Vent prévu</translation>
+    </message>
+    <message>
+        <source>Forecast current</source>
+        <translation>Courant prévu</translation>
+    </message>
 </context>
 <context>
     <name>berg::LogRows</name>
@@ -11517,6 +11752,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Import ice c&amp;hart...</source>
         <translation>Importer une carte des &amp;glaces…</translation>
+    </message>
+    <message>
+        <source>Forecast wind</source>
+        <translation>Vent prévu</translation>
+    </message>
+    <message>
+        <source>Forecast current</source>
+        <translation>Courant prévu</translation>
     </message>
 </context>
 <context>

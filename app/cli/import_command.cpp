@@ -350,9 +350,9 @@ int importForecastFile(ImportArguments arguments)
 {
     const std::string at = std::exchange(arguments.at, {});
     if (isAboutSightings(arguments))
-        throw UsageError(
-            QT_TRANSLATE_NOOP("CommandLine", "--format forecast accepts only --into, --at, "
-                                             "--replace, --output, --force and --json"));
+        throw UsageError(QT_TRANSLATE_NOOP("CommandLine",
+                                           "--format forecast accepts only --into, --at, "
+                                           "--replace, --output, --force and --json"));
     return importForecast({.file = arguments.file,
                            .intoFile = arguments.intoFile,
                            .outputFile = arguments.outputFile,

@@ -155,6 +155,8 @@ std::vector<Command> Menus::mapCommands()
         {"backdropAction", tr("&Background map…"), [&p] { p.backdrop.choose(); }},
         {"sweptAction", tr("Swept ar&ea"), layer(MapLayer::Swept)},
         {"placesAction", tr("Place names"), layer(MapLayer::Places)},
+        {"windLayerAction", tr("Forecast wind"), layer(MapLayer::Wind)},
+        {"currentLayerAction", tr("Forecast current"), layer(MapLayer::Current)},
         {"truthAction", tr("S&how true positions"),
          tr("Shows the true positions of the icebergs beside the estimates. When "
             "off, the map shows only what an operator would see."),

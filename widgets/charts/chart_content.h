@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/geometry.h"
 #include "widgets/theme/mission_clock.h"
 
 #include <QList>
@@ -20,7 +21,10 @@ enum class LineRole
     Signed,      ///< a signed reading such as the turn rate
     Sigma,       ///< sigma of one iceberg, coloured by its value
     Bound,       ///< lower bound; no line falls below it
-    Uav          ///< line of one UAV of a fleet, in its colour
+    Uav,         ///< line of one UAV of a fleet, in its colour
+    Wind,
+    Gust, ///< dashed, in the colour of the wind
+    Current
 };
 
 /** Emphasis relative to the other lines. */
@@ -44,6 +48,8 @@ struct TimeLine
     int uav = 0;   ///< index in the scenario, for `LineRole::Uav`
     LineEmphasis emphasis = LineEmphasis::None;
     bool hidden = false;
+    /** Whether it continues the line before it after a gap; it has that line's key and name. */
+    bool isContinued = false;
 
     /** Name in lists and readouts. */
     [[nodiscard]] const QString& shownName() const { return name ? *name : label; }
@@ -58,12 +64,30 @@ struct ReferenceLine
     QString label;
 };
 
+/** Velocity at a time, towards east and north. */
+struct TimeVelocity
+{
+    double time_s = 0;
+    Point velocity_mps = Point::Zero();
+};
+
+/** Velocities of the weather, whose directions a chart shows; times rise. */
+struct TimeDirections
+{
+    std::vector<TimeVelocity> wind;    ///< shown as barbs
+    std::vector<TimeVelocity> current; ///< shown as arrows on its line
+    bool isSouthern = false;           ///< barbs are those of the southern hemisphere
+
+    /** Direction of a line at a time, such as "from 245°"; empty if it has none. */
+    [[nodiscard]] QString textAt(LineRole role, double time_s) const;
+};
+
 /** Content of a chart over time, as plain values. */
 struct TimeChartContent
 {
     QString title;
     QString leftTitle;  ///< quantity and unit
-    QString rightTitle; ///< with %1 for the unit of zeta; empty without a right axis
+    QString rightTitle; ///< with %1 for the unit of zeta, if it is; empty without a right axis
     double duration_s = 1000;
     MissionClock clock; ///< formats the times
     std::vector<TimeLine> lines;
@@ -71,10 +95,12 @@ struct TimeChartContent
     std::vector<ReferenceLine> references;
     std::vector<double> marks_s; ///< times of small ticks below the plot, e.g. visits
     QString marksTitle;
-    double sigmaFull_m2 = 10;       ///< end of the colour scale for `LineRole::Sigma`
-    std::optional<double> cursor_s; ///< past instant being viewed
-    QString emptyText;              ///< shown if no line has a point
-    QString summary;                ///< newest values in a sentence, for screen readers
+    TimeDirections directions;
+    std::optional<double> followed_s; ///< end of the window that follows; nullopt: `duration_s`
+    double sigmaFull_m2 = 10;         ///< end of the colour scale for `LineRole::Sigma`
+    std::optional<double> cursor_s;   ///< instant being viewed
+    QString emptyText;                ///< shown if no line has a point
+    QString summary;                  ///< newest values in a sentence, for screen readers
 };
 
 } // namespace berg

@@ -13,13 +13,16 @@ double roleWidth_px(LineRole role)
     case LineRole::Accumulated:
         return 2.4;
     case LineRole::Momentary:
+    case LineRole::Wind:
         return 1.8;
     case LineRole::Weighted:
     case LineRole::Signed:
     case LineRole::Sigma:
     case LineRole::Uav:
+    case LineRole::Current:
         return 1.5;
     case LineRole::Bound:
+    case LineRole::Gust:
         return 1.2;
     }
     return kThin_px;
@@ -53,7 +56,11 @@ Ink lineInk(const TimeLine& line, double sigmaFull_m2)
     case LineRole::Momentary:
     case LineRole::Weighted:
     case LineRole::Signed:
+    case LineRole::Wind:
+    case LineRole::Gust:
         return {.of = InkOf::Momentary};
+    case LineRole::Current:
+        return {.of = InkOf::Plan};
     case LineRole::Sigma:
         return sigmaInk(line.points.empty() ? 0 : line.points.back().y(), sigmaFull_m2);
     case LineRole::Bound:
@@ -69,6 +76,11 @@ double lineWidth_px(const TimeLine& line, bool crowded)
     const bool isThin = crowded && line.emphasis != LineEmphasis::Strong &&
                         line.role != LineRole::Accumulated; // this line is smooth and readable
     return isThin ? kThin_px : width_px(line);
+}
+
+bool isDashed(LineRole role)
+{
+    return role == LineRole::Weighted || role == LineRole::Gust;
 }
 
 bool isCrowded(qsizetype segments)

@@ -22,6 +22,9 @@ inline constexpr double kAreaInk = 0.12;
 /** Width of a line; if `crowded`, all but emphasised and main lines are thin. */
 [[nodiscard]] double lineWidth_px(const TimeLine& line, bool crowded);
 
+/** Returns whether lines of this role are dashed. */
+[[nodiscard]] bool isDashed(LineRole role);
+
 /** Returns whether there are so many segments that lines must be thin. */
 [[nodiscard]] bool isCrowded(qsizetype segments);
 

@@ -1,6 +1,7 @@
 #include "widgets/charts/mission_charts.h"
 
 #include "widgets/charts/uav_charts.h"
+#include "widgets/charts/weather_chart.h"
 #include "widgets/flight/sigma_end.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
@@ -33,6 +34,7 @@ constexpr std::array<ChartKindNames, kChartKinds.size()> kKindNames{{
     {QT_TRANSLATE_NOOP("MissionCharts", "Distance flown"), "distance"},
     {QT_TRANSLATE_NOOP("MissionCharts", "Turn rate"), "turn-rate"},
     {QT_TRANSLATE_NOOP("MissionCharts", "Cross-track error"), "cross-track"},
+    {QT_TRANSLATE_NOOP("MissionCharts", "Wind and current"), "weather"},
 }};
 
 std::vector<double> visitTimes_s(const FlightRecord& record)
@@ -239,6 +241,9 @@ TimeChartContent emptyChart(ChartKind kind, const FlightRecord& record, const QL
     case ChartKind::CrossTrack:
         fillCrossTrack(content, record, locale);
         break;
+    case ChartKind::Weather:
+        fillWeather(content, record, locale);
+        break;
     }
     return content;
 }
@@ -267,6 +272,8 @@ std::optional<double> chartValue(ChartKind kind, const FlightRecord& record, std
     case ChartKind::TurnRate:
     case ChartKind::CrossTrack:
         return uavChartValue(kind, sample, line);
+    case ChartKind::Weather: // has its own points
+        return std::nullopt;
     }
     return std::nullopt;
 }

@@ -18,11 +18,12 @@ enum class ChartKind
     Distance,   ///< distance through the air, total and per UAV
     TurnRate,   ///< turn rate of each UAV, with its limits
     CrossTrack, ///< path following error of each UAV
+    Weather,    ///< wind, gusts and current over the whole run
 };
 /** All kinds, in their order. */
-inline constexpr std::array kChartKinds = {ChartKind::Zeta,     ChartKind::MeanSigma,
-                                           ChartKind::Sigma,    ChartKind::Distance,
-                                           ChartKind::TurnRate, ChartKind::CrossTrack};
+inline constexpr std::array kChartKinds = {
+    ChartKind::Zeta,     ChartKind::MeanSigma,  ChartKind::Sigma,  ChartKind::Distance,
+    ChartKind::TurnRate, ChartKind::CrossTrack, ChartKind::Weather};
 
 /** Returns whether the record has more than the instant of take-off. */
 [[nodiscard]] bool hasFlown(const FlightRecord& record);
@@ -34,8 +35,9 @@ inline constexpr std::array kChartKinds = {ChartKind::Zeta,     ChartKind::MeanS
 
 /**
  * Chart without points, which `chartValue` supplies: titles, lines with names and columns, limits,
- * visits as marks. There are no lines before the flight. The lower bound on zeta, if known, is the
- * last line and has its points, over the whole run.
+ * visits as marks. There are no lines before the flight, except those of the weather. The lower
+ * bound on zeta, if known, is the last line. It and the lines of the weather have their points,
+ * over the whole run.
  */
 [[nodiscard]] TimeChartContent emptyChart(ChartKind kind, const FlightRecord& record,
                                           const QLocale& locale);

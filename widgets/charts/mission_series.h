@@ -38,6 +38,8 @@ public:
     [[nodiscard]] CellSheet values(const TimeChartContent& content, const QLocale& locale) const;
 
 private:
+    [[nodiscard]] std::vector<double> rowTimes_s(const TimeChartContent& content) const;
+
     ChartKind m_kind;
     std::uint64_t m_generation = 0;
     std::uint64_t m_rewrites = 0;

@@ -197,7 +197,13 @@ void TimeChart::setAxes()
 {
     const auto set = [](QValueAxis& axis, const PlotScale& scale) {
         axis.setTickInterval(scale.step);
-        axis.setRange(scale.from, scale.to);
+        // Qt's axes have no free space at their ends.
+        const double high = scale.high_px == scale.to_px
+                                ? scale.to
+                                : scale.from + (scale.to - scale.from) *
+                                                   (scale.high_px - scale.from_px) /
+                                                   (scale.to_px - scale.from_px);
+        axis.setRange(scale.from, high);
     };
     set(*m_left, m_figure.drawing.y);
     set(*m_right, m_figure.drawing.right);
@@ -250,7 +256,7 @@ void TimeChart::styleLine(std::size_t index, const QBrush& bySigma, Qt::PenCapSt
     if (line.emphasis == LineEmphasis::Faint)
         colour.setAlphaF(static_cast<float>(kFaintInk));
     const QBrush brush = line.role == LineRole::Sigma && m_gradients ? bySigma : QBrush(colour);
-    const Qt::PenStyle style = line.role == LineRole::Weighted ? Qt::DashLine : Qt::SolidLine;
+    const Qt::PenStyle style = isDashed(line.role) ? Qt::DashLine : Qt::SolidLine;
     const LineSeries& series = m_series[index];
     series.line->setPen(QPen(brush, lineWidth_px(line, m_plain), style, cap, Qt::RoundJoin));
     if (series.area == nullptr)

@@ -75,9 +75,9 @@ public:
     [[nodiscard]] const TimeChartContent& content() const { return m_content; }
 
     /** Time range in view. */
-    [[nodiscard]] TimeWindow window() const { return windowFor(m_content.duration_s); }
-    /** Time range that would be in view for a content of that length. */
-    [[nodiscard]] TimeWindow windowFor(double duration_s) const;
+    [[nodiscard]] TimeWindow window() const { return windowFor(m_content); }
+    /** Time range that would be in view for a content. */
+    [[nodiscard]] TimeWindow windowFor(const TimeChartContent& content) const;
     /** Number of pixel columns that lines should be decimated to. */
     [[nodiscard]] int columns() const;
     [[nodiscard]] bool isZoomed() const { return m_zoom.has_value(); }

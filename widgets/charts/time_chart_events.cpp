@@ -22,14 +22,14 @@ constexpr double kPlotEdge_px = 4;   // tolerance for presses beside the plot
 
 } // namespace
 
-TimeWindow TimeChart::windowFor(double duration_s) const
+TimeWindow TimeChart::windowFor(const TimeChartContent& content) const
 {
-    const double end_s = std::max(kShortest_s, duration_s);
     if (!m_zoom)
-        return {.from_s = 0, .to_s = end_s};
-    if (m_following)
-        return {.from_s = std::max(0.0, end_s - m_zoom->length_s()), .to_s = end_s};
-    return *m_zoom;
+        return {.from_s = 0, .to_s = std::max(kShortest_s, content.duration_s)};
+    if (!m_following)
+        return *m_zoom;
+    const double end_s = std::max(kShortest_s, content.followed_s.value_or(content.duration_s));
+    return {.from_s = std::max(0.0, end_s - m_zoom->length_s()), .to_s = end_s};
 }
 
 void TimeChart::changeWindow()

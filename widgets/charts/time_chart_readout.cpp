@@ -120,7 +120,8 @@ void TimeChart::readAll(ChartReadout& readout, double time_s) const
 
 ShownUnit TimeChart::unitOf(const TimeLine& line) const
 {
-    return line.onRightAxis ? zetaUnit(m_figure.axisOf(line).to) : ShownUnit{.name = line.unit};
+    return line.onRightAxis && line.role != LineRole::Current ? zetaUnit(m_figure.axisOf(line).to)
+                                                              : ShownUnit{.name = line.unit};
 }
 
 QString TimeChart::valueText(const TimeLine& line, double value) const
@@ -150,10 +151,12 @@ ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double mi
     if (line.role == LineRole::Sigma)
         flag.colour = inkColour(sigmaInk(value.y(), m_content.sigmaFull_m2), m_theme);
     flag.text = flag.name + u' ' + flag.value;
-    if (!line.unit.isEmpty()) {
+    if (!line.unit.isEmpty())
         flag.unit = unitOf(line).name;
+    const QString direction = m_content.directions.textAt(line.role, value.x());
+    flag.unit = (flag.unit + u' ' + direction).trimmed();
+    if (!flag.unit.isEmpty())
         flag.text += u' ' + flag.unit;
-    }
     const double width_px = QFontMetricsF(m_theme.small()).horizontalAdvance(flag.text) + 10;
     flag.rect = QRectF(0, middle_px - kFlagHeight_px / 2, width_px, kFlagHeight_px);
     return flag;

@@ -4,11 +4,14 @@
 #include "widgets/charts/figure_painter.h"
 #include "widgets/charts/figure_text.h"
 #include "widgets/charts/line_style.h"
+#include "widgets/charts/weather_marks.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+
+using namespace Qt::StringLiterals;
 
 namespace berg {
 namespace {
@@ -106,9 +109,11 @@ void addAxes(TimeFigure& time, const TimeChartContent& content, const TimeFigure
     figure.leftTitles = {utf8(content.leftTitle)};
     if (hasRightAxis(content)) {
         figure.right = valueAxis(time, content, style.locale, true);
-        const ShownUnit unit = zetaUnit(figure.right->largest);
+        const bool isZeta = content.rightTitle.contains(u"%1"_s);
+        const ShownUnit unit = isZeta ? zetaUnit(figure.right->largest) : ShownUnit();
         figure.right->inUnit = unit.inSi;
-        figure.rightTitles = {utf8(content.rightTitle.arg(unit.name))};
+        figure.rightTitles = {
+            utf8(isZeta ? content.rightTitle.arg(unit.name) : content.rightTitle)};
     }
     const auto inkOf = [&](bool onRightAxis) {
         for (const TimeLine& line : content.lines)
@@ -139,7 +144,7 @@ void addLine(Figure& figure, const TimeLine& line, const QList<QPointF>& drawn, 
                  .width_px = lineWidth_px(line, crowded),
                  .onRightAxis = line.onRightAxis,
                  .key = utf8(line.key)};
-    if (line.role == LineRole::Weighted)
+    if (isDashed(line.role))
         out.dash_px = {4 * out.width_px, 2 * out.width_px};
     if (crowded && line.role == LineRole::Sigma)
         out.ink.strength = kFaintInk;
@@ -174,6 +179,8 @@ void addNames(TimeFigure& time, const TimeChartContent& content)
         std::sort(order.begin(), order.end());
     for (const std::size_t i : order) {
         const TimeLine& line = content.lines[i];
+        if (line.isContinued)
+            continue;
         time.figure.labels.push_back({.text = utf8(line.label),
                                       .shortText = utf8(line.name.value_or(QString())),
                                       .end = {ends[i]->x(), ends[i]->y()},
@@ -283,6 +290,7 @@ TimeFigure timeFigure(const TimeChartContent& content, const TimeFigureStyle& st
         if (style.hasNames)
             addNames(time, content);
         addMarks(time, content);
+        addWeatherMarks(time, content, style.size_px);
     } else {
         time.figure.emptyText = utf8(content.emptyText);
     }

@@ -87,13 +87,33 @@ std::vector<AimedPath> pathsAfter(const FlightRecord& record, const Plan& plan, 
     return after(pathsOf(*plan.of(uav), pose, plan.time_s, record.shown().motions.at(k)), time_s);
 }
 
+std::ptrdiff_t windReports(const MissionSnapshot& snapshot)
+{
+    return std::ranges::count_if(snapshot.worldChanges, [](const Intervention& change) {
+        return change.wind_mps.has_value();
+    });
+}
+
 } // namespace
+
+void FlightRecord::noteWeather()
+{
+    weather = std::make_shared<const WeatherCourse>(courseOf(scenario, now.worldChanges));
+}
+
+std::shared_ptr<const WeatherCourse> weatherOfRun(const FlightRecord& record)
+{
+    return record.weather ? record.weather
+                          : std::make_shared<const WeatherCourse>(
+                                courseOf(record.scenario, record.now.worldChanges));
+}
 
 void FlightRecord::begin(const Scenario& flown)
 {
     const std::uint64_t rewrites = history.rewrites;
     *this = FlightRecord{.scenario = flown, .bound = std::move(bound)};
     history.rewrites = rewrites + 1;
+    noteWeather();
 }
 
 void FlightRecord::accept(MissionSnapshot snapshot)
@@ -103,7 +123,11 @@ void FlightRecord::accept(MissionSnapshot snapshot)
         instant.reset();
     }
     append(history, std::exchange(snapshot.news, {}));
+    const bool hasOtherWeather = snapshot.generation != now.generation || !weather ||
+                                 windReports(snapshot) != windReports(now);
     now = std::move(snapshot);
+    if (hasOtherWeather)
+        noteWeather();
     if (!inFlight())
         noteStartPlan();
 }
@@ -226,6 +250,7 @@ FlightRecord recordOf(const Mission& mission)
         history.rows.push_back(rows.at(row));
     history.plans = mission.plans();
     history.events = mission.events();
+    record.noteWeather();
     return record;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/bound/zeta_bound.h"
 #include "widgets/flight/mission_snapshot.h"
+#include "widgets/flight/weather_course.h"
 #include "widgets/theme/mission_clock.h"
 
 #include <QString>
@@ -55,6 +56,8 @@ struct FlightRecord
     MissionHistory history;
     std::optional<StartPlan> startPlan;
     KnownBound bound; ///< bound for the scenario as at take-off
+    /** Weather over the run; null until `noteWeather`. */
+    std::shared_ptr<const WeatherCourse> weather;
 
     /** Returns the snapshot to draw. */
     [[nodiscard]] const MissionSnapshot& shown() const { return instant ? *instant : now; }
@@ -63,6 +66,8 @@ struct FlightRecord
     void begin(const Scenario& flown);
     /** Adds a snapshot; one of a new generation restarts the history. */
     void accept(MissionSnapshot snapshot);
+    /** Sets `weather` for the scenario and the winds reported so far. */
+    void noteWeather();
 
     /** Returns whether the flight is flying, paused or finished, so that the scenario is locked. */
     [[nodiscard]] bool inFlight() const;
@@ -91,6 +96,9 @@ private:
 
 /** Returns the complete record of a mission. */
 [[nodiscard]] FlightRecord recordOf(const Mission& mission);
+
+/** Returns the weather of the record, computed if it has none yet. */
+[[nodiscard]] std::shared_ptr<const WeatherCourse> weatherOfRun(const FlightRecord& record);
 
 /** Returns a formatter of times relative to the instant shown. */
 [[nodiscard]] TimesAhead timesOf(const FlightRecord& record);

@@ -276,11 +276,13 @@ BriefContent briefContent(const ExportContent& content, const QLocale& locale)
                        .planning = planningFacts(content, locale),
                        .uavs = uavRows(content, locale),
                        .sorties = sortieRows(content),
+                       .weather = briefWeather(content, locale),
                        .captions = briefCaptions(content),
                        .routes = {},
                        .warnings = briefWarnings(content, locale),
                        .notes = printable(content.scenario->notes),
                        .foot = footText(content.what)};
+    brief.warnings = brief.weather.warnings + brief.warnings;
     for (std::size_t uav = 0; uav < content.uavs.size(); ++uav)
         if (BriefRoute route = briefRoute(content, uav, locale); route.rows.size() > 1)
             brief.routes.push_back(std::move(route));

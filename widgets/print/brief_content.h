@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/print/brief_table.h"
+#include "widgets/print/brief_weather.h"
 
 #include <QStringList>
 
@@ -25,6 +26,7 @@ struct BriefContent
     std::vector<QStringList> uavs;   ///< captions, then a row per UAV; all rows have equal length
     std::vector<QStringList>
         sorties;                    ///< endurance and radio contact, in the same form; may be empty
+    BriefWeather weather;           ///< forecast over the flight
     BriefCaptions captions;         ///< captions of the route tables
     std::vector<BriefRoute> routes; ///< at least one; in a fleet only UAVs that fly
     QStringList warnings;           ///< most important first

@@ -230,6 +230,9 @@ std::string briefHtml(const BriefContent& content, const BriefFit& fit,
                        uavTableHtml(content.uavs, width_px);
     if (!content.sorties.empty())
         page += uavTableHtml(content.sorties, width_px);
+    if (!content.weather.rows.empty())
+        page += uavTableHtml(content.weather.rows, width_px) +
+                inElement("p class=\"foot\"", htmlWithin(content.weather.source, width_px));
     page += pictureHtml("map", {width_px, fit.map_px}) +
             RouteTables(content, fit, colours, width_px).html() +
             warningsHtml(content.warnings, fit.warningLines, width_px);

@@ -12,8 +12,8 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 
-#include <array>
 #include <memory>
+#include <vector>
 
 using namespace Qt::StringLiterals;
 
@@ -22,8 +22,7 @@ namespace {
 
 constexpr QSize kPage_px(1120, 980);
 constexpr double kHead_px = 60;
-constexpr double kChart_px = (980 - kHead_px) / 2; // height
-constexpr int kTitle_px = 18;                      // font size
+constexpr int kTitle_px = 18; // font size
 
 struct ChartPageText
 {
@@ -37,6 +36,12 @@ struct ChartSheet
     QString subtitle;
     Theme theme = Theme::light();
     std::vector<TimeFigure> charts; ///< from top to bottom
+
+    /** Returns the height of a chart when there are so many. */
+    [[nodiscard]] static double chart_px(std::size_t count)
+    {
+        return (kPage_px.height() - kHead_px) / static_cast<double>(count);
+    }
 };
 
 void paintHead(QPainter& painter, const ChartSheet& sheet)
@@ -64,7 +69,7 @@ void paintSheet(QPainter& painter, const ChartSheet& sheet)
     painter.translate(0, kHead_px);
     for (const TimeFigure& chart : sheet.charts) {
         paintDrawing(painter, chart.drawing, sheet.theme);
-        painter.translate(0, kChart_px);
+        painter.translate(0, ChartSheet::chart_px(sheet.charts.size()));
     }
 }
 
@@ -82,14 +87,19 @@ PicturePage chartPage(const ExportContent& content, const QLocale& locale)
                          .arg(MissionClock{.start = content.start}.text(content.now_s)),
                      locale);
     const FlightRecord record = recordOf(*content.mission);
-    std::array contents{missionChart(ChartKind::Zeta, record, locale),
-                        missionChart(ChartKind::Sigma, record, locale)};
+    std::vector contents{missionChart(ChartKind::Zeta, record, locale),
+                         missionChart(ChartKind::Sigma, record, locale)};
+    if (usableForecast(record.scenario) != nullptr) {
+        contents.push_back(missionChart(ChartKind::Weather, record, locale));
+        contents.back().cursor_s.reset(); // the cursor belongs to the screen only
+    }
     for (TimeLine& line : contents[1].lines)
         line.label = printable(line.label); // labels are names, which may contain any character
     for (TimeChartContent& chart : contents)
         chart.emptyText = ChartPageText::tr("Nothing was flown");
     sheet->charts =
-        documentCharts(contents, sheet->theme, QSizeF(kPage_px.width(), kChart_px), locale);
+        documentCharts(contents, sheet->theme,
+                       QSizeF(kPage_px.width(), ChartSheet::chart_px(contents.size())), locale);
     return {.size_px = kPage_px,
             .title = sheet->title,
             .description = contents[0].summary + u' ' + contents[1].summary,

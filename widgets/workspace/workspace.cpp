@@ -137,6 +137,7 @@ void Workspace::planAgain()
         m_runs.showWorld(m_document.scenario());
     }
     m_record.scenario = m_document.scenario();
+    m_record.noteWeather();
     m_tauWanted.reset();
     m_placed.clear();
     m_playBack.stop();

@@ -23,16 +23,17 @@ enum class MapLayer : std::uint8_t
     Backdrop,
     Compared, ///< track of the compared run
     Places,   ///< names of the gazetteer
-    IceChart  ///< last, because settings store layers by number
+    IceChart,
+    Wind,   ///< barbs of the forecast
+    Current ///< arrows of the forecast; new layers are last: settings store them by number
 };
-inline constexpr std::size_t kMapLayers = 11;
+inline constexpr std::size_t kMapLayers = 13;
 
 /** Opacity of each layer, the user's backdrop, and the horizon of drift arrows. */
 struct MapLayers
 {
-    /** By `MapLayer`, from 0 (hidden) to 1; the backdrop and the ice chart are faint by default.
-     */
-    std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1, 1, 0.5, 1, 1, 0.6};
+    /** By `MapLayer`, from 0 (hidden) to 1; the backdrop and the ice chart are faint by default. */
+    std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1, 1, 0.5, 1, 1, 0.6, 1, 1};
     BackdropPointer backdrop; ///< null if there is none
     /** Horizon of drift arrows; nullopt chooses one that gives them a readable length. */
     std::optional<double> horizon_s;

@@ -389,6 +389,7 @@ MapContinuity continuityOf(const MapPicture& picture, const MapLayout& layout)
 {
     MapContinuity continuity{.labels = {},
                              .crowding = layout.density.crowding(),
+                             .weather = layout.weather,
                              .legend_px = layout.legend.size(),
                              .isLegendCompact = layout.isLegendCompact};
     for (std::size_t i = 0; i < picture.icebergs.size(); ++i) {
@@ -423,6 +424,7 @@ MapLayout arrangeMap(const MapPicture& picture, const MapStyle& style, const QRe
     layout.labels = labelsOf(layout, picture, style, continuity);
     if (style.layers.shows(MapLayer::Places))
         layout.places = placeNamesOn(layout, picture, style.theme);
+    layout.weather = weatherMarksIn(picture, layout.view, rect, continuity.weather);
     return layout;
 }
 

@@ -3,6 +3,7 @@
 #include "widgets/map/paint/label_placement.h"
 #include "widgets/map/paint/map_density.h"
 #include "widgets/map/paint/map_overlays.h"
+#include "widgets/map/paint/map_weather_layer.h"
 #include "widgets/map/paint/place_names.h"
 
 #include <QHash>
@@ -37,6 +38,7 @@ struct MapLayout
     std::vector<QRectF> uavLabels;   ///< by UAV; null without a label
     std::vector<PlacedLabel> labels; ///< id with order number, by iceberg; null if out of sight
     std::vector<MapPlaceName> places;
+    MapWeatherMarksPointer weather; ///< null without a forecast
 
     /** Returns the rectangles of all panels and icons shown, which labels avoid. */
     [[nodiscard]] std::vector<QRectF> overlays() const;
@@ -81,6 +83,7 @@ struct MapContinuity
     /** Horizon of drift arrows to keep, instead of one that suits the fastest iceberg. */
     std::optional<double> driftTime_s;
     MapCrowding crowding{};
+    MapWeatherMarksPointer weather; ///< kept while forecast and view are the same
     QSizeF legend_px; ///< smallest legend in flight, so that changes move nothing
     bool isLegendCompact = false;
 };

@@ -6,6 +6,7 @@
 #include "widgets/map/paint/map_paths.h"
 #include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/paint/map_symbols.h"
+#include "widgets/map/paint/map_weather_layer.h"
 #include "widgets/map/picture/ice_picture.h"
 #include "widgets/map/picture/route_colours.h"
 #include "widgets/theme/painter_state.h"
@@ -376,6 +377,25 @@ void addPermitRows(RowList& rows, const MapPicture& picture, const Theme& theme,
          MapLegend::tr("Adjacent area"));
 }
 
+/** Explains the marks of a forecast; the barb is one of 15 kn. */
+void addWeatherRows(RowList& rows, const MapPicture& picture, const Theme& theme,
+                    const MapLayers& layers)
+{
+    const MapWeather* weather = picture.weather.get();
+    const bool isSouthern = weather != nullptr && weather->isSouthern();
+    rows.add(weather != nullptr && weather->givesWind() && layers.shows(MapLayer::Wind),
+             MapLegend::tr("Forecast wind, full barb 10 kn"), MapLegend::tr("Forecast wind"),
+             [&theme, isSouthern](QPainter& p, const QRectF& r) {
+                 drawWindBarb(p, r.center() + QPointF(11, isSouthern ? -3 : 3), Point(7.7, 0),
+                              isSouthern, theme);
+             });
+    rows.add(weather != nullptr && weather->givesCurrent() && layers.shows(MapLayer::Current),
+             MapLegend::tr("Forecast current"), MapLegend::tr("Forecast current"),
+             [&theme](QPainter& p, const QRectF& r) {
+                 drawCurrentArrow(p, r.center(), Point(0.4, 0), theme);
+             });
+}
+
 void addPlaceRows(RowList& rows, const MapPicture& picture, const Theme& theme,
                   const MapLayers& layers)
 {
@@ -423,6 +443,7 @@ std::vector<LegendRow> legendRows(const MapPicture& picture, const MapStyle& sty
     addIcebergRows(rows, picture, style);
     addFleetRows(rows, picture, theme);
     addPathRows(rows, picture, theme, style.layers);
+    addWeatherRows(rows, picture, theme, style.layers);
     addPlaceRows(rows, picture, theme, style.layers);
     addIceRows(rows, picture, style);
     rows.add(scale.showsDots, MapLegend::tr("Close together: dot or number"),

@@ -11,6 +11,7 @@
 #include "widgets/map/paint/map_sprites.h"
 #include "widgets/map/paint/map_surroundings.h"
 #include "widgets/map/paint/map_symbols.h"
+#include "widgets/map/paint/map_weather_layer.h"
 #include "widgets/map/paint/wind_panel.h"
 #include "widgets/map/picture/route_colours.h"
 #include "widgets/theme/icons.h"
@@ -333,6 +334,7 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     const MapPaint p(painter, frame);
     const MapLayers& layers = frame.style.layers;
     withOpacity(p, layers.opacity(MapLayer::Places), [&] { paintPlaceNames(p); });
+    paintMapWeather(p);
     paintArea(p);
     AreaNames names(p);
     paintClosedAreas(p, names);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/map/paint/swept_mask.h"
+#include "widgets/map/picture/swept_mask.h"
 
 class QPainter;
 

@@ -57,6 +57,14 @@ QStringList currentLines(const MapAir& air, const QLocale& locale)
         .split(u'\n');
 }
 
+/** Origin of the wind in a word; empty without a forecast. */
+QStringList originLines(const MapAir& air)
+{
+    if (air.forecast.isEmpty())
+        return {};
+    return {air.isReported ? WindText::tr("reported") : WindText::tr("forecast")};
+}
+
 double widest_px(const QStringList& lines, const QFontMetricsF& metrics)
 {
     double width_px = 0;
@@ -84,7 +92,9 @@ QPointF dialCentre(const QRectF& panel)
 /** Screen vector on the dial of a velocity. */
 QPointF onDial(const Point& velocity_mps, const MapAir& air)
 {
-    return QPointF(velocity_mps.x(), -velocity_mps.y()) * (kDial_px / air.limit_mps);
+    // A forecast may exceed the airspeed.
+    const double full_mps = std::max(air.limit_mps, velocity_mps.norm());
+    return QPointF(velocity_mps.x(), -velocity_mps.y()) * (kDial_px / full_mps);
 }
 
 void paintDial(QPainter& painter, const QPointF& centre, const MapStyle& style)
@@ -127,7 +137,10 @@ QSizeF windPanelSize(const MapAir& air, const MapStyle& style)
     // Uses the longest texts, so that the panel keeps its size while the wind is dragged.
     const MapAir fastest{.wind_mps = {air.limit_mps, 0}, .limit_mps = air.limit_mps};
     const double wind_px = widest_px(windLines(fastest, style.locale), metrics);
-    QSizeF size(std::max(2 * kDial_px, wind_px), 2 * kDial_px + kTextGap_px + 2 * metrics.height());
+    const QStringList origin = originLines(air);
+    QSizeF size(std::max({2 * kDial_px, wind_px, widest_px(origin, metrics)}),
+                2 * kDial_px + kTextGap_px +
+                    (2 + static_cast<double>(origin.size())) * metrics.height());
     if (const QStringList current = currentLines(air, style.locale); !current.isEmpty())
         size = {
             std::max(size.width(), kCurrentArrow_px + kTextGap_px + widest_px(current, metrics)),
@@ -152,7 +165,11 @@ void paintWindPanel(QPainter& painter, const QRectF& rect, const MapAir& air, co
     double top = centre.y() + kDial_px + kTextGap_px;
     painter.setPen(theme.text);
     drawLines(painter, windLines(air, style.locale), left, right, top);
-    top += 2 * line_px + kCurrentGap_px;
+    top += 2 * line_px;
+    painter.setPen(theme.mutedText);
+    const QStringList origin = originLines(air);
+    drawLines(painter, origin, left, right, top);
+    top += static_cast<double>(origin.size()) * line_px + kCurrentGap_px;
     const QStringList current = currentLines(air, style.locale);
     if (current.isEmpty())
         return;
@@ -192,8 +209,17 @@ QString windText(const MapAir& air, const QLocale& locale)
 QString windToolTip(const MapAir& air, const QLocale& locale)
 {
     QStringList lines{windText(air, locale)};
+    if (air.gust_mps)
+        lines << WindText::tr("Gusts %1").arg(fixedSpeedText(*air.gust_mps, 1, locale));
     if (const QStringList current = currentLines(air, locale); !current.isEmpty())
         lines << current.join(u' ');
+    if (!air.forecast.isEmpty())
+        lines << air.forecast + u'.';
+    if (air.isReported)
+        lines << WindText::tr("UAVs fly in the wind that the crew has reported, and icebergs drift "
+                              "in the forecast.");
+    if (air.isFixed)
+        lines << WindText::tr("Remove the forecast in the Inspector to set the wind yourself.");
     lines << WindText::tr("The arrow points downwind. The ring is the airspeed of the slowest UAV "
                           "(%1); beyond the dashed ring UAVs make little headway.")
                  .arg(speedText(air.limit_mps, locale));

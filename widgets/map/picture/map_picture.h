@@ -7,6 +7,7 @@
 #include "core/scenario/ice_chart.h"
 #include "core/tracking/observer.h"
 #include "widgets/map/picture/map_live.h"
+#include "widgets/map/picture/map_weather.h"
 #include "widgets/theme/mission_clock.h"
 
 #include <QString>
@@ -53,12 +54,16 @@ struct MapUav
     bool isAloft = true;
 };
 
-/** Wind and current of the whole map. */
+/** Wind and current of the flight. */
 struct MapAir
 {
     Point wind_mps = Point::Zero();
     Point current_mps = Point::Zero();
     double limit_mps = 0; ///< airspeed of the slowest UAV; wind must be below it. Zero without UAVs
+    std::optional<double> gust_mps{};
+    QString forecast{};      ///< source and issue of the forecast; empty without one
+    bool isReported = false; ///< the crew has reported the wind, in place of the forecast's
+    bool isFixed = false;    ///< a forecast decides the wind, so that it cannot be dragged
 };
 
 /** A point of a flown track. */
@@ -207,6 +212,7 @@ struct MapPicture
     std::optional<MapAsset> asset;
     std::optional<MapStation> station;
     MapAir air;
+    MapWeatherPointer weather; ///< forecast at the time shown; null without one
     MapLive live;
     bool hidesTruth = false;  ///< shows only what the observer has estimated
     double sigmaFull_m2 = 10; ///< end of the colour scale, > 0

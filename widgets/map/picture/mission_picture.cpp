@@ -331,6 +331,22 @@ MapRoute routeOf(const FlightRecord& record, std::size_t uav, const ShownPlaces&
     return route;
 }
 
+/** Sets wind and current of the flight at the time shown. */
+void setAir(MapAir& air, const FlightRecord& record)
+{
+    const MissionSnapshot& shown = record.shown();
+    if (!shown.motions.empty())
+        air.wind_mps = shown.motions.front().wind_mps;
+    air.isFixed = false;
+    if (air.forecast.isEmpty())
+        return;
+    const std::shared_ptr<const WeatherCourse> course = weatherOfRun(record);
+    const CoursePoint weather = course->at(shown.time_s);
+    air.current_mps = weather.current_mps.value_or(record.scenario.current_mps);
+    air.gust_mps = weather.gust_mps;
+    air.isReported = course->reported_s && *course->reported_s <= shown.time_s;
+}
+
 } // namespace
 
 void hideTruth(MapPicture& picture)
@@ -373,6 +389,11 @@ SweptPointer SweptPaths::of(const FlightRecord& record, std::size_t uav)
     return path.poses;
 }
 
+MapWeatherPointer SweptPaths::weatherOf(const FlightRecord& record)
+{
+    return m_weather.at(record.scenario, record.now.generation, record.shown().time_s);
+}
+
 MapPicture mapPicture(const FlightRecord& record, const QLocale& locale, SweptPaths& swept)
 {
     MapPicture picture = missionPicture(record, locale, swept);
@@ -405,8 +426,8 @@ MapPicture missionPicture(const FlightRecord& record, const QLocale& locale, Swe
     picture.readouts = readoutsOf(record, picture.uavs, locale);
     setSurroundings(picture, scenario, record.shown().asset, record.shown().time_s);
     markNoReturn(picture, record);
-    if (!record.shown().motions.empty())
-        picture.air.wind_mps = record.shown().motions.front().wind_mps;
+    setAir(picture.air, record);
+    picture.weather = swept.weatherOf(record);
     picture.sigmaFull_m2 = sigmaEnd_m2(scenario);
     picture.emptyTitle = MissionPicture::tr("No icebergs yet");
     picture.emptyHint =

@@ -9,14 +9,16 @@
 namespace berg {
 
 /**
- * Cache of the poses of a flight. It only adds new poses, so that pictures late in a flight cost no
- * more than early ones. GUI thread.
+ * Cache of the poses of a flight, and of the forecast of the minute shown. It only adds new poses,
+ * so that pictures late in a flight cost no more than early ones. GUI thread.
  */
 class SweptPaths
 {
 public:
     /** Returns the poses of UAV `uav` at each sample up to the time shown, and at that time. */
     [[nodiscard]] SweptPointer of(const FlightRecord& record, std::size_t uav);
+    /** Returns the forecast at the time shown. */
+    [[nodiscard]] MapWeatherPointer weatherOf(const FlightRecord& record);
 
 private:
     struct Path
@@ -27,6 +29,7 @@ private:
     std::uint64_t m_generation = 0;
     std::uint64_t m_rewrites = 0;
     std::vector<Path> m_paths; ///< by UAV
+    MapWeatherCache m_weather;
 };
 
 /**

@@ -9,7 +9,9 @@
 #include "widgets/document/wind.h"
 #include "widgets/flight/asset_approach.h"
 #include "widgets/flight/sigma_end.h"
+#include "widgets/flight/weather_course.h"
 #include "widgets/map/picture/ice_picture.h"
+#include "widgets/words/forecast_text.h"
 #include "widgets/words/object_names.h"
 
 #include <algorithm>
@@ -110,8 +112,8 @@ bool isAsPlanned(const MapPicture& picture, const Scenario& scenario)
         }))
         return true;
     if (picture.uavs.empty() || picture.uavs.size() > scenario.uavs.size() ||
-        picture.air.wind_mps != scenario.wind_mps || picture.area_m != scenario.area_m ||
-        picture.closed != closedOf(scenario, scenario.asset) ||
+        (picture.air.wind_mps != scenario.wind_mps && usableForecast(scenario) == nullptr) ||
+        picture.area_m != scenario.area_m || picture.closed != closedOf(scenario, scenario.asset) ||
         !std::equal(picture.uavs.begin(), picture.uavs.end(), scenario.uavs.begin(), isAt))
         return false;
     std::unordered_map<std::string, Point> places_m;
@@ -195,9 +197,19 @@ std::vector<MapAirspace> airspaceOf(const Scenario& scenario)
 
 MapAir airOf(const Scenario& scenario)
 {
-    return {.wind_mps = scenario.wind_mps,
-            .current_mps = scenario.current_mps,
-            .limit_mps = slowestAirspeed_mps(scenario)};
+    MapAir air{.wind_mps = scenario.wind_mps,
+               .current_mps = scenario.current_mps,
+               .limit_mps = slowestAirspeed_mps(scenario)};
+    const ForecastField* forecast = usableForecast(scenario);
+    if (forecast == nullptr)
+        return air;
+    const CoursePoint weather = weatherAtStart(scenario);
+    air.wind_mps = weather.wind_mps.value_or(air.wind_mps);
+    air.current_mps = weather.current_mps.value_or(air.current_mps);
+    air.gust_mps = weather.gust_mps;
+    air.forecast = forecastText(*forecast, forecastStartOf(scenario), QLocale());
+    air.isFixed = true;
+    return air;
 }
 
 void setSurroundings(MapPicture& picture, const Scenario& scenario,
@@ -259,6 +271,7 @@ MapPicture withScenario(MapPicture picture, const Scenario& scenario)
     markInView(picture);
 
     setSurroundings(picture, scenario, scenario.asset, 0);
+    picture.weather = mapWeatherAt(scenario, 0);
     picture.times = {.clock = clockOf(scenario)};
     if (before.empty()) // otherwise colours and rings are steady while dragging
         picture.sigmaFull_m2 = sigmaEnd_m2(scenario);

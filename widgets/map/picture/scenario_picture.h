@@ -20,7 +20,9 @@ namespace berg {
 /** Returns the no-fly areas, then the stand-off ring if there is one. */
 [[nodiscard]] std::vector<MapClosedArea> closedOf(const std::vector<NoFlyArea>& noFly,
                                                   const std::optional<NoFlyArea>& ring);
-/** Returns the wind and current of the scenario, with the airspeed of its slowest UAV. */
+/**
+ * Returns the wind and current of the flight at the start, with the airspeed of the slowest UAV.
+ */
 [[nodiscard]] MapAir airOf(const Scenario& scenario);
 
 /**

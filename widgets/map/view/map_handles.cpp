@@ -108,7 +108,7 @@ std::vector<MapHandle> areaHandles(MapScene& scene, const std::string& key)
 std::optional<MapHandle> windHandle(MapScene& scene)
 {
     const QRectF& panel = scene.layout().wind;
-    if (panel.isNull())
+    if (panel.isNull() || scene.picture().air.isFixed)
         return std::nullopt;
     return MapHandle{.kind = HandleKind::Wind, .at_px = windTip(panel, scene.picture().air)};
 }

@@ -35,7 +35,8 @@ struct MapHandle
     }
 };
 
-/** Returns the handle of the wind; nullopt if the wind panel is not shown. */
+/** Returns the handle of the wind; nullopt if the wind panel is not shown, or a forecast decides.
+ */
 [[nodiscard]] std::optional<MapHandle> windHandle(MapScene& scene);
 /** Returns the handles of the selected objects, except those under a panel or outside the map. */
 [[nodiscard]] std::vector<MapHandle> handlesOf(MapScene& scene, const Selection& selection);

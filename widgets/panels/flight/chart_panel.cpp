@@ -266,11 +266,12 @@ void ChartPanel::setTheme(const Theme& theme)
 bool ChartPanel::isShown(const FlightRecord& record) const
 {
     if (record.now.phase != RunPhase::Flying || m_phase != RunPhase::Flying ||
-        !m_series.isContinuedBy(record) || record.instant || m_empty.cursor_s ||
-        record.now.icebergs.size() != m_icebergs || record.boundOfFlight().whole != m_bound)
+        !m_series.isContinuedBy(record) || record.instant || m_wasInstant ||
+        record.now.icebergs.size() != m_icebergs || record.boundOfFlight().whole != m_bound ||
+        record.weather != m_weather)
         return false;
     const double column_s = m_chart->window().length_s() / m_chart->columns();
-    return record.now.time_s - m_empty.duration_s < column_s / 2;
+    return record.now.time_s - m_empty.cursor_s.value_or(m_empty.duration_s) < column_s / 2;
 }
 
 void ChartPanel::showRecord(const FlightRecord& record)
@@ -280,6 +281,8 @@ void ChartPanel::showRecord(const FlightRecord& record)
     m_phase = record.now.phase;
     m_icebergs = record.now.icebergs.size();
     m_bound = record.boundOfFlight().whole;
+    m_weather = record.weather;
+    m_wasInstant = record.instant.has_value();
     m_empty = emptyChart(kind(), record, locale());
     m_series.update(record, m_empty.lines.size());
     addMenuEntries();
@@ -322,7 +325,8 @@ void ChartPanel::addMenuEntries()
 {
     QStringList names;
     for (const TimeLine& line : m_empty.lines)
-        names << line.shownName();
+        if (!line.isContinued)
+            names << line.shownName();
     if (names == m_listed)
         return;
     m_listed = names;
@@ -331,6 +335,8 @@ void ChartPanel::addMenuEntries()
     m_menu->addAction(tr("Show all"), this, &ChartPanel::showAllLines);
     m_menu->addSeparator();
     for (const TimeLine& line : m_empty.lines) {
+        if (line.isContinued)
+            continue;
         QAction* action = m_menu->addAction(line.shownName());
         action->setObjectName(line.key);
         action->setCheckable(true);
@@ -375,7 +381,7 @@ void ChartPanel::refresh()
 {
     TimeChartContent content = m_empty;
     applyLines(content);
-    m_series.fill(content, viewOf(m_chart->windowFor(content.duration_s), m_chart->columns()));
+    m_series.fill(content, viewOf(m_chart->windowFor(content), m_chart->columns()));
     m_chart->setContent(content);
     updateButtons();
 }

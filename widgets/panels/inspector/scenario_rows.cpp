@@ -2,6 +2,7 @@
 #include "widgets/document/wind.h"
 #include "widgets/panels/inspector/field_inputs.h"
 #include "widgets/places/places.h"
+#include "widgets/words/forecast_text.h"
 #include "widgets/words/time_entry.h"
 
 #include <cmath>
@@ -86,6 +87,39 @@ std::vector<InspectorRow> currentRows()
              InspectorRows::tr("Direction the current flows to, clockwise from north."),
          .componentLimit_mps = kLargestVelocity_mps,
          .speeds_mps = always(limits::kSpeed_mps)});
+}
+
+/** Returns the source of the forecast, which can be removed, and what it replaces. */
+std::vector<InspectorRow> forecastRows()
+{
+    PartRow part{
+        .words = {.key = u"scenarioForecast"_s,
+                  .label = InspectorRows::tr("Forecast"),
+                  .toolTip = InspectorRows::tr(
+                      "Where and when it gives a quantity, it replaces the constant one below."),
+                  .undoText = InspectorRows::tr("Remove forecast")},
+        .removeText = InspectorRows::tr("Remove"),
+        .text = [](const Scenario& scenario, const std::string&, const QLocale&) -> QString {
+            if (!scenario.forecast)
+                return {};
+            return scenario.forecast->places.empty() ? InspectorRows::tr("empty")
+                                                     : forecastSource(*scenario.forecast);
+        },
+        .remove = [](Scenario& scenario, const std::string&) { scenario.forecast.reset(); }};
+    InfoRow details{
+        .key = u"scenarioForecastDetails"_s,
+        .text = [](const Scenario& scenario, const std::string&, const QLocale& locale) -> QString {
+            if (!scenario.forecast || scenario.forecast->places.empty())
+                return {};
+            const std::optional<UtcTime> start = parseUtc(scenario.startUtc);
+            return (start ? InspectorRows::tr("%1; replaces %2", "time of issue, quantities")
+                          : InspectorRows::tr("%1; not used before the start (UTC) is set, then it "
+                                              "replaces %2",
+                                              "time of issue, quantities"))
+                .arg(forecastIssue(*scenario.forecast, start, locale),
+                     forecastQuantitiesText(*scenario.forecast));
+        }};
+    return {std::move(part), std::move(details)};
 }
 
 NumberRow durationRow()
@@ -184,6 +218,7 @@ std::vector<InspectorRow> scenarioRows()
     append(rows, placeRows());
     rows.emplace_back(durationRow());
     beginGroup(rows, u"scenarioWeatherGroup"_s, InspectorRows::tr("Wind, weather and current"));
+    append(rows, forecastRows());
     append(rows, windRows());
     append(rows, surroundingsRows());
     append(rows, currentRows());

@@ -39,6 +39,8 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
          {MapLayer::Places, "places", tr("Place names")},
          {MapLayer::Drift, "drift", tr("Drift arrows")},
          {MapLayer::Rings, "rings", tr("Uncertainty rings")},
+         {MapLayer::Wind, "wind", tr("Forecast wind")},
+         {MapLayer::Current, "current", tr("Forecast current")},
          {MapLayer::Graticule, "graticule", tr("Graticule")},
          {MapLayer::FormerPlan, "formerPlan", tr("Former plan")},
          {MapLayer::Compared, "compared", tr("Compared run")},

@@ -1,4 +1,5 @@
 #include "core/checks/validate.h"
+#include "tests/support/flight/forecast_builder.h"
 #include "tests/support/flight/mission_builder.h"
 #include "tests/support/window/panel_test.h"
 #include "widgets/panels/fields/number_field.h"
@@ -255,6 +256,26 @@ private slots:
         QVERIFY(!f.isShown(u"uavHomeEast"_s));
         f.undoAll();
         QCOMPARE(f.scenario(), test::fourIcebergs());
+    }
+
+    void forecastIsShownAndCanBeRemoved()
+    {
+        WorldInspectorFixture f;
+        f.selection.set({});
+        QVERIFY(!f.isShown(u"scenarioForecast"_s));
+        Scenario scenario = test::fourIcebergs();
+        test::addForecast(scenario);
+        f.document.reset(scenario);
+        QVERIFY(f.isShown(u"scenarioForecast"_s));
+        const auto& details = test::child<QLabel>(f.panel, u"scenarioForecastDetails"_s);
+        QCOMPARE(details.text(), u"issued 2026-05-01 06:00 UTC, 6 h before the start; replaces "
+                                 "wind, gusts, current"_s);
+        test::child<QPushButton>(f.panel, u"scenarioForecast"_s).click();
+        QVERIFY(!f.scenario().forecast);
+        QVERIFY(!f.isShown(u"scenarioForecast"_s) && !f.isShown(u"scenarioForecastDetails"_s));
+        QCOMPARE(f.document.undoStack()->count(), 1);
+        f.undoAll();
+        QCOMPARE(f.scenario(), scenario);
     }
 
     void fenceBelongsToTheArea()

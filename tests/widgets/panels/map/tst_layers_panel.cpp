@@ -1,3 +1,5 @@
+#include "tests/support/flight/forecast_builder.h"
+#include "tests/support/flight/scenario_builder.h"
 #include "tests/support/window/map_builder.h"
 #include "tests/support/window/panel_test.h"
 #include "widgets/map/paint/map_drift.h"
@@ -38,6 +40,9 @@ MapPicture picture()
     ice.iceChart = IceChart{
         .areas = {{.concentration_tenths = 5, .outlines_m = {{{0, 0}, {4000, 0}, {0, 4000}}}}}};
     shown.iceChart = iceChartOf(ice);
+    Scenario scenario = test::emptySea();
+    test::addForecast(scenario);
+    shown.weather = mapWeatherAt(scenario, 0);
     shown.airspace = {{.corners_m = {{500, 500}, {4500, 500}, {2500, 3500}}}};
     return shown;
 }
@@ -61,8 +66,8 @@ private slots:
     {
         QTest::addColumn<int>("layer");
         const std::array<const char*, kMapLayers> names{
-            "labels", "drift",    "rings",    "graticule", "formerPlan", "swept",
-            "permit", "backdrop", "compared", "places",    "iceChart"};
+            "labels",   "drift",    "rings",  "graticule", "formerPlan", "swept",  "permit",
+            "backdrop", "compared", "places", "iceChart",  "wind",       "current"};
         for (std::size_t i = 0; i < kMapLayers; ++i)
             QTest::newRow(names[i]) << static_cast<int>(i);
     }

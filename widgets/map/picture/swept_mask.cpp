@@ -1,4 +1,4 @@
-#include "widgets/map/paint/swept_mask.h"
+#include "widgets/map/picture/swept_mask.h"
 
 #include "core/base/angles.h"
 #include "widgets/map/picture/footprint.h"
