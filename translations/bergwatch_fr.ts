@@ -575,6 +575,22 @@
         <source>%1 is an ice chart; use --into SCENARIO</source>
         <translation>%1 est une carte des glaces : utilisez --into SCENARIO</translation>
     </message>
+    <message>
+        <source>--hours, --every: more than %1 points</source>
+        <translation>--hours, --every : plus de %1 points</translation>
+    </message>
+    <message>
+        <source>--hours, --every: more than %1 starts</source>
+        <translation>--hours, --every : plus de %1 départs</translation>
+    </message>
+    <message>
+        <source>%1 is aground from hour %2 on</source>
+        <translation>%1 est échoué à partir de l&apos;heure %2</translation>
+    </message>
+    <message>
+        <source>the forecast gives wind and current for %1 h only</source>
+        <translation>la prévision ne donne le vent et le courant que pour %1 h</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -899,6 +915,13 @@
     <message>
         <source>Heading %1</source>
         <translation>Cap %1</translation>
+    </message>
+</context>
+<context>
+    <name>DriftTracksText</name>
+    <message>
+        <source>+%1 h</source>
+        <translation>+%1 h</translation>
     </message>
 </context>
 <context>
@@ -1874,6 +1897,10 @@
     <message>
         <source>The forecast was issued %1 h before the flight: look for a newer one.</source>
         <translation>La prévision a été émise %1 h avant le vol : cherchez-en une plus récente.</translation>
+    </message>
+    <message>
+        <source>Weather and limits</source>
+        <translation>Météo et limites</translation>
     </message>
 </context>
 <context>
@@ -3266,6 +3293,15 @@ Zone adjacente %4</translation>
         <source>%1; not used before the start (UTC) is set, then it replaces %2</source>
         <comment>time of issue, quantities</comment>
         <translation>%1 ; inutilisée tant que le départ (UTC) n&apos;est pas fixé, puis remplace %2</translation>
+    </message>
+    <message>
+        <source>%1 h: %2 (1 σ: %3)</source>
+        <comment>time, error, deviation</comment>
+        <translation>%1 h : %2 (1 σ : %3)</translation>
+    </message>
+    <message>
+        <source>Error of the predicted drift</source>
+        <translation>Erreur de la dérive prévue</translation>
     </message>
 </context>
 <context>
@@ -4975,6 +5011,38 @@ Zone adjacente %4</translation>
         <source>coordinates are metres of EPSG:%1; names, numbers and times are left out</source>
         <translation>les coordonnées sont des mètres d&apos;EPSG:%1 ; noms, nombres et heures sont omis</translation>
     </message>
+    <message>
+        <source>must not be exceeded: wind of %1 is forecast for %3 UTC, limit %2</source>
+        <translation>ne doit pas être dépassée : vent de %1 prévu pour %3 UTC, limite %2</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: gusts of %1 are forecast for %3 UTC, limit %2</source>
+        <translation>ne doit pas être dépassée : rafales de %1 prévues pour %3 UTC, limite %2</translation>
+    </message>
+    <message>
+        <source>visibility of %1 is forecast for %3 UTC, limit %2</source>
+        <translation>une visibilité de %1 est prévue pour %3 UTC, limite %2</translation>
+    </message>
+    <message>
+        <source>a cloud base of %1 is forecast for %3 UTC, limit %2</source>
+        <translation>un plafond de %1 est prévu pour %3 UTC, limite %2</translation>
+    </message>
+    <message>
+        <source>icing is forecast at its altitude for %1 UTC, in which the UAV must not be flown</source>
+        <translation>un givrage est prévu à son altitude pour %1 UTC, dans lequel le drone ne doit pas voler</translation>
+    </message>
+    <message>
+        <source>is nearly reached: %1 is forecast for %3 UTC, limit %2</source>
+        <translation>est presque atteinte : %1 prévus pour %3 UTC, limite %2</translation>
+    </message>
+    <message>
+        <source>cannot be checked from %1 UTC on, because the forecast does not give a value</source>
+        <translation>ne peut pas être contrôlée à partir de %1 UTC, car la prévision ne donne pas de valeur</translation>
+    </message>
+    <message>
+        <source>cannot be checked without a forecast that gives this quantity</source>
+        <translation>ne peut pas être contrôlée sans une prévision qui donne cette grandeur</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -5729,6 +5797,14 @@ Zone adjacente %4</translation>
         <source>Forecast current</source>
         <translation>Courant prévu</translation>
     </message>
+    <message>
+        <source>Predicted drift, circle: 1 σ</source>
+        <translation>Dérive prévue, cercle : 1 σ</translation>
+    </message>
+    <message>
+        <source>Predicted drift</source>
+        <translation>Dérive prévue</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -6226,6 +6302,14 @@ Sur la carte : %1</translation>
     <message>
         <source>Date and signatures</source>
         <translation>Date et signatures</translation>
+    </message>
+    <message>
+        <source>Visibility limit</source>
+        <translation>Limite de visibilité</translation>
+    </message>
+    <message>
+        <source>Ceiling limit</source>
+        <translation>Limite de plafond</translation>
     </message>
 </context>
 <context>
@@ -7672,6 +7756,50 @@ Sur la carte : %1</translation>
         <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
         <translation>Prévoit zêta pour des trajectoires qui passent les icebergs à distance et en voient plusieurs à la fois.</translation>
     </message>
+    <message>
+        <source>Zeta by start time</source>
+        <translation>Zêta selon l&apos;heure de départ</translation>
+    </message>
+    <message>
+        <source>Start, UTC</source>
+        <translation>Départ, UTC</translation>
+    </message>
+    <message>
+        <source>Faint: marginal or unknown weather. Hatched: no-go.</source>
+        <translation>Pâle : météo marginale ou inconnue. Hachuré : interdit.</translation>
+    </message>
+    <message>
+        <source>Best start: %1 UTC.</source>
+        <translation>Meilleur départ : %1 UTC.</translation>
+    </message>
+    <message>
+        <source>No start has weather within all limits.</source>
+        <translation>Aucun départ n&apos;a une météo dans toutes les limites.</translation>
+    </message>
+    <message>
+        <source>cannot be flown</source>
+        <translation>ne peut pas être volé</translation>
+    </message>
+    <message>
+        <source>weather: %1</source>
+        <translation>météo : %1</translation>
+    </message>
+    <message>
+        <source>go</source>
+        <translation>favorable</translation>
+    </message>
+    <message>
+        <source>marginal</source>
+        <translation>marginale</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnue</translation>
+    </message>
+    <message>
+        <source>no-go</source>
+        <translation>interdit</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -8034,6 +8162,68 @@ Sur la carte : %1</translation>
     <message>
         <source>Weather at %1: %2.</source>
         <translation>Météo à %1 : %2.</translation>
+    </message>
+</context>
+<context>
+    <name>WeatherWords</name>
+    <message>
+        <source>wind</source>
+        <translation>vent</translation>
+    </message>
+    <message>
+        <source>gusts</source>
+        <translation>rafales</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>visibilité</translation>
+    </message>
+    <message>
+        <source>cloud base</source>
+        <translation>plafond</translation>
+    </message>
+    <message>
+        <source>icing</source>
+        <translation>givrage</translation>
+    </message>
+    <message>
+        <source>%1 UTC</source>
+        <translation>%1 UTC</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Favorable</translation>
+    </message>
+    <message>
+        <source>Marginal</source>
+        <translation>Marginale</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>Inconnue</translation>
+    </message>
+    <message>
+        <source>No-go</source>
+        <translation>Interdit</translation>
+    </message>
+    <message>
+        <source>%1 not known, limit %2</source>
+        <translation>%1 inconnu, limite %2</translation>
+    </message>
+    <message>
+        <source>%1 %2, limit %3</source>
+        <comment>wind, its value, its limit</comment>
+        <translation>%1 %2, limite %3</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a UAV and what concerns it</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, from %3</source>
+        <comment>state, reason, time</comment>
+        <translation>%1 : %2, à partir de %3</translation>
     </message>
 </context>
 <context>
@@ -8883,6 +9073,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Aircraft</source>
         <translation>Aéronefs</translation>
+    </message>
+    <message>
+        <source>Start times</source>
+        <translation>Heures de départ</translation>
     </message>
 </context>
 <context>
@@ -10076,6 +10270,22 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Fast ice</source>
         <translation>Banquise côtière</translation>
     </message>
+    <message>
+        <source>Visibility limit</source>
+        <translation>Limite de visibilité</translation>
+    </message>
+    <message>
+        <source>Shortest visibility in which the UAV may fly; compared with the forecast.</source>
+        <translation>Plus faible visibilité dans laquelle le drone peut voler, comparée à la prévision.</translation>
+    </message>
+    <message>
+        <source>Ceiling limit</source>
+        <translation>Limite de plafond</translation>
+    </message>
+    <message>
+        <source>Lowest cloud base, above sea level, in which the UAV may fly; compared with the forecast.</source>
+        <translation>Plafond le plus bas, au-dessus de la mer, dans lequel le drone peut voler, comparé à la prévision.</translation>
+    </message>
 </context>
 <context>
     <name>berg::FigureView</name>
@@ -11141,6 +11351,22 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <source>Forecast current</source>
         <translation>Courant prévu</translation>
     </message>
+    <message>
+        <source>Predicted drift</source>
+        <translation>Dérive prévue</translation>
+    </message>
+    <message>
+        <source>Time between two marks of the predicted drift, up to 48 h</source>
+        <translation>Temps entre deux marques de la dérive prévue, jusqu&apos;à 48 h</translation>
+    </message>
+    <message>
+        <source>every %1</source>
+        <translation>tous les %1</translation>
+    </message>
+    <message>
+        <source>Marks of the drift</source>
+        <translation>Marques de la dérive</translation>
+    </message>
 </context>
 <context>
     <name>berg::LogRows</name>
@@ -11760,6 +11986,14 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Forecast current</source>
         <translation>Courant prévu</translation>
+    </message>
+    <message>
+        <source>Start times</source>
+        <translation>Heures de départ</translation>
+    </message>
+    <message>
+        <source>Predicted drift</source>
+        <translation>Dérive prévue</translation>
     </message>
 </context>
 <context>
@@ -13114,6 +13348,17 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     </message>
 </context>
 <context>
+    <name>berg::StartChart</name>
+    <message>
+        <source>Zeta by start time</source>
+        <translation>Zêta selon l&apos;heure de départ</translation>
+    </message>
+    <message>
+        <source>Press Compare to fly the scenario from each start time.</source>
+        <translation>Appuyez sur Comparer pour voler le scénario à partir de chaque heure de départ.</translation>
+    </message>
+</context>
+<context>
     <name>berg::StartPage</name>
     <message>
         <source>Keep watch over drifting icebergs.</source>
@@ -13189,6 +13434,74 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
     <message>
         <source>After this tour, press I and click on the map to place an iceberg. Drag it to move it, double-click it to set its drift and the uncertainty of its position. The plan follows at once.</source>
         <translation>Après cette visite, appuyez sur I et cliquez sur la carte pour placer un iceberg. Faites-le glisser pour le déplacer, double-cliquez dessus pour régler sa dérive et l&apos;incertitude de sa position. Le plan suit aussitôt.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StartPanel</name>
+    <message>
+        <source>Starts within</source>
+        <translation>Départs dans</translation>
+    </message>
+    <message>
+        <source>Latest start after the start of the scenario</source>
+        <translation>Dernier départ après celui du scénario</translation>
+    </message>
+    <message>
+        <source>One every</source>
+        <translation>Un tous les</translation>
+    </message>
+    <message>
+        <source>Progress of the comparison</source>
+        <translation>Avancement de la comparaison</translation>
+    </message>
+    <message>
+        <source>Use this start</source>
+        <translation>Utiliser ce départ</translation>
+    </message>
+    <message>
+        <source>cannot be flown</source>
+        <translation>ne peut pas être volé</translation>
+    </message>
+    <message>
+        <source>%1 UTC: ζ %2. %3</source>
+        <comment>start, zeta, weather</comment>
+        <translation>%1 UTC : ζ %2. %3</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Flying the scenario from each start…</source>
+        <translation>Vol du scénario à partir de chaque départ…</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>The scenario has no start time. Set Start (UTC) in the Inspector.</source>
+        <translation>Le scénario n&apos;a pas d&apos;heure de départ. Indiquez Début (UTC) dans Propriétés.</translation>
+    </message>
+    <message>
+        <source>Icebergs drift on unseen until a later start, so their estimates are older.</source>
+        <translation>Les icebergs dérivent sans être vus jusqu&apos;à un départ ultérieur, leurs estimations sont donc plus anciennes.</translation>
+    </message>
+    <message>
+        <source>The scenario has changed since. Compare again.</source>
+        <translation>Le scénario a changé depuis. Comparez à nouveau.</translation>
+    </message>
+    <message>
+        <source>No start has weather within all limits. Choose a bar to see why.</source>
+        <translation>Aucun départ n&apos;a une météo dans toutes les limites. Choisissez une barre pour voir pourquoi.</translation>
+    </message>
+    <message>
+        <source>Start at %1 UTC</source>
+        <translation>Départ à %1 UTC</translation>
     </message>
 </context>
 <context>

@@ -575,6 +575,22 @@
         <source>%1 is an ice chart; use --into SCENARIO</source>
         <translation>%1 er et iskart: bruk --into SCENARIO</translation>
     </message>
+    <message>
+        <source>--hours, --every: more than %1 points</source>
+        <translation>--hours, --every: mer enn %1 punkter</translation>
+    </message>
+    <message>
+        <source>--hours, --every: more than %1 starts</source>
+        <translation>--hours, --every: mer enn %1 starter</translation>
+    </message>
+    <message>
+        <source>%1 is aground from hour %2 on</source>
+        <translation>%1 står på grunn fra time %2</translation>
+    </message>
+    <message>
+        <source>the forecast gives wind and current for %1 h only</source>
+        <translation>varselet gir vind og strøm for bare %1 t</translation>
+    </message>
 </context>
 <context>
     <name>ComparedRunText</name>
@@ -899,6 +915,13 @@
     <message>
         <source>Heading %1</source>
         <translation>Kurs %1</translation>
+    </message>
+</context>
+<context>
+    <name>DriftTracksText</name>
+    <message>
+        <source>+%1 h</source>
+        <translation>+%1 t</translation>
     </message>
 </context>
 <context>
@@ -1874,6 +1897,10 @@
     <message>
         <source>The forecast was issued %1 h before the flight: look for a newer one.</source>
         <translation>Varselet ble utstedt %1 t før flygingen: se etter et nyere.</translation>
+    </message>
+    <message>
+        <source>Weather and limits</source>
+        <translation>Vær og grenser</translation>
     </message>
 </context>
 <context>
@@ -3266,6 +3293,15 @@ Tilstøtende område %4</translation>
         <source>%1; not used before the start (UTC) is set, then it replaces %2</source>
         <comment>time of issue, quantities</comment>
         <translation>%1; brukes først når starten (UTC) er satt, og erstatter da %2</translation>
+    </message>
+    <message>
+        <source>%1 h: %2 (1 σ: %3)</source>
+        <comment>time, error, deviation</comment>
+        <translation>%1 t: %2 (1 σ: %3)</translation>
+    </message>
+    <message>
+        <source>Error of the predicted drift</source>
+        <translation>Feil i den forventede driften</translation>
     </message>
 </context>
 <context>
@@ -4975,6 +5011,38 @@ Tilstøtende område %4</translation>
         <source>coordinates are metres of EPSG:%1; names, numbers and times are left out</source>
         <translation>koordinatene er meter i EPSG:%1; navn, tall og tider utelates</translation>
     </message>
+    <message>
+        <source>must not be exceeded: wind of %1 is forecast for %3 UTC, limit %2</source>
+        <translation>må ikke overskrides: det er varslet vind på %1 kl. %3 UTC, grense %2</translation>
+    </message>
+    <message>
+        <source>must not be exceeded: gusts of %1 are forecast for %3 UTC, limit %2</source>
+        <translation>må ikke overskrides: det er varslet vindkast på %1 kl. %3 UTC, grense %2</translation>
+    </message>
+    <message>
+        <source>visibility of %1 is forecast for %3 UTC, limit %2</source>
+        <translation>det er varslet sikt på %1 kl. %3 UTC, grense %2</translation>
+    </message>
+    <message>
+        <source>a cloud base of %1 is forecast for %3 UTC, limit %2</source>
+        <translation>det er varslet skybase på %1 kl. %3 UTC, grense %2</translation>
+    </message>
+    <message>
+        <source>icing is forecast at its altitude for %1 UTC, in which the UAV must not be flown</source>
+        <translation>det er varslet ising i UAV-ens høyde kl. %1 UTC, og den skal ikke fly i ising</translation>
+    </message>
+    <message>
+        <source>is nearly reached: %1 is forecast for %3 UTC, limit %2</source>
+        <translation>er nesten nådd: %1 er varslet kl. %3 UTC, grense %2</translation>
+    </message>
+    <message>
+        <source>cannot be checked from %1 UTC on, because the forecast does not give a value</source>
+        <translation>kan ikke kontrolleres fra kl. %1 UTC, fordi varselet mangler verdien</translation>
+    </message>
+    <message>
+        <source>cannot be checked without a forecast that gives this quantity</source>
+        <translation>kan ikke kontrolleres uten et varsel som gir denne størrelsen</translation>
+    </message>
 </context>
 <context>
     <name>LinkText</name>
@@ -5729,6 +5797,14 @@ Tilstøtende område %4</translation>
         <source>Forecast current</source>
         <translation>Varslet strøm</translation>
     </message>
+    <message>
+        <source>Predicted drift, circle: 1 σ</source>
+        <translation>Forventet drift, sirkel: 1 σ</translation>
+    </message>
+    <message>
+        <source>Predicted drift</source>
+        <translation>Forventet drift</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -6226,6 +6302,14 @@ På kartet: %1</translation>
     <message>
         <source>Date and signatures</source>
         <translation>Dato og underskrifter</translation>
+    </message>
+    <message>
+        <source>Visibility limit</source>
+        <translation>Siktgrense</translation>
+    </message>
+    <message>
+        <source>Ceiling limit</source>
+        <translation>Skybasegrense</translation>
     </message>
 </context>
 <context>
@@ -7672,6 +7756,50 @@ På kartet: %1</translation>
         <source>Predicts zeta for paths that pass icebergs at an offset and see several at once.</source>
         <translation>Forutsier zeta for baner som passerer isfjell på avstand og ser flere på én gang.</translation>
     </message>
+    <message>
+        <source>Zeta by start time</source>
+        <translation>Zeta etter starttid</translation>
+    </message>
+    <message>
+        <source>Start, UTC</source>
+        <translation>Start, UTC</translation>
+    </message>
+    <message>
+        <source>Faint: marginal or unknown weather. Hatched: no-go.</source>
+        <translation>Svak farge: marginalt eller ukjent vær. Skravert: ikke fly.</translation>
+    </message>
+    <message>
+        <source>Best start: %1 UTC.</source>
+        <translation>Beste start: %1 UTC.</translation>
+    </message>
+    <message>
+        <source>No start has weather within all limits.</source>
+        <translation>Ingen start har vær innenfor alle grenser.</translation>
+    </message>
+    <message>
+        <source>cannot be flown</source>
+        <translation>kan ikke flys</translation>
+    </message>
+    <message>
+        <source>weather: %1</source>
+        <translation>vær: %1</translation>
+    </message>
+    <message>
+        <source>go</source>
+        <translation>fly</translation>
+    </message>
+    <message>
+        <source>marginal</source>
+        <translation>marginalt</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>ikke kjent</translation>
+    </message>
+    <message>
+        <source>no-go</source>
+        <translation>ikke fly</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>
@@ -8034,6 +8162,68 @@ På kartet: %1</translation>
     <message>
         <source>Weather at %1: %2.</source>
         <translation>Vær klokken %1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>WeatherWords</name>
+    <message>
+        <source>wind</source>
+        <translation>vind</translation>
+    </message>
+    <message>
+        <source>gusts</source>
+        <translation>vindkast</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>sikt</translation>
+    </message>
+    <message>
+        <source>cloud base</source>
+        <translation>skybase</translation>
+    </message>
+    <message>
+        <source>icing</source>
+        <translation>ising</translation>
+    </message>
+    <message>
+        <source>%1 UTC</source>
+        <translation>%1 UTC</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Fly</translation>
+    </message>
+    <message>
+        <source>Marginal</source>
+        <translation>Marginalt</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>Ikke kjent</translation>
+    </message>
+    <message>
+        <source>No-go</source>
+        <translation>Ikke fly</translation>
+    </message>
+    <message>
+        <source>%1 not known, limit %2</source>
+        <translation>%1 ikke kjent, grense %2</translation>
+    </message>
+    <message>
+        <source>%1 %2, limit %3</source>
+        <comment>wind, its value, its limit</comment>
+        <translation>%1 %2, grense %3</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a UAV and what concerns it</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, from %3</source>
+        <comment>state, reason, time</comment>
+        <translation>%1: %2, fra %3</translation>
     </message>
 </context>
 <context>
@@ -8883,6 +9073,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Aircraft</source>
         <translation>Luftfartøyer</translation>
+    </message>
+    <message>
+        <source>Start times</source>
+        <translation>Starttider</translation>
     </message>
 </context>
 <context>
@@ -10076,6 +10270,22 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Fast ice</source>
         <translation>Fastis</translation>
     </message>
+    <message>
+        <source>Visibility limit</source>
+        <translation>Siktgrense</translation>
+    </message>
+    <message>
+        <source>Shortest visibility in which the UAV may fly; compared with the forecast.</source>
+        <translation>Korteste sikt som UAV-en kan fly i; sammenlignes med varselet.</translation>
+    </message>
+    <message>
+        <source>Ceiling limit</source>
+        <translation>Skybasegrense</translation>
+    </message>
+    <message>
+        <source>Lowest cloud base, above sea level, in which the UAV may fly; compared with the forecast.</source>
+        <translation>Laveste skybase, over havet, som UAV-en kan fly i; sammenlignes med varselet.</translation>
+    </message>
 </context>
 <context>
     <name>berg::FigureView</name>
@@ -11141,6 +11351,22 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <source>Forecast current</source>
         <translation>Varslet strøm</translation>
     </message>
+    <message>
+        <source>Predicted drift</source>
+        <translation>Forventet drift</translation>
+    </message>
+    <message>
+        <source>Time between two marks of the predicted drift, up to 48 h</source>
+        <translation>Tid mellom to merker for den forventede driften, opptil 48 t</translation>
+    </message>
+    <message>
+        <source>every %1</source>
+        <translation>hver %1</translation>
+    </message>
+    <message>
+        <source>Marks of the drift</source>
+        <translation>Merker for driften</translation>
+    </message>
 </context>
 <context>
     <name>berg::LogRows</name>
@@ -11760,6 +11986,14 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Forecast current</source>
         <translation>Varslet strøm</translation>
+    </message>
+    <message>
+        <source>Start times</source>
+        <translation>Starttider</translation>
+    </message>
+    <message>
+        <source>Predicted drift</source>
+        <translation>Forventet drift</translation>
     </message>
 </context>
 <context>
@@ -13114,6 +13348,17 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     </message>
 </context>
 <context>
+    <name>berg::StartChart</name>
+    <message>
+        <source>Zeta by start time</source>
+        <translation>Zeta etter starttid</translation>
+    </message>
+    <message>
+        <source>Press Compare to fly the scenario from each start time.</source>
+        <translation>Trykk på Sammenlign for å fly scenarioet fra hver starttid.</translation>
+    </message>
+</context>
+<context>
     <name>berg::StartPage</name>
     <message>
         <source>Keep watch over drifting icebergs.</source>
@@ -13189,6 +13434,74 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
     <message>
         <source>After this tour, press I and click on the map to place an iceberg. Drag it to move it, double-click it to set its drift and the uncertainty of its position. The plan follows at once.</source>
         <translation>Etter denne omvisningen: trykk I og klikk på kartet for å plassere et isfjell. Dra det for å flytte det, dobbeltklikk det for å sette driften og usikkerheten i posisjonen. Planen følger med straks.</translation>
+    </message>
+</context>
+<context>
+    <name>berg::StartPanel</name>
+    <message>
+        <source>Starts within</source>
+        <translation>Starter innen</translation>
+    </message>
+    <message>
+        <source>Latest start after the start of the scenario</source>
+        <translation>Seneste start etter starten av scenarioet</translation>
+    </message>
+    <message>
+        <source>One every</source>
+        <translation>Én hver</translation>
+    </message>
+    <message>
+        <source>Progress of the comparison</source>
+        <translation>Fremdrift i sammenligningen</translation>
+    </message>
+    <message>
+        <source>Use this start</source>
+        <translation>Bruk denne starten</translation>
+    </message>
+    <message>
+        <source>cannot be flown</source>
+        <translation>kan ikke flys</translation>
+    </message>
+    <message>
+        <source>%1 UTC: ζ %2. %3</source>
+        <comment>start, zeta, weather</comment>
+        <translation>%1 UTC: ζ %2. %3</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Sammenlign</translation>
+    </message>
+    <message>
+        <source>Flying the scenario from each start…</source>
+        <translation>Flyr scenarioet fra hver start …</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Avbrutt.</translation>
+    </message>
+    <message>
+        <source>The scenario has no start time. Set Start (UTC) in the Inspector.</source>
+        <translation>Scenarioet har ingen starttid. Sett Starttid (UTC) i Egenskaper.</translation>
+    </message>
+    <message>
+        <source>Icebergs drift on unseen until a later start, so their estimates are older.</source>
+        <translation>Isfjell driver videre uten å bli sett til en senere start, så estimatene er eldre.</translation>
+    </message>
+    <message>
+        <source>The scenario has changed since. Compare again.</source>
+        <translation>Scenarioet er endret siden. Sammenlign på nytt.</translation>
+    </message>
+    <message>
+        <source>No start has weather within all limits. Choose a bar to see why.</source>
+        <translation>Ingen start har vær innenfor alle grenser. Velg en søyle for å se hvorfor.</translation>
+    </message>
+    <message>
+        <source>Start at %1 UTC</source>
+        <translation>Start kl. %1 UTC</translation>
     </message>
 </context>
 <context>

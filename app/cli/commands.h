@@ -26,6 +26,7 @@ void addFileCommands(CLI::App& app, Action& action);  ///< validate
 void addImportCommand(CLI::App& app, Action& action); ///< import
 void addForecastCommand(CLI::App& app, Action& action);
 void addDriftCommand(CLI::App& app, Action& action);
+void addStartsCommand(CLI::App& app, Action& action); ///< starts
 void addVehicleCommand(CLI::App& app, Action& action);
 void addListenCommand(CLI::App& app, Action& action);
 /** Adds `export`. Painted formats run the program bergwatch with the arguments `argv`. */

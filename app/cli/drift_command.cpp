@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/drift_scenario.h"
 #include "app/cli/forecast_files.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct DriftArguments
 {
+    std::string scenario;
     std::optional<double> length_m;
     std::string size;
     std::string coefficients{kCCoreDrag.name};
@@ -28,6 +30,7 @@ struct DriftArguments
     std::vector<std::string> forecasts;
     std::string at;
     std::optional<double> duration_h;
+    std::optional<double> every_h;
     std::string place;
     std::string track;
     std::string outputFile;
@@ -47,8 +50,28 @@ void requireBeside(bool isGiven, const char* option, bool isOtherGiven, const ch
         throw UsageError(kNeeds, {option, other});
 }
 
+/** Throws `UsageError` for options that do not belong to the icebergs of a scenario. */
+void checkScenarioOptions(const DriftArguments& given)
+{
+    for (const auto& [isGiven, option] : {std::pair{given.length_m.has_value(), "--length"},
+                                          {!given.size.empty(), "--size"},
+                                          {given.wind_mps.has_value(), "--wind-speed"},
+                                          {given.windFrom_deg.has_value(), "--wind-from"},
+                                          {given.current_mps.has_value(), "--current-speed"},
+                                          {given.currentTo_deg.has_value(), "--current-to"},
+                                          {given.latitude_deg.has_value(), "--latitude"},
+                                          {!given.forecasts.empty(), "--forecast"},
+                                          {!given.at.empty(), "--at"},
+                                          {!given.place.empty(), "--place"},
+                                          {!given.track.empty(), "--track"}})
+        if (isGiven)
+            throw UsageError(QT_TRANSLATE_NOOP("CommandLine", "%1 excludes %2"),
+                             {option, "SCENARIO"});
+}
+
 void checkOptions(const DriftArguments& given)
 {
+    requireBeside(given.every_h.has_value(), "--every", false, "SCENARIO");
     const bool hasForecast = !given.forecasts.empty();
     const bool hasTrack = !given.track.empty();
     if (!given.length_m && given.size.empty())
@@ -84,10 +107,14 @@ double lengthOf(const DriftArguments& given)
     return std::ranges::find(kIcebergSizes, given.size, &IcebergSize::name)->length_m;
 }
 
-DriftLaw lawOf(const DriftArguments& given)
+DragCoefficients dragOf(const DriftArguments& given)
 {
-    return driftLaw(lengthOf(given),
-                    given.coefficients == kOpenBergDrag.name ? kOpenBergDrag : kCCoreDrag);
+    return given.coefficients == kOpenBergDrag.name ? kOpenBergDrag : kCCoreDrag;
+}
+
+DriftLaw lawFor(const DriftArguments& given)
+{
+    return driftLaw(lengthOf(given), dragOf(given));
 }
 
 Forcing constantForcing(const DriftArguments& given)
@@ -164,7 +191,7 @@ std::vector<DriftPoint> forecastPath(const DriftArguments& given, const Forecast
     if (start_s)
         path = driftPath(
             {.place = place, .start_s = *start_s, .duration_s = duration_h * 3600, .every_s = 3600},
-            lawOf(given), forcing);
+            lawFor(given), forcing);
     if (path.empty())
         throw UsageError(
             QT_TRANSLATE_NOOP("CommandLine", "--at: wind and current are not both known then; the "
@@ -183,7 +210,7 @@ std::vector<DriftLeadError> trackErrors(const DriftArguments& given, const Forci
 {
     const std::vector<PlacedTrack> tracks = reading([&] { return loadTracks(given.track); });
     try {
-        return driftErrors(tracks, lawOf(given), forcing, {}, stop);
+        return driftErrors(tracks, lawFor(given), forcing, {}, stop);
     } catch (const Stopped&) {
         throw Interrupted{};
     }
@@ -194,7 +221,7 @@ std::vector<DriftLeadError> trackErrors(const DriftArguments& given, const Forci
 void requireLatitude(const DriftArguments& given)
 {
     const bool isKnown = given.latitude_deg || !given.forecasts.empty() || !given.track.empty();
-    if (lawOf(given).turn_deg != 0 && given.wind_mps && !isKnown)
+    if (lawFor(given).turn_deg != 0 && given.wind_mps && !isKnown)
         throw UsageError(QT_TRANSLATE_NOOP(
             "CommandLine", "--latitude is required: growlers and bergy bits drift to the right of "
                            "the wind in the north, to the left in the south"));
@@ -260,6 +287,19 @@ std::string reportText(const DriftReport& report)
 
 int runDrift(const DriftArguments& given, const std::stop_token& stop)
 {
+    if (!given.scenario.empty()) {
+        checkScenarioOptions(given);
+        constexpr double kUsualInterval_h = 3;
+        return driftOfScenario(
+            {.file = given.scenario,
+             .spec = {.every_s = 3600 * given.every_h.value_or(kUsualInterval_h),
+                      .duration_s = 3600 * given.duration_h.value_or(kUsualDuration_h),
+                      .drag = dragOf(given)},
+             .outputFile = given.outputFile,
+             .force = given.force,
+             .json = given.json},
+            stop);
+    }
     checkOptions(given);
     requireLatitude(given);
     std::vector<std::string> inputs = given.forecasts;
@@ -269,7 +309,7 @@ int runDrift(const DriftArguments& given, const std::stop_token& stop)
                 .outputs = {{.option = "--output", .path = given.outputFile}},
                 .force = given.force,
                 .json = given.json});
-    DriftReport report{.dimensions = dimensionsOfLength(lengthOf(given)), .law = lawOf(given)};
+    DriftReport report{.dimensions = dimensionsOfLength(lengthOf(given)), .law = lawFor(given)};
     const Forcing constant = constantForcing(given);
     ForcingAt forcing = [&constant](double) { return Forcing(constant); };
     if (given.forecasts.empty()) {
@@ -322,9 +362,12 @@ void addDriftCommand(CLI::App& app, Action& action)
     constexpr double kLongest_m = 1000; // tabular icebergs beyond are of other proportions
     constexpr double kLongest_h = 240;  // about as far as forecasts go
     CLI::App* command = app.add_subcommand(
-        "drift", "Predict the drift of an iceberg from wind and current, and compare it with a "
-                 "recorded track");
+        "drift", "Predict the drift of an iceberg from wind and current, or of the icebergs of a "
+                 "scenario, and compare it with a recorded track");
     DriftArguments& a = argumentsOf(*command, action, runDrift);
+    command->add_option(
+        "SCENARIO", a.scenario,
+        "Scenario whose icebergs drift in its forecast, else in its wind and current");
     CLI::Option* length = command->add_option("--length", a.length_m, "Length at the waterline, m")
                               ->check(numberFrom(0.1, kLongest_m));
     command->add_option("--size", a.size, "Size class in place of a length")
@@ -349,10 +392,15 @@ void addDriftCommand(CLI::App& app, Action& action)
     command->add_option("--at", a.at, "Start of the drift, UTC (when wind and current are known)");
     command->add_option("--hours", a.duration_h, "Length of the drift, h (48)")
         ->check(numberFrom(1, kLongest_h));
+    command
+        ->add_option("--every", a.every_h,
+                     "Hours between two points, for the scenario's icebergs (3)")
+        ->check(numberFrom(0.25, kLongest_h));
     command->add_option("--place", a.place, "Start of the drift (the place of the forecast)");
     command->add_option("--track", a.track,
                         "Recorded positions to compare with, in any import format");
-    addOutputFile(*command, "-o,--output", a.outputFile, "CSV file for the path or the errors");
+    addOutputFile(*command, "-o,--output", a.outputFile,
+                  "CSV file for the path or the errors; for a scenario also .geojson");
     addForce(*command, a.force);
     command->add_flag("--json", a.json, "Print one JSON document");
 }

@@ -20,6 +20,7 @@ int main(int argc, char** argv)
         addImportCommand(app, action);
         addForecastCommand(app, action);
         addDriftCommand(app, action);
+        addStartsCommand(app, action);
         addVehicleCommand(app, action);
         addListenCommand(app, action);
     };

@@ -231,6 +231,8 @@ std::string reportText(const PlanReport& report, bool json)
             (report.mu() ? "   mu " + fixed(*report.mu(), 6) : std::string()) + '\n';
     if (report.secondOpinion)
         text += verificationLine(report);
+    if (report.weather)
+        text += "weather    " + word(report.weatherLine) + '\n';
     return text;
 }
 

@@ -7,7 +7,9 @@
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/results/result_json.h"
+#include "core/io/results/weather_result.h"
 #include "core/io/text/atomic_file.h"
+#include "core/mission/flight_places.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -55,6 +57,7 @@ struct Flown
 {
     std::unique_ptr<FlightFiles> files; ///< null if no files were requested
     Mission mission;
+    FlightPlaces places = {};
 };
 
 std::unique_ptr<FlightFiles> filesOf(const SimulateArguments& arguments, const Scenario& scenario,
@@ -84,16 +87,16 @@ Flown flyScenario(const SimulateArguments& arguments, const std::string& text,
     if (flown.files)
         flown.mission.streamSamplesTo(flown.files->sink());
     ProgressBar bar(said(QT_TRANSLATE_NOOP("CommandLine", "flying"), {}), !arguments.json);
+    flown.places.note(flown.mission.simulation());
     const auto status = flown.mission.advance(scenario.duration_s, stop, [&](double time_s) {
         bar.update(time_s / scenario.duration_s);
+        flown.places.note(flown.mission.simulation());
     });
+    flown.places.finish(flown.mission.simulation());
     if (status == AdvanceStatus::Cancelled)
         throw Interrupted{};
     return flown;
 }
-
-/** For a replay that writes no tables. */
-void dropped(const Sample& /*sample*/, std::span<const IcebergSample> /*icebergs*/) {}
 
 /** Flies a run file again and checks it against what it recorded. */
 Flown replayRun(const SimulateArguments& arguments, const std::string& text,
@@ -109,13 +112,20 @@ Flown replayRun(const SimulateArguments& arguments, const std::string& text,
     const auto show = [&](double time_s) {
         bar.update(run.flownUntil_s > 0 ? time_s / run.flownUntil_s : 1);
     };
-    Mission mission = naming(
-        arguments.file, [&] { return replay(run, stop, show, files ? files->sink() : dropped); });
+    FlightPlaces places;
+    const SampleSink toFiles = files ? files->sink() : SampleSink();
+    const SampleSink sink = [&](const Sample& sample, std::span<const IcebergSample> icebergs) {
+        places.note(sample);
+        if (toFiles)
+            toFiles(sample, icebergs);
+    };
+    Mission mission = naming(arguments.file, [&] { return replay(run, stop, show, sink); });
     if (stop.stop_requested())
         throw Interrupted{};
     if (std::vector<Issue> issues = compareRun(run, runOf(mission)); !issues.empty())
         throw Error(ErrorCode::ReplayMismatch, arguments.file, std::move(issues));
-    return {.files = std::move(files), .mission = std::move(mission)};
+    places.finish(mission.simulation());
+    return {.files = std::move(files), .mission = std::move(mission), .places = std::move(places)};
 }
 
 /** Returns a lower bound on the zeta of any flight at the time reached; nullopt if it was
@@ -169,7 +179,7 @@ std::string boundLine(const BoundPoint& bound, double zeta_m2s)
 }
 
 std::string summary(const Mission& mission, const std::optional<BoundPoint>& bound,
-                    double elapsed_s, bool replayed)
+                    const std::optional<WeatherVerdict>& weather, double elapsed_s, bool replayed)
 {
     const Metrics metrics = mission.metrics();
     const Scenario& scenario = mission.scenario();
@@ -188,6 +198,8 @@ std::string summary(const Mission& mission, const std::optional<BoundPoint>& bou
         events += (events.empty() ? "events    " : ", ") + std::to_string(count) + ' ' + name;
     if (!events.empty())
         text += events + '\n';
+    if (weather)
+        text += "weather   " + word(weatherLine(scenario, *weather)) + '\n';
     if (replayed)
         text += "replay    equal to the recorded run\n";
     return text;
@@ -213,9 +225,12 @@ int simulate(const SimulateArguments& arguments, const std::stop_token& stop)
         bound = lowerBound(mission, arguments.json, stop);
     if (bound)
         bound_m2s = bound->zeta_m2s;
+    std::optional<WeatherVerdict> weather;
+    if (hasWeatherLimits(mission.scenario()))
+        weather = weatherAlong(mission.scenario(), flown.places.flights());
     const std::string result = arguments.json
-                                   ? simulateJson(mission, bound_m2s, watch.elapsed_s())
-                                   : summary(mission, bound, watch.elapsed_s(), replayed);
+                                   ? simulateJson(mission, bound_m2s, watch.elapsed_s(), weather)
+                                   : summary(mission, bound, weather, watch.elapsed_s(), replayed);
     deliver(result, [&flown] {
         if (!flown.files)
             return;

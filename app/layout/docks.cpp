@@ -200,6 +200,9 @@ void Docks::addStudies()
         add("aircraftDock", tr("Aircraft"), scrolling(panels().aircraft), Qt::RightDockWidgetArea);
     window().tabifyDockWidget(layers, aircraft);
     aircraft->hide();
+    QDockWidget* starts = add("startsDock", tr("Start times"), scrolling(panels().starts), kArea);
+    window().tabifyDockWidget(study, starts);
+    starts->hide();
     dock(Dock::Sigma)->raise();
     dock(Dock::Plan)->raise();
 }

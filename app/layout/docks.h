@@ -30,7 +30,8 @@ enum class Dock
     Icebergs,
     Layers,
     Messages,
-    Aircraft
+    Aircraft,
+    Starts
 };
 
 /** Arrangements of the docks for one kind of work each. */

@@ -20,6 +20,7 @@
 #include "widgets/panels/plan/tradeoff_panel.h"
 #include "widgets/panels/study/comparison_panel.h"
 #include "widgets/panels/study/solve_time_panel.h"
+#include "widgets/panels/study/start_panel.h"
 #include "widgets/panels/study/study_panel.h"
 #include "widgets/theme/announcer.h"
 #include "widgets/theme/icons.h"
@@ -98,6 +99,7 @@ Panels::Panels(Workspace& workspace, const Theme& theme)
     , charts{new ChartPanel(ChartKind::Zeta, theme), new ChartPanel(ChartKind::Sigma, theme)}
     , pareto(new ParetoChart(theme))
     , solveTime(new SolveTimePanel(workspace.benchmark()))
+    , starts(new StartPanel(workspace.starts(), workspace.document()))
     , study(new StudyPanel(workspace.study()))
     , alarms(new AlarmStrip)
     , overview(new OverviewInset(map))
@@ -128,7 +130,7 @@ void Panels::setTheme(const Theme& theme) const
 {
     const auto paint = [&theme](auto*... panels) { (panels->setTheme(theme), ...); };
     paint(alarms, overview, findBox, placeMark, map, tradeoff, plan, inspector, playback,
-          charts.front(), charts.back(), comparison, comparisonChart, pareto, solveTime, study,
+          charts.front(), charts.back(), comparison, comparisonChart, pareto, solveTime, starts, study,
           events, checks, icebergs, messages, aircraft);
     history->setCleanIcon(icon(IconName::Save, theme));
 }

@@ -27,6 +27,7 @@ class PlaceMark;
 class PlanPanel;
 class PlaybackBar;
 class SolveTimePanel;
+class StartPanel;
 class StudyPanel;
 class TradeoffPanel;
 class Workspace;
@@ -51,6 +52,7 @@ struct Panels
     std::array<ChartPanel*, 2> charts;
     ParetoChart* pareto;
     SolveTimePanel* solveTime;
+    StartPanel* starts;
     StudyPanel* study;
     AlarmStrip* alarms;
     OverviewInset* overview;

@@ -24,6 +24,7 @@ namespace {
 
 constexpr const char* kPanelsKey = "view/mapPanels";
 constexpr const char* kLayersKey = "view/layers";
+constexpr const char* kTrackMarkKey = "view/trackMark";
 constexpr const char* kFormerSweptKey = "view/swept"; // before it was one of the layers
 constexpr const char* kOverviewKey = "view/overview";
 constexpr const char* kHiddenColumnsKey = "icebergs/hiddenColumns";
@@ -42,8 +43,29 @@ MapController::MapController(WindowContext& context, const Docks& docks) : Windo
     settings().remove(kFormerSweptKey);
     connect(panels().layers, &LayersPanel::layersEdited, this, &MapController::showLayers);
     connect(&panels().map->panels(), &MapPanels::changed, this, &MapController::savePanels);
+    connect(&m_drift, &DriftTrackRunner::updated, this, &MapController::showDriftTracks);
+    connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
+            &MapController::predictDrift);
+    predictDrift();
     connectMap(docks);
     connectTables();
+}
+
+void MapController::predictDrift()
+{
+    const MapLayers& layers = panels().layers->layers();
+    if (layers.shows(MapLayer::Tracks))
+        m_drift.setScenario(workspace().document().scenario(), layers.trackMark_s);
+    else
+        m_drift.clear();
+}
+
+void MapController::showDriftTracks()
+{
+    MapLayers layers = panels().layers->layers();
+    layers.tracks = m_drift.tracks();
+    panels().layers->showLayers(layers);
+    panels().map->setLayers(layers);
 }
 
 /** In the order of `MapPanel`: hidden, folded, moved by x, moved by y. */
@@ -92,6 +114,9 @@ MapLayers MapController::savedLayers() const
         else if (i <= static_cast<qsizetype>(kMapLayers))
             layers.set(static_cast<MapLayer>(i - 1), value);
     }
+    const double mark_s = settings().value(kTrackMarkKey).toDouble();
+    if (std::isfinite(mark_s) && mark_s > 0)
+        layers.trackMark_s = std::max(mark_s, 3600.0);
     return layers;
 }
 
@@ -103,6 +128,8 @@ void MapController::showLayers(const MapLayers& layers)
     for (const double opacity : layers.opacities)
         saved << QString::number(opacity);
     settings().setValue(kLayersKey, saved);
+    settings().setValue(kTrackMarkKey, layers.trackMark_s);
+    predictDrift();
     emit layersChanged();
 }
 

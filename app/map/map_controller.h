@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/layout/window_part.h"
+#include "widgets/forecast/drift_track_runner.h"
 #include "widgets/map/paint/map_layers.h"
 #include "widgets/map/paint/map_overlays.h"
 
@@ -37,7 +38,12 @@ private:
     void savePanels();
     [[nodiscard]] MapLayers savedLayers() const;
     void showLayers(const MapLayers& layers);
+    /** Predicts the drift of the icebergs if its layer is shown. */
+    void predictDrift();
+    void showDriftTracks();
     [[nodiscard]] MapPanelStates savedPanels() const;
+
+    DriftTrackRunner m_drift;
 };
 
 } // namespace berg

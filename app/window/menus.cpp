@@ -9,6 +9,7 @@
 #include "widgets/map/view/map_view.h"
 #include "widgets/panels/flight/playback_bar.h"
 #include "widgets/panels/plan/tradeoff_panel.h"
+#include "widgets/panels/study/start_panel.h"
 #include "widgets/theme/mission_clock.h"
 #include "widgets/words/intervention_text.h"
 #include "widgets/workspace/workspace.h"
@@ -157,6 +158,7 @@ std::vector<Command> Menus::mapCommands()
         {"placesAction", tr("Place names"), layer(MapLayer::Places)},
         {"windLayerAction", tr("Forecast wind"), layer(MapLayer::Wind)},
         {"currentLayerAction", tr("Forecast current"), layer(MapLayer::Current)},
+        {"driftTracksAction", tr("Predicted drift"), layer(MapLayer::Tracks)},
         {"truthAction", tr("S&how true positions"),
          tr("Shows the true positions of the icebergs beside the estimates. When "
             "off, the map shows only what an operator would see."),
@@ -186,6 +188,8 @@ std::vector<Command> Menus::viewCommands()
     return {
         {"checksAction", tr("Chec&ks"), [this] { toggleChecks(context(), m_parts.docks); }, "F7"},
         {"studyAction", tr("S&tudy"), [&p] { p.study.showStudy(); }},
+        {"startsAction", tr("Start times"),
+         [this, &p] { p.docks.openFloating(Dock::Starts, panels().starts->sizeHint()); }},
         {"solveTimeAction", tr("&Solve time"), [&p] { p.solveTimes.show(); }},
         kLine,
         {tr("La&youts"), [this](QMenu& menu) { m_actions.add(menu, layouts()); }},

@@ -14,7 +14,10 @@ class Findings;
  */
 [[nodiscard]] bool isIcing(const Weather& weather, double height_m);
 
-/** Reports a warning for each UAV whose limits the weather of the scenario exceeds. */
+/**
+ * Reports a warning for each UAV whose limits the weather of the scenario exceeds. With a forecast
+ * it is that of the run (`weatherOfArea`), and a hint reports weather near a limit or unknown.
+ */
 void adviseWeather(const Scenario& scenario, Findings& findings);
 
 } // namespace berg

@@ -28,6 +28,10 @@ struct WeatherLimits
     /** Strongest permitted wind; nullopt means no limit. */
     std::optional<double> wind_mps;
     std::optional<double> gust_mps;
+    /** Shortest permitted visibility; nullopt means no limit. */
+    std::optional<double> visibility_m;
+    /** Lowest permitted cloud base above the sea; nullopt means no limit. */
+    std::optional<double> ceiling_m;
     bool icing = false; ///< true if it may fly in icing conditions
     bool operator==(const WeatherLimits&) const = default;
 };

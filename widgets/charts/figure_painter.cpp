@@ -64,6 +64,10 @@ QColor fullColour(const Ink& ink, const Theme& theme)
         return solverColour(ink.value, theme);
     case InkOf::Sigma:
         return theme.sigma.at(ink.value);
+    case InkOf::Caution:
+        return theme.warning;
+    case InkOf::Danger:
+        return theme.alarm;
     }
     return {};
 }

@@ -33,6 +33,7 @@ inline constexpr std::array kManualPlaces{
     ManualPlace{"comparisonChartDock", "window#comparison"},
     ManualPlace{"checksDock", "window#checks"},
     ManualPlace{"solveTimeDock", "window#solve-time"},
+    ManualPlace{"startsDock", "window#starts"},
     ManualPlace{"studyDock", "window#study"},
     ManualPlace{"comparisonDock", "window#comparison"},
     ManualPlace{"icebergsDock", "window#icebergs"},

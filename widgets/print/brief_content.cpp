@@ -7,6 +7,7 @@
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
 #include "widgets/words/policy_words.h"
+#include "widgets/words/weather_words.h"
 
 #include <algorithm>
 #include <functional>
@@ -92,6 +93,21 @@ std::vector<BriefFact> placeFacts(const ExportContent& content, const QLocale& l
     return facts;
 }
 
+/** Verdict on the weather along the printed paths. */
+QString weatherFact(const ExportContent& content, const QLocale& locale)
+{
+    const Scenario& scenario = *content.scenario;
+    std::vector<std::vector<FlightPlace>> flights(scenario.uavs.size());
+    for (const ExportUav& uav : content.uavs) {
+        std::vector<FlightPlace>& flight = flights.at(uav.row);
+        flight.push_back({.time_s = uav.start_s, .position_m = uav.uav.position_m});
+        for (const Visit& visit : uav.visits)
+            if (visit.time_s > flight.back().time_s)
+                flight.push_back({.time_s = visit.time_s, .position_m = visit.position_m});
+    }
+    return weatherText(scenario, weatherAlong(scenario, flights), locale);
+}
+
 std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& locale)
 {
     PathTotals total;
@@ -104,6 +120,8 @@ std::vector<BriefFact> flightFacts(const ExportContent& content, const QLocale& 
     std::vector<BriefFact> facts{{FlightBrief::tr("Wind, true"), windText(content, locale)}};
     if (!content.scenario->current_mps.isZero(0))
         facts.push_back({FlightBrief::tr("Current, true"), currentText(content, locale)});
+    if (hasWeatherLimits(*content.scenario))
+        facts.push_back({FlightBrief::tr("Weather and limits"), weatherFact(content, locale)});
     facts.push_back({content.what == ExportScope::Track ? FlightBrief::tr("Distance")
                                                         : FlightBrief::tr("This sortie"),
                      distanceText(total.length_m, locale)});

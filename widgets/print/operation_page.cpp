@@ -84,6 +84,25 @@ QString limitText(const std::optional<double>& speed_mps, const QLocale& locale)
     return speed_mps ? speedText(*speed_mps, locale, 3) : u"–"_s;
 }
 
+/** Adds the limits that a forecast is compared with, if a UAV has one. */
+void addForecastLimits(std::vector<QStringList>& rows, const ExportContent& content,
+                       const QLocale& locale)
+{
+    const auto limitsOf = [&content](const ExportUav& uav) -> const WeatherLimits& {
+        return content.scenario->uavs[uav.row].weather;
+    };
+    if (std::ranges::none_of(content.uavs, [&](const ExportUav& uav) {
+            return limitsOf(uav).visibility_m || limitsOf(uav).ceiling_m;
+        }))
+        return;
+    rows.front() << OperationPage::tr("Visibility limit") << OperationPage::tr("Ceiling limit");
+    for (std::size_t i = 0; i < content.uavs.size(); ++i) {
+        const WeatherLimits& limits = limitsOf(content.uavs[i]);
+        rows[i + 1] << (limits.visibility_m ? distanceText(*limits.visibility_m, locale) : u"–"_s)
+                    << (limits.ceiling_m ? heightText(*limits.ceiling_m, locale) : u"–"_s);
+    }
+}
+
 std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& locale)
 {
     std::vector<QStringList> rows{{OperationPage::tr("UAV"), OperationPage::tr("Endurance"),
@@ -101,6 +120,7 @@ std::vector<QStringList> uavRows(const ExportContent& content, const QLocale& lo
                         entered.weather.icing ? OperationPage::tr("flown in")
                                               : OperationPage::tr("not flown in")});
     }
+    addForecastLimits(rows, content, locale);
     return rows;
 }
 

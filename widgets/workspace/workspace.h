@@ -13,6 +13,7 @@
 #include "widgets/sightings/import_runner.h"
 #include "widgets/study/benchmark_runner.h"
 #include "widgets/study/run_list.h"
+#include "widgets/study/start_runner.h"
 #include "widgets/study/study_autosaver.h"
 #include "widgets/study/study_files.h"
 
@@ -57,6 +58,8 @@ public:
     /** Returns the runs flown, added when they end or are discarded. */
     [[nodiscard]] RunList& runs() { return m_runs; }
     [[nodiscard]] BenchmarkRunner& benchmark() { return m_benchmark; }
+    /** Returns the comparison of start times. */
+    [[nodiscard]] StartRunner& starts() { return m_starts; }
     [[nodiscard]] StudyRunner& study() { return m_study; }
     [[nodiscard]] StudyFiles& studyFiles() { return m_studyFiles; }
     [[nodiscard]] StudyAutosaver& studyAutosaver() { return m_studyAutosaver; }
@@ -256,6 +259,7 @@ private:
     PolicyForecasts m_forecasts;
     BoundRunner m_bound;
     BenchmarkRunner m_benchmark;
+    StartRunner m_starts;
     StudyRunner m_study;
     StudyAutosaver m_studyAutosaver{m_study};
     StudyFiles m_studyFiles;

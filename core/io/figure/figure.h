@@ -27,7 +27,9 @@ enum class InkOf
     Comparison,
     Policy, ///< a `PolicyKind` as `value`
     Solver, ///< `value` is an index of `kBenchmarkSolverNames`, or negative for the paper's solver
-    Sigma   ///< `value` is a fraction of the maximum of the sigma scale
+    Sigma,  ///< `value` is a fraction of the maximum of the sigma scale
+    Caution,
+    Danger
 };
 
 /** Colour of a drawn object, by its meaning. */

@@ -30,6 +30,10 @@ std::string inkClass(const Ink& ink)
         return "grid";
     case InkOf::Policy:
         return "p-" + nameOf(kPolicyNames, static_cast<PolicyKind>(static_cast<int>(ink.value)));
+    case InkOf::Caution:
+        return "caution";
+    case InkOf::Danger:
+        return "danger";
     case InkOf::Uav:
     case InkOf::Plan:
     case InkOf::Accumulated:
@@ -155,6 +159,34 @@ std::string figureSvg(const Figure& figure, double width_px, double height_px)
     for (const DrawnText& text : drawing.texts)
         svg += textSvg(text);
     return svg + "</svg>\n";
+}
+
+std::string figureSvgFile(const Figure& figure, double width_px, double height_px)
+{
+    constexpr std::string_view kStyle = R"css(<style>
+svg { --text: #16222b; --muted: #4c5e6a; --page: #ffffff; --grid: #e3eaee; --axis: #84949e;
+  --plan: #1769aa; --caution: #b86e00; --danger: #b3263a; background: var(--page); }
+@media (prefers-color-scheme: dark) { svg { --text: #e8eff3; --muted: #9cb0bc; --page: #111e28;
+  --grid: #223441; --axis: #6b7f8c; --plan: #5fb3f2; --caution: #f2b04d; --danger: #ff7a8a; } }
+.text { --ink: var(--text); } .muted { --ink: var(--muted); } .axis { --ink: var(--axis); }
+.grid { --ink: var(--grid); } .plan { --ink: var(--plan); } .caution { --ink: var(--caution); }
+.danger { --ink: var(--danger); }
+text { font: 12px system-ui, "Segoe UI", "Noto Sans", sans-serif; fill: var(--ink); }
+polyline { fill: none; stroke: var(--ink); stroke-linejoin: round; }
+polygon, circle { fill: var(--ink); }
+.hollow { fill: var(--page); stroke: var(--ink); stroke-width: 1.5; }
+.no-go { fill: url(#hatch); fill-opacity: 1; stroke: var(--ink); }
+.stripe { stroke: var(--danger); stroke-width: 2.4; }
+</style>
+<defs><pattern id="hatch" patternUnits="userSpaceOnUse" width="6" height="6"
+  patternTransform="rotate(45)"><line class="stripe" x1="0" y1="0" x2="0" y2="6"/></pattern></defs>
+)css";
+    std::string svg = figureSvg(figure, width_px, height_px);
+    const std::string sizes =
+        " width=\"" + fixedText(width_px, 0) + "\" height=\"" + fixedText(height_px, 0) + '"';
+    svg.insert(svg.find('>') + 1, '\n' + std::string(kStyle));
+    svg.insert(svg.find(" viewBox"), sizes);
+    return svg;
 }
 
 } // namespace berg

@@ -1,6 +1,8 @@
 #include "core/io/results/plan_result.h"
 
 #include "core/io/results/result_parts.h"
+#include "core/io/results/weather_result.h"
+#include "core/mission/flight_places.h"
 #include "core/mission/plan_requests.h"
 #include "core/plan/policy/fleet_task.h"
 #include "core/plan/solve/names.h"
@@ -115,6 +117,12 @@ PlanReport planReport(const Scenario& scenario, const Plan& answer)
         report.distance_m += uav.distance_m;
         report.uavs.push_back(std::move(uav));
     }
+    if (hasWeatherLimits(scenario)) {
+        report.weather = weatherAlong(scenario, plannedFlights(scenario, answer));
+        report.weatherLine = weatherLine(scenario, *report.weather);
+        for (const Uav& uav : scenario.uavs)
+            report.weatherUavs.push_back(uav.id);
+    }
     const PolicyKind policy = scenario.planner.policy;
     if (report.uavs.size() == 1 && policy == PolicyKind::Tour)
         report.path = LengthKind::Round;
@@ -160,6 +168,8 @@ std::string planJson(const PlanReport& report)
         json["uavs"] = uavs;
     if (report.secondOpinion)
         json["verify"] = secondOpinionJson(*report.secondOpinion);
+    if (report.weather)
+        json["weather"] = weatherTree(report.weatherUavs, *report.weather);
     return resultText(json);
 }
 

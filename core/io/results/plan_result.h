@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/checks/weather_gate.h"
 #include "core/plan/fleet/second_opinion.h"
 #include "core/plan/policy/policy.h"
 #include "core/scenario/scenario.h"
@@ -40,6 +41,10 @@ struct PlanReport
     std::vector<UavReport> uavs;
     std::vector<std::vector<std::string>> clusters = {}; ///< ids planned as one point
     std::optional<SecondOpinion> secondOpinion = {};
+    /** Along the predicted flights (`plannedFlights`); nullopt if no UAV has a limit. */
+    std::optional<WeatherVerdict> weather = {};
+    std::vector<std::string> weatherUavs = {}; ///< ids of its UAVs
+    std::string weatherLine = {};              ///< the same in words; empty without it
 
     /** Returns the value of Eq. (1) or of the latency; nullopt without a plan, or if no problem was
      * solved. */

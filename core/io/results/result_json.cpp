@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/io/results/result_csv.h"
 #include "core/io/results/result_parts.h"
+#include "core/io/results/weather_result.h"
 #include "core/plan/policy/policy.h"
 
 #include <algorithm>
@@ -127,7 +128,7 @@ std::vector<std::pair<std::string, int>> worldEvents(const Mission& mission)
 }
 
 std::string simulateJson(const Mission& mission, std::optional<double> lowerBound_m2s,
-                         double elapsed_s)
+                         double elapsed_s, const std::optional<WeatherVerdict>& weather)
 {
     const Metrics metrics = mission.metrics();
     Json json{{"zeta_m2s", metrics.zeta_m2s},
@@ -142,6 +143,12 @@ std::string simulateJson(const Mission& mission, std::optional<double> lowerBoun
         json["uavs"].push_back({{"id", uav.id}, {"visits", uav.visits}, {"flown_m", uav.flown_m}});
     for (const auto& [name, count] : worldEvents(mission))
         json["events"][name] = count;
+    if (weather) {
+        std::vector<std::string> ids;
+        for (const Uav& uav : mission.scenario().uavs)
+            ids.push_back(uav.id);
+        json["weather"] = weatherTree(ids, *weather);
+    }
     return resultText(json);
 }
 

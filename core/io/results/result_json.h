@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/checks/weather_gate.h"
 #include "core/mission/mission.h"
 #include "core/study/benchmark.h"
 #include "core/study/study_summary.h"
@@ -15,10 +16,12 @@ namespace berg {
 
 /**
  * Returns the result of a mission; `lowerBound_m2s` is the lower bound on zeta, if it was
- * requested, and `elapsed_s` the time that the computation took.
+ * requested, and `elapsed_s` the time that the computation took. `weather` is left out if it is
+ * nullopt.
  */
 [[nodiscard]] std::string simulateJson(const Mission& mission, std::optional<double> lowerBound_m2s,
-                                       double elapsed_s);
+                                       double elapsed_s,
+                                       const std::optional<WeatherVerdict>& weather = {});
 
 /** Totals of one UAV in a mission. */
 struct UavFigures

@@ -1,5 +1,11 @@
 #include "widgets/map/paint/map_drift.h"
 
+#include "widgets/map/paint/map_paint.h"
+#include "widgets/map/paint/map_symbols.h"
+#include "widgets/theme/painter_state.h"
+
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 
@@ -9,6 +15,84 @@ namespace {
 constexpr double kLongestArrow_px = 44;
 constexpr std::array<double, 11> kDriftTimes_s = {60,   120,  300,   600,   1200, 1800,
                                                   3600, 7200, 21600, 43200, 86400};
+
+constexpr double kTrackLine_px = 1.6;
+constexpr double kTrackMark_px = 2.6;
+constexpr double kLeastCircle_px = 5;      // smaller circles would hide the mark
+constexpr double kLargestCircle_px = 4000; // larger ones fill every map
+constexpr double kLabelRoom_px = 46;       // between two labelled marks
+constexpr std::size_t kMostCircles = 25;   // icebergs with circles and labels
+
+/** Translation context of free functions, which lupdate would otherwise omit. */
+struct DriftTracksText
+{
+    Q_DECLARE_TR_FUNCTIONS(DriftTracksText)
+};
+
+QColor faint(QColor colour, double alpha)
+{
+    colour.setAlphaF(static_cast<float>(alpha));
+    return colour;
+}
+
+void paintSpread(const MapPaint& p, const DriftTrack& track)
+{
+    constexpr double kRim = 0.45;
+    constexpr double kInside = 0.07;
+    for (const DriftTrackPoint& point : track.points) {
+        const double radius_px = point.sd_m * p.layout.view.scale_pxpm();
+        if (point.time_s <= 0 || radius_px < kLeastCircle_px || radius_px > kLargestCircle_px)
+            continue;
+        p.painter.setPen(QPen(faint(p.theme.comparison, kRim), 1));
+        p.painter.setBrush(faint(p.theme.comparison, kInside));
+        p.painter.drawEllipse(p.layout.view.toPixel(point.position_m), radius_px, radius_px);
+    }
+}
+
+void paintTrackLine(const MapPaint& p, const DriftTrack& track)
+{
+    QPolygonF line;
+    for (const DriftTrackPoint& point : track.points)
+        line << p.layout.view.toPixel(point.position_m);
+    p.painter.setPen(driftTrackPen(p.theme));
+    p.painter.setBrush(Qt::NoBrush);
+    p.painter.drawPolyline(line);
+}
+
+void paintHours(const MapPaint& p, const QPointF& at, double time_s)
+{
+    constexpr double kHour_s = 3600;
+    constexpr double kBeside_px = 6;
+    const QString text =
+        DriftTracksText::tr("+%1 h").arg(p.style.locale.toString(time_s / kHour_s, 'g', 3));
+    p.painter.setFont(p.theme.small());
+    const QFontMetricsF metrics(p.theme.small());
+    const QRectF box(at + QPointF(kBeside_px, -metrics.height() / 2),
+                     QSizeF(metrics.horizontalAdvance(text) + 2, metrics.height()));
+    drawHaloText(p.painter, box, Qt::AlignLeft | Qt::AlignVCenter, text, p.theme.text, p.theme.sea);
+}
+
+void paintTrackMarks(const MapPaint& p, const DriftTrack& track)
+{
+    QPointF labelled = p.layout.view.toPixel(track.points.front().position_m);
+    for (const DriftTrackPoint& point : track.points) {
+        if (point.time_s <= 0)
+            continue;
+        const QPointF at = p.layout.view.toPixel(point.position_m);
+        p.painter.setPen(QPen(p.theme.sea, 1));
+        p.painter.setBrush(p.theme.comparison);
+        if (point.isAground)
+            p.painter.drawRect(QRectF(at, QSizeF()).adjusted(-4, -4, 4, 4));
+        else
+            p.painter.drawEllipse(at, kTrackMark_px, kTrackMark_px);
+        if (QLineF(labelled, at).length() < kLabelRoom_px)
+            continue;
+        paintHours(p, at, point.time_s);
+        labelled = at;
+        if (point.isAground)
+            break;
+    }
+}
 
 } // namespace
 
@@ -40,6 +124,31 @@ bool isCapped(const QLineF& arrow)
 {
     constexpr double kRounding_px = 1e-6;
     return arrow.length() > kCappedArrow_px - kRounding_px;
+}
+
+QPen driftTrackPen(const Theme& theme)
+{
+    return {theme.comparison, kTrackLine_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+}
+
+void paintDriftTracks(const MapPaint& p)
+{
+    if (!p.style.layers.tracks)
+        return;
+    const std::vector<DriftTrack>& tracks = *p.style.layers.tracks;
+    const bool isSparse = !p.layout.density.isDense && tracks.size() <= kMostCircles;
+    const PainterState saved(p.painter);
+    if (isSparse)
+        for (const DriftTrack& track : tracks)
+            paintSpread(p, track);
+    for (const DriftTrack& track : tracks)
+        if (track.points.size() > 1)
+            paintTrackLine(p, track);
+    if (!isSparse)
+        return;
+    for (const DriftTrack& track : tracks)
+        if (!track.points.empty())
+            paintTrackMarks(p, track);
 }
 
 } // namespace berg

@@ -3,8 +3,11 @@
 #include "widgets/map/paint/map_layout.h"
 
 #include <QLineF>
+#include <QPen>
 
 namespace berg {
+
+struct MapPaint;
 
 inline constexpr double kCappedArrow_px = 120; ///< largest length for a horizon chosen by the user
 
@@ -18,5 +21,15 @@ inline constexpr double kCappedArrow_px = 120; ///< largest length for a horizon
                                 std::size_t iceberg);
 /** Returns true if the drift is longer than the arrow drawn. */
 [[nodiscard]] bool isCapped(const QLineF& arrow);
+
+/** Returns the pen of predicted drift. */
+[[nodiscard]] QPen driftTrackPen(const Theme& theme);
+/**
+ * Paints the predicted drift of the icebergs: a line with marks at the times of the tracks' points,
+ * a circle of one standard deviation around each, and the hours ("+12 h") where there is room. An
+ * iceberg that runs aground has a square at its end. In a dense field, and of many icebergs, there
+ * are lines only.
+ */
+void paintDriftTracks(const MapPaint& p);
 
 } // namespace berg

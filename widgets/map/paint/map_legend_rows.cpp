@@ -1,6 +1,7 @@
 #include "widgets/map/paint/map_legend_rows.h"
 
 #include "widgets/map/paint/map_dots.h"
+#include "widgets/map/paint/map_drift.h"
 #include "widgets/map/paint/map_layout.h"
 #include "widgets/map/paint/map_marks.h"
 #include "widgets/map/paint/map_paths.h"
@@ -275,6 +276,10 @@ void addPathRows(RowList& rows, const MapPicture& picture, const Theme& theme,
         [&](QPainter& p, const QRectF& r) { drawComparisonSwatch(p, r, theme); });
     rows.add(!picture.uavs.empty(), MapLegend::tr("Field of view"), MapLegend::tr("Field of view"),
              [colours](QPainter& p, const QRectF& r) { drawFieldSwatch(p, r, colours.uav); });
+    rows.add(
+        layers.shows(MapLayer::Tracks) && layers.tracks && !layers.tracks->empty(),
+        MapLegend::tr("Predicted drift, circle: 1 σ"), MapLegend::tr("Predicted drift"),
+        [&theme](QPainter& p, const QRectF& r) { drawLineSwatch(p, r, driftTrackPen(theme)); });
     rows.add(layers.shows(MapLayer::Swept) && picture.showsSwept(), MapLegend::tr("Seen so far"),
              MapLegend::tr("Seen so far"),
              [&](QPainter& p, const QRectF& r) { drawSweptSwatch(p, r, theme); });

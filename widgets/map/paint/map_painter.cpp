@@ -350,6 +350,7 @@ void paintMapContent(QPainter& painter, const MapFrame& frame)
     paintPlans(p);
     paintSearches(p);
     paintCircles(p);
+    withOpacity(p, layers.opacity(MapLayer::Tracks), [&] { paintDriftTracks(p); });
     paintIcebergs(p);
     paintTruths(p);
     paintAlarms(p);

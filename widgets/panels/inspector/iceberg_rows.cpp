@@ -1,9 +1,12 @@
+#include "core/study/drift_tracks.h"
 #include "core/tracking/position_error.h"
 #include "widgets/document/scenario_document.h"
 #include "widgets/panels/inspector/field_inputs.h"
 #include "widgets/words/import_text.h"
 #include "widgets/words/source_text.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -166,6 +169,32 @@ PartRow trackRow()
                 }};
 }
 
+/** Returns the error of the predicted drift after some hours, where a track is recorded. */
+QString driftErrorText(const Scenario& scenario, const std::string& id, const QLocale& locale)
+{
+    constexpr std::array<double, 6> kLeads_h{1, 3, 6, 12, 24, 48};
+    constexpr double kHour_s = 3600;
+    const Iceberg* iceberg = findById(scenario.icebergs, id);
+    if (iceberg == nullptr || iceberg->track.empty())
+        return {};
+    const double known_s = std::min(iceberg->track.time_s.back(), kLeads_h.back() * kHour_s);
+    if (known_s < kHour_s)
+        return {};
+    const auto index = static_cast<std::size_t>(iceberg - scenario.icebergs.data());
+    const DriftTrack track =
+        driftTrack(scenario, index, {.every_s = kHour_s, .duration_s = known_s});
+    QStringList errors;
+    for (const double lead_h : kLeads_h)
+        for (const DriftTrackPoint& point : track.points)
+            if (point.time_s == lead_h * kHour_s && point.error_m)
+                errors << InspectorRows::tr("%1 h: %2 (1 σ: %3)", "time, error, deviation")
+                              .arg(QString::number(lead_h), distanceText(*point.error_m, locale, 2),
+                                   distanceText(point.sd_m, locale, 2));
+    return errors.isEmpty()
+               ? QString()
+               : InspectorRows::tr("Error of the predicted drift") + u'\n' + errors.join(u'\n');
+}
+
 } // namespace
 
 std::vector<InspectorRow> icebergRows()
@@ -185,6 +214,7 @@ std::vector<InspectorRow> icebergRows()
     append(rows, iceberg.rows("appears_s", "radius_m"));
     rows.emplace_back(visitorRow());
     rows.emplace_back(trackRow());
+    rows.emplace_back(InfoRow{.key = u"icebergDriftError"_s, .text = driftErrorText});
     return rows;
 }
 

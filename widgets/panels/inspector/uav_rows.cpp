@@ -61,7 +61,7 @@ std::vector<InspectorRow> uavRows()
     beginGroup(rows, u"uavMissionGroup"_s, InspectorRows::tr("Autopilot mission"), true);
     append(rows, aircraftRows());
     beginGroup(rows, u"uavWeatherGroup"_s, InspectorRows::tr("Weather limits"));
-    append(rows, uav.rows("max_wind_mps", "max_gust_mps"));
+    append(rows, uav.rows("max_wind_mps", "min_ceiling_m"));
     rows.emplace_back(uav.choice(
         "icing", {InspectorRows::tr("do not fly"), InspectorRows::tr("flying allowed")}));
     return rows;

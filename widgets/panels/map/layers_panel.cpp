@@ -23,6 +23,7 @@ constexpr int kFewestLetters = 14; ///< visible letters of the background's name
 constexpr int kFull = 100;         ///< full opacity, per cent
 constexpr int kStep = 10;
 constexpr std::array<double, 8> kHorizons_s{600, 1800, 3600, 10800, 21600, 43200, 86400, 172800};
+constexpr std::array<double, 5> kTrackMarks_s{3600, 10800, 21600, 43200, 86400};
 
 } // namespace
 
@@ -38,6 +39,7 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
         {{MapLayer::Labels, "labels", tr("Names")},
          {MapLayer::Places, "places", tr("Place names")},
          {MapLayer::Drift, "drift", tr("Drift arrows")},
+         {MapLayer::Tracks, "tracks", tr("Predicted drift")},
          {MapLayer::Rings, "rings", tr("Uncertainty rings")},
          {MapLayer::Wind, "wind", tr("Forecast wind")},
          {MapLayer::Current, "current", tr("Forecast current")},
@@ -84,6 +86,24 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent)
         layers.horizon_s = horizon_s.isValid() ? std::optional(horizon_s.toDouble()) : std::nullopt;
         edit(layers);
     });
+    addTrackMarks(*form);
+}
+
+/** Adds the time between two marks of the predicted drift. */
+void LayersPanel::addTrackMarks(QFormLayout& form)
+{
+    m_trackMarks = new QComboBox;
+    m_trackMarks->setObjectName(u"trackMarks"_s);
+    m_trackMarks->setToolTip(tr("Time between two marks of the predicted drift, up to 48 h"));
+    for (const double every_s : kTrackMarks_s)
+        m_trackMarks->addItem(tr("every %1").arg(durationText(every_s, locale())), every_s);
+    guardWheel(*m_trackMarks);
+    form.addRow(tr("Marks of the drift"), m_trackMarks);
+    connect(m_trackMarks, &QComboBox::currentIndexChanged, this, [this] {
+        MapLayers layers = m_layers;
+        layers.trackMark_s = m_trackMarks->currentData().toDouble();
+        edit(layers);
+    });
 }
 
 /** Adds the file of the background and its buttons below the background's slider. */
@@ -128,6 +148,7 @@ void LayersPanel::showLayers(const MapLayers& layers)
         m_opacities[i]->setValue(static_cast<int>(std::lround(layers.opacities[i] * kFull)));
     const int chosen = layers.horizon_s ? m_horizon->findData(*layers.horizon_s) : 0;
     m_horizon->setCurrentIndex(std::max(0, chosen));
+    m_trackMarks->setCurrentIndex(std::max(0, m_trackMarks->findData(layers.trackMark_s)));
 }
 
 /** Emits only real changes. */

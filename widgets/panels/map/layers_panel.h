@@ -31,11 +31,13 @@ signals:
 
 private:
     void addBackdropRow(QFormLayout& form);
+    void addTrackMarks(QFormLayout& form);
     void edit(const MapLayers& layers);
 
     MapLayers m_layers;
     std::array<QSlider*, kMapLayers> m_opacities{};
     QComboBox* m_horizon = nullptr;
+    QComboBox* m_trackMarks = nullptr;
     QPushButton* m_open = nullptr;
     QPushButton* m_remove = nullptr;
 };

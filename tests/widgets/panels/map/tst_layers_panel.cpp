@@ -47,6 +47,18 @@ MapPicture picture()
     return shown;
 }
 
+/** Drift to the east over the picture, aground at the end. */
+DriftTracksPointer someTracks()
+{
+    DriftTrack track;
+    for (int k = 0; k < 4; ++k)
+        track.points.push_back({.time_s = k * 21600.0,
+                                .position_m = {1000.0 + 900 * k, 2000},
+                                .sd_m = 150.0 * k,
+                                .isAground = k == 3});
+    return std::make_shared<const std::vector<DriftTrack>>(std::vector<DriftTrack>{track});
+}
+
 QImage painted(const MapLayers& layers)
 {
     return mapImage(picture(), styleOf(layers), {900, 600}, 1);
@@ -66,8 +78,8 @@ private slots:
     {
         QTest::addColumn<int>("layer");
         const std::array<const char*, kMapLayers> names{
-            "labels",   "drift",    "rings",  "graticule", "formerPlan", "swept",  "permit",
-            "backdrop", "compared", "places", "iceChart",  "wind",       "current"};
+            "labels",   "drift",    "rings",  "graticule", "formerPlan", "swept",   "permit",
+            "backdrop", "compared", "places", "iceChart",  "wind",       "current", "tracks"};
         for (std::size_t i = 0; i < kMapLayers; ++i)
             QTest::newRow(names[i]) << static_cast<int>(i);
     }
@@ -78,6 +90,8 @@ private slots:
         MapLayers all;
         all.backdrop = std::make_shared<const BackdropShapes>(BackdropShapes{
             {.kind = MapShape::Kind::Polygon, .parts = {{{47, -54}, {47, -52}, {50, -53}}}}});
+        all.set(MapLayer::Tracks, 1);
+        all.tracks = someTracks();
         MapLayers faint = all;
         faint.set(static_cast<MapLayer>(layer), 0.3);
         MapLayers hidden = all;
@@ -167,6 +181,37 @@ private slots:
         QCOMPARE(panel.layers().opacity(MapLayer::Rings), 0.3);
         test::child<QComboBox>(panel, u"driftHorizon"_s).setCurrentIndex(0);
         QVERIFY(!panel.layers().horizon_s);
+    }
+
+    void marksOfTheDriftAreChosen()
+    {
+        LayersPanel panel;
+        panel.showLayers({});
+        QSignalSpy edited(&panel, &LayersPanel::layersEdited);
+        auto& marks = test::child<QComboBox>(panel, u"trackMarks"_s);
+        QCOMPARE(marks.currentText(), u"every 6 h"_s);
+        marks.setCurrentIndex(0);
+        QCOMPARE(edited.count(), 1);
+        QCOMPARE(panel.layers().trackMark_s, 3600.0);
+        QVERIFY(!panel.layers().shows(MapLayer::Tracks)); // hidden unless chosen
+    }
+
+    /** Marks and circles would cover a field of many icebergs. */
+    void manyTracksAreLinesOnly()
+    {
+        std::vector<DriftTrack> many(30, someTracks()->front());
+        MapLayers layers;
+        layers.set(MapLayer::Tracks, 1);
+        layers.tracks = std::make_shared<const std::vector<DriftTrack>>(many);
+        const QImage lines = painted(layers);
+        for (DriftTrack& track : many)
+            for (DriftTrackPoint& point : track.points)
+                point.sd_m = 1000;
+        layers.tracks = std::make_shared<const std::vector<DriftTrack>>(many);
+        QVERIFY(painted(layers) == lines);
+        many.resize(2);
+        layers.tracks = std::make_shared<const std::vector<DriftTrack>>(many);
+        QVERIFY(painted(layers) != lines);
     }
 
     void panelNamesTheBackground()

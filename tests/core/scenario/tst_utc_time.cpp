@@ -1,4 +1,4 @@
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <QDateTime>
 #include <QTest>

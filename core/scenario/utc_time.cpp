@@ -1,4 +1,4 @@
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include "core/scenario/text_checks.h"
 
@@ -47,6 +47,13 @@ std::string utcText(UtcTime start, double after_s)
         appendDigits(text, static_cast<int>(clock.subseconds().count()), 3);
     }
     return text + 'Z';
+}
+
+std::string minuteText(UtcTime start, double after_s)
+{
+    constexpr std::size_t kDay = 10;
+    const std::string text = utcText(start, after_s);
+    return text.substr(0, kDay) + ' ' + text.substr(kDay + 1, 5);
 }
 
 } // namespace berg

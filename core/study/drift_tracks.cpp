@@ -1,0 +1,169 @@
+#include "core/study/drift_tracks.h"
+
+#include "core/base/error.h"
+#include "core/base/stopped.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berg {
+
+namespace {
+
+constexpr double kLongestDriftStep_s = 900;
+
+/** Returns the distance from the recorded track, or nullopt outside its times. */
+std::optional<double> distanceFrom_m(const RecordedTrack& track, double time_s,
+                                     const Point& position_m)
+{
+    if (track.empty() || time_s < track.time_s.front() || time_s > track.time_s.back())
+        return std::nullopt;
+    return (track.at(time_s) - position_m).norm();
+}
+
+/** Predicts one iceberg. */
+DriftTrack trackOf(const Scenario& scenario, const ScenarioWeather& weather, std::size_t index,
+                   const DriftTrackSpec& spec, const std::stop_token& stop)
+{
+    constexpr double kRounding = 1e-9;
+    const Iceberg& iceberg = scenario.icebergs[index];
+    const Track start = initialTrack(iceberg, ObserverModel::Kalman);
+    const LocalFrame frame(scenario.origin);
+    IcebergDrift drift(weather, iceberg, spec.drag);
+    DriftTrack track{.iceberg = index};
+    const double intervals = std::floor(spec.duration_s / spec.every_s + kRounding);
+    for (double k = 0; k <= intervals; ++k) {
+        throwIfStopped(stop);
+        const double time_s = k * spec.every_s;
+        const bool isKnown = drift.advance(time_s);
+        const std::optional<Point> velocity_mps = isKnown ? drift.velocity_mps() : std::nullopt;
+        if (!velocity_mps) {
+            track.end = DriftTrackEnd::ForecastEnds;
+            break;
+        }
+        const DriftingIceberg& now = drift.now();
+        track.points.push_back({.time_s = time_s,
+                                .position_m = now.position_m,
+                                .place = frame.toGeographic(now.position_m),
+                                .velocity_mps = *velocity_mps,
+                                .sd_m = std::sqrt(start.sigmaAfter_m2(time_s)),
+                                .isAground = now.grounded_s.has_value(),
+                                .error_m = distanceFrom_m(iceberg.track, time_s, now.position_m)});
+    }
+    track.grounded_s = drift.now().grounded_s;
+    return track;
+}
+
+} // namespace
+
+std::string_view nameOf(DriftTrackEnd end)
+{
+    return end == DriftTrackEnd::Complete ? "complete" : "forecast";
+}
+
+DriftLaw lawOf(const Iceberg& iceberg, const DragCoefficients& drag)
+{
+    return iceberg.length_m ? driftLaw(*iceberg.length_m, drag) : DriftLaw{};
+}
+
+IcebergDrift::IcebergDrift(const ScenarioWeather& weather, const Iceberg& iceberg,
+                           const DragCoefficients& drag, bool fades)
+    : m_weather(weather)
+    , m_iceberg(iceberg)
+    , m_law(lawOf(iceberg, drag))
+    , m_fade_s(fades ? iceberg.velocityTime_s : 0)
+    , m_frame(weather.origin())
+    , m_now{.position_m = iceberg.position_m, .own_mps = iceberg.velocity_mps}
+{
+    checkDepth();
+}
+
+void IcebergDrift::checkDepth()
+{
+    if (m_now.grounded_s || !m_iceberg.length_m)
+        return;
+    const std::optional<double> depth_m = m_weather.depth_m(m_now.position_m);
+    if (depth_m && dimensionsOfLength(*m_iceberg.length_m).draft_m > *depth_m)
+        m_now.grounded_s = m_now.time_s;
+}
+
+std::optional<Point> IcebergDrift::forced_mps(double time_s) const
+{
+    const ForecastEntry weather = m_weather.at(time_s, m_now.position_m);
+    if (!weather.current_mps || (m_law.windShare != 0 && !weather.wind_mps))
+        return std::nullopt;
+    return driftVelocity_mps(
+        m_law,
+        {.wind_mps = weather.wind_mps.value_or(Point::Zero()), .current_mps = *weather.current_mps},
+        m_frame.toGeographic(m_now.position_m).latitude_deg);
+}
+
+std::optional<Point> IcebergDrift::velocity_mps() const
+{
+    if (m_now.grounded_s)
+        return Point(Point::Zero());
+    const std::optional<Point> forced = forced_mps(m_now.time_s);
+    return forced ? std::optional<Point>(*forced + m_now.own_mps) : std::nullopt;
+}
+
+bool IcebergDrift::advance(double until_s)
+{
+    const double left_s = until_s - m_now.time_s;
+    const double start_s = m_now.time_s;
+    const double steps = std::ceil(left_s / kLongestDriftStep_s);
+    const double step_s = steps > 0 ? left_s / steps : 0;
+    for (double k = 0; k < steps; ++k) {
+        if (!m_now.grounded_s) {
+            const std::optional<Point> forced = forced_mps(m_now.time_s + step_s / 2);
+            if (!forced)
+                return false;
+            m_now.position_m += *forced * step_s + m_now.own_mps * carriedFor_s(m_fade_s, step_s);
+        }
+        if (m_fade_s > 0)
+            m_now.own_mps *= std::exp(-step_s / m_fade_s);
+        m_now.time_s = start_s + (k + 1) * step_s;
+        checkDepth();
+    }
+    return true;
+}
+
+DriftTrack driftTrack(const Scenario& scenario, std::size_t iceberg, const DriftTrackSpec& spec,
+                      const std::stop_token& stop)
+{
+    require(spec.every_s > 0 && spec.duration_s >= 0 && iceberg < scenario.icebergs.size(),
+            "driftTrack: spec or iceberg");
+    return trackOf(scenario, ScenarioWeather(scenario), iceberg, spec, stop);
+}
+
+std::vector<DriftTrack> driftTracks(const Scenario& scenario, const DriftTrackSpec& spec,
+                                    const std::stop_token& stop)
+{
+    require(spec.every_s > 0 && spec.duration_s >= 0, "driftTracks: duration or interval");
+    const ScenarioWeather weather(scenario);
+    std::vector<DriftTrack> tracks;
+    for (std::size_t i = 0; i < scenario.icebergs.size(); ++i)
+        tracks.push_back(trackOf(scenario, weather, i, spec, stop));
+    return tracks;
+}
+
+std::vector<DriftLeadError> recordedDriftErrors(const Scenario& scenario, const Iceberg& iceberg,
+                                                const DragCoefficients& drag,
+                                                const std::stop_token& stop)
+{
+    const LocalFrame frame(scenario.origin);
+    const std::optional<ForecastTime> start = startTime(scenario);
+    const double start_s =
+        start ? std::chrono::duration<double>(start->time_since_epoch()).count() : 0;
+    PlacedTrack placed;
+    for (std::size_t i = 0; i < iceberg.track.time_s.size(); ++i)
+        placed.push_back({.time_s = start_s + iceberg.track.time_s[i],
+                          .place = frame.toGeographic(iceberg.track.position_m[i])});
+    Forecast forecast;
+    if (start && scenario.forecast && isGrid(*scenario.forecast))
+        forecast = forecastAt(*scenario.forecast, frame.toGeographic(iceberg.position_m));
+    const ForcingAt forcing =
+        forcingOf(forecast, {.wind_mps = scenario.wind_mps, .current_mps = scenario.current_mps});
+    return driftErrors({&placed, 1}, lawOf(iceberg, drag), forcing, {}, stop);
+}
+
+} // namespace berg
