@@ -4,6 +4,7 @@
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "app/cli/typed_values.h"
+#include "core/base/knots.h"
 #include "core/base/stopped.h"
 #include "core/earth/coordinates.h"
 #include "core/io/import/import_tracks.h"
@@ -39,7 +40,6 @@ struct DriftArguments
 };
 
 constexpr double kUsualDuration_h = 48;
-constexpr double kKnot_mps = 1852.0 / 3600;
 
 constexpr const char* kNeeds = QT_TRANSLATE_NOOP("CommandLine", "%1 needs %2");
 

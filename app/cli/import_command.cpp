@@ -212,13 +212,13 @@ void printDetails(const std::string& file, const ImportResult& result)
                  note == ImportNote::Contradicted || note == ImportNote::TooFast ||
                  note == ImportNote::OnLand || note == ImportNote::Repeated ||
                  note == ImportNote::TimeUnknown) &&
-                notes++ < kMostRows)
+                notes++ < kMostListedRows)
                 printMessage(word(file) + ": " + word(iceberg.id) + ": " +
                              said(importNoteText(note), {}));
-    if (notes > kMostRows)
+    if (notes > kMostListedRows)
         printMessage(word(file) + ": " +
                      said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more notes about icebergs"),
-                          {countOf(notes - kMostRows)}));
+                          {countOf(notes - kMostListedRows)}));
 }
 
 /** How to get at sightings that are off the plane. */
@@ -309,7 +309,7 @@ void requireConsent(const std::string& file, const ImportResult& result)
         return;
     std::vector<Issue> issues;
     for (const ImportedIceberg& iceberg : result.icebergs)
-        if (isDoubtful(iceberg) && issues.size() < kMostRows)
+        if (isDoubtful(iceberg) && issues.size() < kMostListedRows)
             issues.push_back({Severity::Error, word(iceberg.id), {IssueId::ImportDoubtful}});
     throw Error(ErrorCode::InvalidInput, file, std::move(issues));
 }
@@ -336,14 +336,6 @@ void requireAddition(const ImportArguments& arguments, const char* format)
             QT_TRANSLATE_NOOP("CommandLine",
                               "--format %1 accepts only --into, --output, --force and --json"),
             {format});
-}
-
-Addition additionOf(const ImportArguments& arguments)
-{
-    return {.file = arguments.file,
-            .intoFile = arguments.intoFile,
-            .outputFile = arguments.outputFile,
-            .json = arguments.json};
 }
 
 int importForecastFile(ImportArguments arguments)
@@ -412,15 +404,17 @@ int importFile(const ImportArguments& given, const std::stop_token& stop)
     const std::string text =
         isPhotos ? std::string()
                  : reading([&] { return readImportFile(arguments.file, arguments.file, stop); });
+    const Addition addition{arguments.file, arguments.intoFile, arguments.outputFile,
+                            arguments.json};
     if (isAirspace)
-        return addAirspace(additionOf(arguments), text, stop);
+        return addAirspace(addition, text, stop);
     if (isChart || (isFound && !isPhotos && isIceChart(text))) {
         if (isFound && arguments.intoFile.empty())
             throw UsageError(
                 QT_TRANSLATE_NOOP("CommandLine", "%1 is an ice chart; use --into SCENARIO"),
                 {arguments.file});
         requireAddition(arguments, kIceChartFormat);
-        return addIceChart(additionOf(arguments), text, stop);
+        return addIceChart(addition, text, stop);
     }
     const auto [table, result, photos] =
         reading([&] { return imported(text, arguments, formats, options, stop); });

@@ -23,13 +23,13 @@ void printRows(const std::string& file, const Rejections& rows)
 {
     std::size_t printed = 0;
     for (const RejectedRow& row : rows.first)
-        if (printed++ < kMostRows)
+        if (printed++ < kMostListedRows)
             printMessage(word(file) + ": " +
                          said(Issue{Severity::Error, saidPlace(rows, row.line), reasonOf(row)}));
-    if (rows.count > kMostRows)
+    if (rows.count > kMostListedRows)
         printMessage(word(file) + ": " +
                      said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
-                          {countOf(rows.count - kMostRows)}));
+                          {countOf(rows.count - kMostListedRows)}));
 }
 
 } // namespace berg::cli

@@ -7,7 +7,7 @@
 namespace berg::cli {
 
 /** Longest list of rows on stderr. */
-inline constexpr std::size_t kMostRows = 100;
+inline constexpr std::size_t kMostListedRows = 100;
 
 /** Returns "line 3" in the language of the command line. */
 [[nodiscard]] std::string saidPlace(const Rejections& rejected, std::size_t number);

@@ -17,6 +17,7 @@
 #include "widgets/panels/plan/tradeoff_panel.h"
 #include "widgets/panels/study/comparison_panel.h"
 #include "widgets/panels/study/solve_time_panel.h"
+#include "widgets/panels/study/start_panel.h"
 #include "widgets/panels/study/study_panel.h"
 #include "widgets/workspace/workspace.h"
 
@@ -190,7 +191,7 @@ void Docks::addStudies()
     window().tabifyDockWidget(comparison, solveTime);
     window().tabifyDockWidget(solveTime, study);
     QDockWidget* layers =
-        add("layersDock", tr("Map layers"), panels().layers, Qt::RightDockWidgetArea);
+        add("layersDock", tr("Map layers"), scrolling(panels().layers), Qt::RightDockWidgetArea);
     window().tabifyDockWidget(dock(Dock::Inspector), layers);
     layers->hide(); // for whoever wants it
     QDockWidget* messages = add("messagesDock", tr("Messages"), panels().messages, kArea);

@@ -130,8 +130,8 @@ void Panels::setTheme(const Theme& theme) const
 {
     const auto paint = [&theme](auto*... panels) { (panels->setTheme(theme), ...); };
     paint(alarms, overview, findBox, placeMark, map, tradeoff, plan, inspector, playback,
-          charts.front(), charts.back(), comparison, comparisonChart, pareto, solveTime, starts, study,
-          events, checks, icebergs, messages, aircraft);
+          charts.front(), charts.back(), comparison, comparisonChart, pareto, solveTime, starts,
+          study, events, checks, icebergs, messages, aircraft);
     history->setCleanIcon(icon(IconName::Save, theme));
 }
 

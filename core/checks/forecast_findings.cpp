@@ -80,20 +80,6 @@ void adviseEnds(const Forecast& forecast, ForecastQuantity quantity, ForecastTim
                       {std::string(nameOf(quantity)), missing_h});
 }
 
-void adviseWindLimits(const Scenario& scenario, Findings& findings)
-{
-    const std::shared_ptr<const FlightWeather> weather = weatherOf(scenario);
-    const double atStart_mps = weather->wind()->wind_mps.front().norm();
-    const double strongest_mps = weather->strongestWind_mps();
-    for (std::size_t i = 0; i < scenario.uavs.size(); ++i) {
-        const std::optional<double>& limit_mps = scenario.uavs[i].weather.wind_mps;
-        if (limit_mps && strongest_mps > *limit_mps && atStart_mps <= *limit_mps)
-            findings.warn(entryPath("uavs", i) + ".max_wind_mps", IssueId::WindLimit,
-                          {Amount{tenth(strongest_mps), Quantity::Speed},
-                           Amount{*limit_mps, Quantity::Speed}});
-    }
-}
-
 } // namespace
 
 void checkForecast(const Scenario& scenario, Findings& findings)
@@ -143,7 +129,6 @@ void adviseForecast(const Scenario& scenario, Findings& findings)
     if (const std::optional<double> age_h = ageAt_h(forecast, start);
         age_h && *age_h > kOldForecast_h)
         findings.warn("forecast.issued", IssueId::ForecastOld, {std::round(*age_h)});
-    adviseWindLimits(scenario, findings);
 }
 
 } // namespace berg

@@ -186,10 +186,8 @@ private:
 
 void ScenarioWarnings::adviseIceChart()
 {
-    if (!m_s.iceChart)
-        return;
-    if (const std::optional<double> age_s = ageOf_s(*m_s.iceChart, m_s.startUtc);
-        age_s > kOldIceChart_s)
+    const auto age_s = ageOf_s(m_s.iceChart.value_or(IceChart()), m_s.startUtc);
+    if (age_s > kOldIceChart_s)
         m_found.hint("ice_chart.date_utc", IssueId::IceChartOld,
                      {static_cast<std::int64_t>(std::floor(*age_s / 3600))});
 }

@@ -33,7 +33,7 @@ struct AisLayout
 constexpr AisLayout kShipLayout{
     .bits = 168, .longitude = {61, 28}, .latitude = {89, 27}, .second = {137, 6}};
 constexpr std::size_t kLongNameStart = 272;
-constexpr AisLayout kAidLayout{.bits = 260, // transmitters differ in their spare bits at the end
+constexpr AisLayout kAidLayout{.bits = 259, // transmitters differ in their spare bits at the end
                                .longitude = {164, 28},
                                .latitude = {192, 27},
                                .second = {253, 6}};

@@ -2,6 +2,7 @@
 
 // Private to core/link: the fields of NMEA 0183 sentences.
 
+#include "core/base/knots.h"
 #include "core/earth/geodesy.h"
 
 #include <cstdint>
@@ -11,8 +12,6 @@
 #include <vector>
 
 namespace berg {
-
-inline constexpr double kKnot_mps = 1852.0 / 3600;
 
 /** Returns the XOR of the bytes between `$` or `!` and `*`. */
 [[nodiscard]] std::uint8_t nmeaChecksum(std::string_view content);

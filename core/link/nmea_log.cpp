@@ -12,7 +12,7 @@ namespace berg {
 namespace {
 
 constexpr std::size_t kMostUntimed = 10'000;
-constexpr std::size_t kLongestPiece = 4096; ///< A line without an end is divided.
+constexpr std::size_t kLongestNmeaLine = 4096; ///< A line without an end is divided.
 constexpr std::int64_t kLine_us = 100'000;
 
 } // namespace
@@ -43,7 +43,7 @@ std::vector<LoggedFrame> NmeaLogReader::feed(std::span<const std::uint8_t> bytes
     std::vector<LoggedFrame> frames;
     for (const std::uint8_t byte : bytes) {
         m_line.push_back(byte);
-        if (byte == '\n' || m_line.size() >= kLongestPiece)
+        if (byte == '\n' || m_line.size() >= kLongestNmeaLine)
             endLine(frames);
     }
     return frames;

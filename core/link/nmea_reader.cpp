@@ -88,7 +88,7 @@ void NmeaReader::endLine(std::vector<NmeaFix>& fixes)
     if (m_isTooLong) {
         ++m_counts.others;
         fail(NmeaFault::NoSentence, m_number);
-    } else if (!m_line.empty()) {
+    } else if (!m_line.empty() && m_line.front() != '#') { // a comment of a log
         if (std::optional<NmeaFix> fix = fixOf(m_line)) {
             ++m_counts.fixes;
             fixes.push_back(std::move(*fix));

@@ -84,12 +84,10 @@ double flightTime_s(const Point& displacement_m, double airspeed_mps, const Poin
     for (;;) {
         const Point relative_mps = wind.at_mps(time_s) - drift_mps;
         const double next_s = wind.nextChange_s(time_s);
-        if (relative_mps.norm() < airspeed_mps) {
+        if (next_s == kNoChange || relative_mps.norm() < airspeed_mps) {
             const double rest_s = flightTime_s(whole_m, airspeed_mps, relative_mps);
-            if (time_s + rest_s <= next_s)
+            if (!(time_s + rest_s > next_s)) // also if it is no number
                 return time_s == from_s ? rest_s : time_s - from_s + rest_s;
-        } else if (next_s == kNoChange) {
-            return kNoChange;
         }
         const double across_mps = cross(along, relative_mps);
         const double ahead2_m2ps2 = airspeed_mps * airspeed_mps - across_mps * across_mps;

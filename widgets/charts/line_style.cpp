@@ -52,12 +52,12 @@ Ink lineInk(const TimeLine& line, double sigmaFull_m2)
 {
     switch (line.role) {
     case LineRole::Accumulated:
+    case LineRole::Wind:
+    case LineRole::Gust:
         return {.of = InkOf::Accumulated};
     case LineRole::Momentary:
     case LineRole::Weighted:
     case LineRole::Signed:
-    case LineRole::Wind:
-    case LineRole::Gust:
         return {.of = InkOf::Momentary};
     case LineRole::Current:
         return {.of = InkOf::Plan};

@@ -45,9 +45,8 @@ std::optional<std::string> icebergAt(const Scenario& now, const LatLon& place, d
     double nearest_m = 0;
     for (const Iceberg& iceberg : now.icebergs) {
         const double distance_m = (iceberg.position_m - place_m).norm();
-        const double reach_m =
-            radius95_m(iceberg.sigma0_m2 + iceberg.q_m2ps * iceberg.observed_s) +
-            radius95_m(sigma_m2);
+        const double reach_m = radius95_m(iceberg.sigma0_m2 + iceberg.q_m2ps * iceberg.observed_s) +
+                               radius95_m(sigma_m2);
         if (distance_m > reach_m || (nearest && distance_m >= nearest_m))
             continue;
         nearest = iceberg.id;

@@ -221,6 +221,7 @@ ExportEffect effectOf(ExportNoteKind kind)
     case ExportNoteKind::AcceptanceCut:
     case ExportNoteKind::LoiterInSteps:
     case ExportNoteKind::WholeSpeed:
+    case ExportNoteKind::ShapefileNames:
         return ExportEffect::Changed;
     case ExportNoteKind::NoTimes:
     case ExportNoteKind::NoFence:
@@ -229,6 +230,8 @@ ExportEffect effectOf(ExportNoteKind kind)
     case ExportNoteKind::LaterSorties:
     case ExportNoteKind::NoTakeOffItem:
     case ExportNoteKind::NoLoiterTurns:
+    case ExportNoteKind::LineTimesLeft:
+    case ExportNoteKind::DrawingOnly:
         return ExportEffect::LeftOut;
     }
     throw std::logic_error("effectOf: unknown kind");

@@ -1,12 +1,13 @@
 #include "core/io/figure/wind_barb.h"
 
+#include "core/base/knots.h"
+
 #include <cmath>
 
 namespace berg {
 
 namespace {
 
-constexpr double kKnot_mps = 1852.0 / 3600;
 constexpr int kFinestBarb_kn = 5;
 constexpr int kBarb_kn = 10;
 constexpr int kPennant_kn = 50;

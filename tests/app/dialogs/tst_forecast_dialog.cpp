@@ -25,7 +25,7 @@ Scenario scenarioOfForecast()
 
 QString dataFile(const QString& name)
 {
-    return QString(BERG_TEST_DATA) + u"/forecast/"_s + name;
+    return QStringLiteral(BERG_TEST_DATA "/forecast/") + name;
 }
 
 /** A dialog about a scenario, and its parts. */

@@ -52,7 +52,7 @@ private slots:
     {
         WindowFixture w(test::MapFixture::fourIcebergs());
         const QList<QDockWidget*> docks = w.window().findChildren<QDockWidget*>();
-        QCOMPARE(docks.size(), 17);
+        QCOMPARE(docks.size(), 18);
         for (const QDockWidget* dock : docks) {
             const QString place = manualPlaceOf(dock->widget());
             QVERIFY2(place.startsWith(u"window#"_s), qPrintable(dock->objectName()));

@@ -436,8 +436,8 @@ private slots:
         QCOMPARE(faultOf({}), std::string("ice_chart.areas[0].outlines_m"));
         QCOMPARE(faultOf({.outlines_m = {{{0, 0}, {9, 0}}}}),
                  std::string("ice_chart.areas[0].outlines_m[0]"));
-        QCOMPARE(faultOf({.outlines_m = {{{0, 0}, {2e6, 0}, {0, 9}}}}),
-                 std::string("ice_chart.areas[0].outlines_m[0][1]"));
+        QVERIFY(faultOf({.outlines_m = {{{0, 0}, {2e6, 0}, {0, 9}}}})
+                    .starts_with("ice_chart.areas[0].outlines_m[0][1]"));
         QCOMPARE(faultOf({.outlines_m = {std::vector<Point>(kMostIceCorners + 1, Point(1, 1))}}),
                  std::string("ice_chart.areas"));
         s.iceChart->areas.resize(kMostIceAreas + 1, area);

@@ -7,6 +7,7 @@
 #include "core/mission/visits.h"
 #include "core/presets/presets.h"
 #include "tests/support/approx.h"
+#include "tests/support/files/file_texts.h"
 #include "tests/support/flight/scenario_builder.h"
 #include "tests/support/flight/weather_builder.h"
 
@@ -156,7 +157,7 @@ private slots:
             const auto time_s = [&](double to_m) {
                 return (u - std::sqrt(u * u - 2 * a * to_m)) / a;
             };
-            COMPARE_NEAR(plannedVisits(scenario, {IcebergIndex::of(0)}).front().time_s,
+            COMPARE_NEAR(plannedVisits(scenario, {IcebergIndex::of(0)}, {}).front().time_s,
                          time_s(way_m), 0.001 * time_s(way_m));
             Mission mission(scenario);
             while (mission.metrics().visits == 0 && !mission.simulation().finished())

@@ -227,7 +227,7 @@ private slots:
         const std::size_t before = inUse();
         const Recorder copy = recorder;
         const std::size_t all = inUse() - before;
-        const std::size_t keyframes = 2 * 302 * 500; // the two of them, generously
+        const std::size_t keyframes = 2 * 302 * 600; // the two of them, generously
         QVERIFY2(all < keyframes + 300'000, qPrintable(QString::number(all))); // was 3.3 million
         QCOMPARE(copy.icebergs(300).size(), std::size_t{302});
     }

@@ -38,11 +38,12 @@ double percentileBySampling(const PlannedPath& path, double airspeed_mps, double
     std::mt19937_64 engine(7);
     std::normal_distribution<double> normal;
     std::vector<double> margins_s;
-    const double windSd_mps = 1 + 0.15 * path.wind_mps.norm();
+    const Point wind_mps = path.wind_mps.at_mps(0);
+    const double windSd_mps = 1 + 0.15 * wind_mps.norm();
     for (int flight = 0; flight < 100'000; ++flight) {
         const double u_mps = airspeed_mps * (1 + 0.03 * normal(engine));
-        const double east_mps = path.wind_mps.x() + windSd_mps * normal(engine);
-        const double north_mps = path.wind_mps.y() + windSd_mps * normal(engine);
+        const double east_mps = wind_mps.x() + windSd_mps * normal(engine);
+        const double north_mps = wind_mps.y() + windSd_mps * normal(engine);
         const double along_mps = std::sqrt(u_mps * u_mps - north_mps * north_mps);
         const double length_m = path.places_m.back().x();
         margins_s.push_back(usable_s - length_m / (along_mps + east_mps) -
@@ -89,7 +90,7 @@ private slots:
 
         // Out at 25 m/s, home at 15: t + 25 t / 15 = 800.
         PlannedPath downWind = pathTo({12000});
-        downWind.wind_mps = {5, 0};
+        downWind.wind_mps = Point(5, 0);
         COMPARE_NEAR(sortieOutlook({}, uav, downWind).noReturn.value().time_s, 300.0, 1e-3);
     }
 

@@ -41,7 +41,7 @@ std::string scenarioWith(const QString& field, double value)
                             u"home_m"_s,     u"current_mps"_s,  u"wind_mps"_s};
     const bool isForecast = field.startsWith(u"forecast."_s);
     const QString owner =
-        field.contains(u'.') && !isForecast ? field.section(u'.', 0, 0) : QString();
+        field.contains(u'.') && !isForecast ? field.section(u'.', 0, -2) : QString();
     const QString name = field.section(u'.', -1);
     const QString number = QString::fromStdString(numberText(value));
     const QString text =

@@ -9,7 +9,7 @@
 namespace berg::test {
 
 /** Name and bytes of an entry. */
-using ZipEntry = std::pair<std::string, std::string>;
+using StoredEntry = std::pair<std::string, std::string>;
 
 inline std::uint32_t crc32Of(std::string_view bytes)
 {
@@ -23,7 +23,7 @@ inline std::uint32_t crc32Of(std::string_view bytes)
 }
 
 /** A zip archive of several entries, not compressed. */
-inline std::string storedZip(const std::vector<ZipEntry>& entries)
+inline std::string storedZip(const std::vector<StoredEntry>& entries)
 {
     const auto number = [](std::size_t value, int bytes) {
         std::string text;

@@ -58,7 +58,7 @@ public:
     std::vector<LatLon> suggestedOrigins;
     std::vector<ForecastOffer> forecastOffers;
     std::optional<ForecastChoice> forecastChoice; ///< answer to the question about the forecast
-    std::vector<Point> askedWinds_mps; ///< wind at each question about the wind
+    std::vector<Point> askedWinds_mps;            ///< wind at each question about the wind
     std::vector<ImportOffer> importOffers;
 
     [[nodiscard]] Unsaved askUnsaved(QWidget*, const UnsavedWork& work) override

@@ -83,6 +83,7 @@ inline MissionSnapshot twoIcebergs(const Scenario& scenario)
         now.motions.push_back(
             {.airspeed_mps = uav.spec.airspeed_mps, .wind_mps = scenario.wind_mps});
     }
+    now.wind = WindAhead(scenario.wind_mps);
     setPlan(now, {.uavs = {{.order = {0, 1}}}});
     now.assigned = {std::nullopt, std::nullopt};
     return now;

@@ -52,7 +52,7 @@ private slots:
         for (const int hour : {0, 1, 5, 8}) {
             const CoursePoint point = course.at(hour * kHour_s);
             QVERIFY((*point.wind_mps - forecastWind_mps(hour)).norm() < 1e-6);
-            COMPARE_NEAR(*point.gust_mps, 14 + hour, 1e-6);
+            COMPARE_NEAR(*point.gust_mps, 14.0 + hour, 1e-6);
             QVERIFY((*point.current_mps - Point(0.3, 0.4)).norm() < 1e-9);
         }
         QVERIFY((*weatherAtStart(scenario).wind_mps - Point(10, 0)).norm() < 1e-9);

@@ -84,7 +84,7 @@ struct MapContinuity
     std::optional<double> driftTime_s;
     MapCrowding crowding{};
     MapWeatherMarksPointer weather; ///< kept while forecast and view are the same
-    QSizeF legend_px; ///< smallest legend in flight, so that changes move nothing
+    QSizeF legend_px;               ///< smallest legend in flight, so that changes move nothing
     bool isLegendCompact = false;
 };
 

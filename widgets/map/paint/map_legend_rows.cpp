@@ -320,7 +320,7 @@ QString dateText(const IceChart& chart)
 void addIceRows(RowList& rows, const MapPicture& picture, const MapStyle& style)
 {
     const double opacity = style.layers.opacity(MapLayer::IceChart);
-    if (picture.iceChart == nullptr || opacity <= 0)
+    if (picture.iceChart == nullptr || opacity <= 0 || picture.iceChart->chart.areas.empty())
         return;
     const std::array<std::pair<QString, QString>, kIceClasses> names{
         {{MapLegend::tr("Ice free"), u"0/10"_s},
@@ -339,8 +339,6 @@ void addIceRows(RowList& rows, const MapPicture& picture, const MapStyle& style)
     for (std::size_t i = 0; i < kIceClasses; ++i)
         if (isThere[i])
             there.push_back(static_cast<IceClass>(i));
-    if (there.empty())
-        return;
     const Theme& theme = style.theme;
     const QString date = dateText(chart);
     rows.add(true,

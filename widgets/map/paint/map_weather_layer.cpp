@@ -95,10 +95,11 @@ QRectF areaOf(const MapWeatherMark& mark, bool showsWind, bool showsCurrent)
     area.adjust(-4, -4, 4, 4);
     if (showsWind && mark.values.wind_mps && barbSpeed_kn(*mark.values.wind_mps) > 0) {
         const Point from = -mark.values.wind_mps->normalized() * kMapShaft_px;
-        area |= QRectF(mark.at_px + QPointF(from.x(), -from.y()), QSizeF()).adjusted(-6, -6, 6, 6);
+        area |=
+            QRectF(mark.at_px + QPointF(from.x(), -from.y()), QSizeF()).adjusted(-12, -12, 12, 12);
     }
     if (showsCurrent && mark.values.current_mps)
-        area |= QRectF(mark.at_px + kCurrentBeside_px, QSizeF()).adjusted(-9, -9, 9, 9);
+        area |= QRectF(mark.at_px + kCurrentBeside_px, QSizeF()).adjusted(-19, -19, 19, 19);
     return area;
 }
 

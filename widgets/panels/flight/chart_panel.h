@@ -100,12 +100,12 @@ private:
     Theme m_theme;
     std::set<QString> m_hidden; ///< keys of hidden lines
     QString m_highlight;
-    RunPhase m_phase = RunPhase::Planning;    ///< phase of the last record
-    std::size_t m_icebergs = 0;               ///< number of icebergs in the last record
-    std::shared_ptr<const ZetaBound> m_bound; ///< bound of the last record
+    RunPhase m_phase = RunPhase::Planning;          ///< phase of the last record
+    std::size_t m_icebergs = 0;                     ///< number of icebergs in the last record
+    std::shared_ptr<const ZetaBound> m_bound;       ///< bound of the last record
     std::shared_ptr<const WeatherCourse> m_weather; ///< weather of the last record
     bool m_wasInstant = false;                      ///< whether it showed an earlier instant
-    QStringList m_listed;                     ///< names of the lines in the menu
+    QStringList m_listed;                           ///< names of the lines in the menu
     QComboBox* m_kind = nullptr;
     QToolButton* m_lines = nullptr;
     QMenu* m_menu = nullptr;

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/knots.h"
 #include "core/base/unit_names.h"
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/time_columns.h"
@@ -16,8 +17,6 @@ struct Unit
     std::string_view suffix;
     double factor = 1;
 };
-
-constexpr double kKnot_mps = 1852.0 / 3600;
 
 constexpr std::array kNoUnits = {Unit{""}};
 constexpr std::array kDegrees = {Unit{""},

@@ -21,7 +21,7 @@ bool isAnyOf(std::string_view text, std::initializer_list<std::string_view> word
 }
 
 /** Returns the position of a dimension in a variable's, or nullopt. */
-std::optional<std::size_t> positionOf(const NetcdfVariable& variable, std::size_t dimension)
+std::optional<std::size_t> axisPositionOf(const NetcdfVariable& variable, std::size_t dimension)
 {
     const auto at = std::ranges::find(variable.dimensions, dimension);
     if (at == variable.dimensions.end())
@@ -105,14 +105,14 @@ bool NetcdfAxisReader::placeBy(const NetcdfVariable& variable, NetcdfAxes& axes)
     if (lat.empty() && lon.empty())
         return true; // one place
     if (lat.size() == 2 && lat == lon) {
-        axes.row = positionOf(variable, lat[0]);
-        axes.column = positionOf(variable, lat[1]);
+        axes.row = axisPositionOf(variable, lat[0]);
+        axes.column = axisPositionOf(variable, lat[1]);
         return axes.row && axes.column && axes.row != axes.column;
     }
     if (lat.size() != 1 || lon.size() != 1)
         return false;
-    axes.row = positionOf(variable, lat[0]);
-    axes.column = positionOf(variable, lon[0]);
+    axes.row = axisPositionOf(variable, lat[0]);
+    axes.column = axisPositionOf(variable, lon[0]);
     return axes.row && axes.column && axes.row != axes.column; // else a list of stations
 }
 
@@ -193,7 +193,7 @@ std::optional<NetcdfAxes> NetcdfAxisReader::axesOf(const NetcdfVariable& variabl
             continue;
         if (coordinate->dimensions.empty()) {
             axes.time = coordinate;
-        } else if (const auto at = positionOf(variable, coordinate->dimensions[0]);
+        } else if (const auto at = axisPositionOf(variable, coordinate->dimensions[0]);
                    at && at != axes.row && at != axes.column) {
             axes.time = coordinate;
             axes.instant = at;
@@ -202,7 +202,7 @@ std::optional<NetcdfAxes> NetcdfAxisReader::axesOf(const NetcdfVariable& variabl
     for (const NetcdfVariable& time : m_file.variables()) {
         if (axes.time != nullptr || !time.isNumeric || time.dimensions.size() != 1 || !isTime(time))
             continue;
-        if (const auto at = positionOf(variable, time.dimensions[0]);
+        if (const auto at = axisPositionOf(variable, time.dimensions[0]);
             at && at != axes.row && at != axes.column) {
             axes.time = &time;
             axes.instant = at;

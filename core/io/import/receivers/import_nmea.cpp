@@ -45,8 +45,7 @@ public:
             m_budget.throwIfStopped();
             const std::string_view line = firstLine(rest);
             rest.remove_prefix(line.size());
-            // An empty line in place of a comment keeps the count of lines.
-            static_cast<void>(reader.feed(bytesOf(line.starts_with('#') ? "\n" : line)));
+            static_cast<void>(reader.feed(bytesOf(line)));
             takeFrom(reader);
         }
         static_cast<void>(reader.finish());

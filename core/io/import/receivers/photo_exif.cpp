@@ -157,7 +157,8 @@ try {
         photo.direction_deg = direction_deg;
     return photo;
 } catch (const std::exception&) { // of exiv2: its classes differ between versions
-    throw Error(ErrorCode::InvalidInput, subject, {IssueId::PhotoDamaged});
+    throw Error(ErrorCode::InvalidInput, subject,
+                {Issue{Severity::Error, "exif", {IssueId::PhotoDamaged}}});
 }
 
 } // namespace berg

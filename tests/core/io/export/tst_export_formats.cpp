@@ -40,7 +40,7 @@ std::string allTexts(const Mission& mission)
 {
     std::string texts;
     for (const ExportFormat& row : exportFormats())
-        if (!row.holds.painted)
+        if (!row.holds.painted && !row.holds.gis)
             texts += row.text(runContent(mission));
     return texts;
 }
@@ -66,7 +66,8 @@ private slots:
         }
         QCOMPARE(ids.join(u' '),
                  QStringLiteral("plan wpl geojson csv sigma-csv decisions-csv "
-                                "zeta-csv sightings gpx kml kmz czml shapefile gpkg gml dxf fgb brief map-pdf map-svg "
+                                "zeta-csv sightings gpx kml kmz czml shapefile gpkg gml dxf fgb "
+                                "brief map-pdf map-svg "
                                 "map-png log log-html charts-pdf charts-svg charts-png"));
         QVERIFY(findExportFormat("mission") == nullptr);
     }

@@ -105,7 +105,7 @@ private slots:
     void season()
     {
         const Mission mission =
-            flown(changed([](Scenario& s) { s.startUtc = "2026-11-30T12:00:00Z"; }), 100);
+            flown(changed([](Scenario& s) { s.startUtc = "2026-11-30T12:00:00Z"; }), 400);
         const SightingTable table = readSightings(sightingsOf(mission), "sightings.csv");
         QVERIFY(!table.sightings.empty());
         for (const Sighting& sighting : table.sightings)

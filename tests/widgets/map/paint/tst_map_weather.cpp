@@ -35,9 +35,17 @@ MapPicture forecastPicture(int icebergs = 6)
     return picture;
 }
 
+/** Without the legend, whose rows a forecast changes. */
+MapStyle styleOf(const Theme& theme, const MapLayers& layers = {})
+{
+    MapStyle style{.theme = theme, .locale = kLocale, .layers = layers};
+    style.panels[static_cast<std::size_t>(MapPanel::Legend)].isHidden = true;
+    return style;
+}
+
 QImage painted(const MapPicture& picture, const Theme& theme, const MapLayers& layers = {})
 {
-    return mapImage(picture, {.theme = theme, .locale = kLocale, .layers = layers}, kSize, 1);
+    return mapImage(picture, styleOf(theme, layers), kSize, 1);
 }
 
 QStringList legendOf(const MapPicture& picture, const MapLayers& layers = {})
@@ -142,7 +150,9 @@ private slots:
         plain.weather = nullptr;
         const QImage with = painted(picture, Theme::light());
         const QImage without = painted(plain, Theme::light());
-        const MapLayout layout = layoutOf(picture, kSize);
+        const Theme theme = Theme::light();
+        const MapLayout layout =
+            arrangeMap(picture, styleOf(theme), QRectF(QPointF(0, 0), QSizeF(kSize)));
         int labels = 0;
         for (const PlacedLabel& label : layout.labels) {
             const QRect rect = label.rect.toRect();

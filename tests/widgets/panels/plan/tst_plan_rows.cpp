@@ -80,6 +80,7 @@ private slots:
         const double course_rad = psiFromHeading(rows[0].course->true_deg);
         for (Motion& motion : windy.motions)
             motion.wind_mps = 5 * Point(std::cos(course_rad), std::sin(course_rad));
+        windy.wind = WindAhead(windy.motions.front().wind_mps);
         rows = planSections(windy, scenario).front().rows;
         COMPARE_NEAR(rows[0].course->groundSpeed_mps, 25, 0.01); // wind from behind
         COMPARE_NEAR(rows[0].leg_m / rows[0].arrival_s, rows[0].course->groundSpeed_mps, 1e-9);

@@ -74,7 +74,9 @@ private slots:
         QVERIFY(!f.bar.isVisible());
         QCOMPARE(f.runner.scan()->starts.size(), std::size_t{3});
         QCOMPARE(f.chart.chosen(), f.runner.scan()->best);
-        QVERIFY(f.state.text().contains(u"Marginal: wind 9 m/s, limit 10 m/s, from 12:00 UTC"_s));
+        QVERIFY2(
+            f.state.text().contains(u"Marginal: wind 9.00 m/s, limit 10.0 m/s, from 12:00 UTC"_s),
+            qPrintable(f.state.text()));
         emit f.chart.itemActivated(2);
         QVERIFY(f.use.isEnabled());
         f.use.click();
@@ -122,7 +124,7 @@ private slots:
                           .state = WeatherState::Unknown,
                           .limit = 12,
                           .time_s = 90}),
-                 u"Not known: gusts not known, limit 12 m/s, from 12:01 UTC"_s);
+                 u"Not known: gusts not known, limit 12.0 m/s, from 12:01 UTC"_s);
         scenario.startUtc.clear();
         QCOMPARE(verdict({.of = WeatherLimit::Icing, .time_s = 90}), u"No-go: icing, from 01:30"_s);
         scenario.uavs.push_back({.id = "uav-2"});

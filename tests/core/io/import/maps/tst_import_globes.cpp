@@ -352,7 +352,7 @@ private slots:
 
     void hostileArchivesAreRejected()
     {
-        std::vector<ZipEntry> many;
+        std::vector<StoredEntry> many;
         for (int i = 0; i < 3000; ++i) // each takes 64 kB while it is read
             many.emplace_back(std::to_string(i) + ".kml",
                               document(placemark("B" + std::to_string(i), pointAt("1,2"))));
