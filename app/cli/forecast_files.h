@@ -32,7 +32,7 @@ struct ForecastPart
 [[nodiscard]] ForecastFiles readForecasts(const std::vector<std::string>& files,
                                           const ForecastPart& part = {});
 
-/** Reads one file in the same way. */
+/** Reads one file as `readForecasts` does. */
 [[nodiscard]] ForecastReading readForecastFile(const std::string& file,
                                                const ForecastReadOptions& options);
 

@@ -75,7 +75,7 @@ struct ZetaBound
  * It is the greater of the bound that is proven here and of `frequencyBound`, which is the better
  * one in runs of several rounds.
  *
- * Where a forecast lets the wind change, UAVs count as flying in calm air at their airspeed plus
+ * If a forecast lets the wind change, UAVs count as flying in calm air at their airspeed plus
  * the strongest wind of the run, which no flight exceeds over ground. Icebergs whose drift a
  * forecast changes are left out if the area is bounded.
  *

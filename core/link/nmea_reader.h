@@ -37,7 +37,7 @@ struct NmeaTarget
         Aid    ///< AIS type 21: a buoy, or a mark that somebody has set, such as on ice.
     };
     Kind kind = Kind::Radar;
-    std::uint64_t line = 0; ///< Of the stream, from 1; of the last part of a message.
+    std::uint64_t line = 0; ///< Number in the stream, from 1; that of the last part of a message.
     std::uint32_t id = 0;   ///< Number of the radar target, or MMSI.
     std::string name;       ///< Any bytes; empty if there is none.
     LatLon place;

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] bool givesWind() const { return m_givesWind; }
     [[nodiscard]] bool givesCurrent() const { return m_givesCurrent; }
     [[nodiscard]] bool givesDepth() const { return m_givesDepth; }
-    /** Returns the latitude of the origin, whose sign tells to which side the wind turns ice. */
+    /** Returns the latitude of the origin, whose sign decides to which side the wind turns ice. */
     [[nodiscard]] double latitude_deg() const { return m_frame.origin().latitude_deg; }
 
 private:

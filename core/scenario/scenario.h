@@ -140,7 +140,7 @@ struct ScenarioPhysics
     bool noise = true;
     Point wind_mps = Point::Zero();
     Point current_mps = Point::Zero(); ///< carries every iceberg in addition to its own velocity
-    /** Where and when it gives a quantity, this replaces the constant one. Needs `startUtc`. */
+    /** Replaces a constant quantity where and when it gives one. Needs `startUtc`. */
     std::optional<ForecastField> forecast;
     std::vector<Point> area_m; ///< icebergs outside are not monitored; empty means unbounded
     ObserverSpec observer;

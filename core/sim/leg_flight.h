@@ -15,7 +15,7 @@ namespace berg {
 /**
  * A UAV that flies a plan ahead along straight legs at its airspeed in the wind. Each leg is aimed
  * at the predicted position of its drifting target: flight time t = d / (w_par + sqrt(U^2 - w_n^2))
- * with wind minus drift in place of the wind; where the wind changes on the way, it is integrated.
+ * with wind minus drift in place of the wind; a wind that changes along the leg is integrated.
  * Turns take no time. Every prediction of arrival times
  * uses this class.
  */

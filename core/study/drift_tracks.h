@@ -112,7 +112,8 @@ private:
                                                   const DriftTrackSpec& spec = {},
                                                   const std::stop_token& stop = {});
 
-/** Predicts one iceberg of the scenario in the same way; requires that there is such an iceberg. */
+/** Predicts one iceberg of the scenario as `driftTracks` does; requires that there is such an
+ * iceberg. */
 [[nodiscard]] DriftTrack driftTrack(const Scenario& scenario, std::size_t iceberg,
                                     const DriftTrackSpec& spec = {},
                                     const std::stop_token& stop = {});

@@ -91,7 +91,7 @@ double flightTime_s(const Point& displacement_m, double airspeed_mps, const Poin
         }
         const double across_mps = cross(along, relative_mps);
         const double ahead2_m2ps2 = airspeed_mps * airspeed_mps - across_mps * across_mps;
-        // Where the wind is too strong for the course, the UAV is carried back at its speed.
+        // If the wind is too strong for the course, the UAV is carried back at its speed.
         const double over_mps = along.dot(relative_mps) + std::sqrt(std::max(0.0, ahead2_m2ps2));
         left_m -= over_mps * (next_s - time_s);
         left_m = std::max(left_m, std::numeric_limits<double>::min());

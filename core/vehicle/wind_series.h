@@ -66,7 +66,7 @@ private:
  * Returns the time, s, to fly straight over `displacement_m` to a place that moves with
  * `drift_mps`, from `from_s` after now on, at an airspeed in a changing wind: the crab angle
  * follows the wind, so that the course is kept, and speeds over ground are summed up. For a wind
- * that does not change on the way it is exactly `flightTime_s` of the wind minus the drift.
+ * that does not change by then it is exactly `flightTime_s` of the wind minus the drift.
  * Infinity if the wind never lets the UAV arrive.
  */
 [[nodiscard]] double flightTime_s(const Point& displacement_m, double airspeed_mps,

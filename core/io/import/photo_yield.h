@@ -31,7 +31,7 @@ struct PlacedPhoto
     bool isNew = false;                  ///< no iceberg of the run was near
 };
 
-/** What the photographs of a flight show. */
+/** Yield of the photographs of a flight. */
 struct PhotoYield
 {
     std::size_t photos = 0;
@@ -44,7 +44,7 @@ struct PhotoYield
     SightingTable table; ///< a sighting for each placed photograph; the others are rejected
 };
 
-/** What photographs are compared with. */
+/** Flight and settings with which photographs are compared. */
 struct PhotoRun
 {
     const Mission* mission = nullptr; ///< a recorded flight; null if there is none

@@ -138,7 +138,7 @@ private slots:
         QVERIFY(!hasWeatherLimits(scenario));
     }
 
-    /** Calm in the west, 20 m/s one degree farther east: 10 m/s half-way. */
+    /** Calm in the west and 20 m/s one degree farther east make 10 m/s in between. */
     void placesAlongTheFlightCount()
     {
         Scenario scenario = risingWind();

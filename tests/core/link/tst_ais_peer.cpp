@@ -99,7 +99,7 @@ private slots:
                   "tested with an independent encoder and decoder");
     }
 
-    /** What ggencoder encodes is what we read. */
+    /** Messages of ggencoder are read as they were encoded. */
     void encodedMessagesAreRead()
     {
         const std::vector<QJsonObject> sent = objectsOf(someMessages());

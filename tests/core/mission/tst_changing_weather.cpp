@@ -143,7 +143,8 @@ private slots:
         QVERIFY(isSameFlight(constant, flownIn(withConstantForecast(scenario, 3), 2000)));
     }
 
-    /** A UAV that flies against a wind of 0 to 12 m/s arrives when U t - a t^2 / 2 is its way. */
+    /** A UAV that flies against a wind of 0 to 12 m/s arrives when U t - a t^2 / 2 is its distance.
+     */
     void legsTakeTheTimeOfTheWind()
     {
         const double a = 12 / kHour_s;
@@ -230,7 +231,8 @@ private slots:
                                   << static_cast<int>(PolicyKind::Coverage);
     }
 
-    /** The same on another thread, restored at an earlier instant, and flown again from its file.
+    /** A flight is the same on another thread, restored at an earlier instant, and flown again from
+     * its file.
      */
     void flightsAreRepeatedBitForBit()
     {

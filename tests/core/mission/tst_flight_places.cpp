@@ -43,7 +43,7 @@ private slots:
     void plannedFlightEndsWithRunOrEndurance()
     {
         Scenario scenario = oneIceberg();
-        scenario.duration_s = 100; // half-way
+        scenario.duration_s = 100; // the half
         const auto flights = plannedFlights(scenario, planFromStart(scenario));
         QCOMPARE(flights[0].back().time_s, 100.0);
         COMPARE_NEAR(flights[0].back().position_m.x(), 2000, 1e-6);

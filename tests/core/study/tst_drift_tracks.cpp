@@ -28,7 +28,7 @@ Scenario windAndCurrent()
     return scenario;
 }
 
-/** The same wind and current for six hours from noon on, over water of that depth. */
+/** One wind and current for six hours from noon on, over water of that depth. */
 Scenario sixHours(std::optional<double> depth_m)
 {
     Scenario scenario = windAndCurrent();

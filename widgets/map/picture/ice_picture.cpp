@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kFillAlpha = 0xB0;
 constexpr std::uint32_t kEdgeAlpha = 0xFF;
 
-/** Darkens a colour, so that areas of one class are told apart. */
+/** Darkens a colour, so that areas of one class differ. */
 std::uint32_t edgeOf(std::uint32_t rgb)
 {
     const auto part = [rgb](unsigned shift) { return ((rgb >> shift & 0xFFU) * 2 / 3) << shift; };

@@ -232,7 +232,7 @@ std::vector<double> NetcdfFile::read(const NetcdfVariable& variable,
     std::vector<double> values(size);
     const int status =
         nc_get_vara_double(m_handle->id, id, start.data(), count.data(), values.data());
-    if (status != NC_ERANGE) // of an integer too large for nothing: such a value is out of range
+    if (status != NC_ERANGE) // which an integer too large gives; such a value is out of range
         succeed(status, m_subject, variable.name);
     return values;
 }

@@ -9,7 +9,7 @@
 
 namespace berg {
 
-/** What the EXIF data of a photograph say; members that they do not contain are empty. */
+/** The EXIF data of a photograph; members that they do not contain are empty. */
 struct PhotoData
 {
     std::optional<LatLon> place; ///< of the camera; longitude in [-180, 180)

@@ -42,7 +42,7 @@ private slots:
         QCOMPARE(sizeCodeOf(sized({}, 100)), std::string("VLG"));
     }
 
-    /** What was seen comes back through our own importer: id, minute, place to 5 decimals, size. */
+    /** Sightings come back through our own importer: id, minute, place to 5 decimals, size. */
     void comesBack()
     {
         const Mission mission = flown(changed([](Scenario& s) {

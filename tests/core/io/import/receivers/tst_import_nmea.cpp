@@ -45,7 +45,7 @@ struct NmeaLog
     }
 };
 
-/** Returns 1,000 lines of which each tenth is broken in one of five ways. */
+/** Returns 1,000 lines of which each tenth is broken, with five kinds of damage. */
 NmeaLog thousandLines()
 {
     NmeaLog log;
