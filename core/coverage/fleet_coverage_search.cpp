@@ -160,14 +160,14 @@ void FleetCoverageSearch::updateOthers(std::size_t member)
 {
     Member& own = *m_members[member];
     std::vector<CoverageView> views;
-    std::vector<double> shifts_s(m_members.size(), 0);
+    std::vector<double> shifts_s;
     std::vector<bool> first = own.first;
     for (std::size_t v = 0; v < m_members.size(); ++v) {
+        const Member& other = *m_members[v];
+        shifts_s.push_back(v == member ? 0 : other.effect.shift_s);
         if (v == member)
             continue;
-        const Member& other = *m_members[v];
         views.insert(views.end(), other.effect.views.begin(), other.effect.views.end());
-        shifts_s[v] = other.effect.shift_s;
         if (const std::optional<ModelPlace> iceberg = firstIceberg(other.plan))
             first[toIndex(*iceberg)] = false;
     }

@@ -71,7 +71,7 @@ inline const std::vector<Module> kRooms{
       "core/io/export/content", "core/io/export/maps", "core/io/export/missions"}},
     {"core/io/import/fields", {"core/io/text", "core/io/export/content"}},
     {"core/io/import/tables", {"core/io/text", "core/io/import/fields"}},
-    {"core/io/import/maps", {"core/io/text", "core/io/import/fields"}},
+    {"core/io/import/maps", {"core/io/text", "core/io/export/content", "core/io/import/fields"}},
     {"core/io/import/missions", {"core/io/text", "core/io/import/fields"}},
     {"core/io/import/receivers", {"core/io/text", "core/io/import/fields"}},
     {"core/io/import/scenario", {"core/io/text", "core/io/import/fields"}},

@@ -10,6 +10,7 @@
 #include "core/io/import/airspace/import_airspace.h"
 #include "core/io/import/import_forecast.h"
 #include "core/io/import/import_formats.h"
+#include "core/io/import/maps/import_ice_chart.h"
 #include "core/io/import/maps/map_shapes.h"
 #include "core/io/import/scenario/import_scenario.h"
 #include "core/io/study/study_json.h"
@@ -61,8 +62,8 @@ void checkMessage(const Error& error)
         fail(std::string("words of no id: ") + error.what());
     const bool isAboutAll =
         first.reason.id == IssueId::NoSightings || first.reason.id == IssueId::NoAirspace ||
-        first.reason.id == IssueId::ColumnsFixed || first.reason.id == IssueId::HeaderColumns ||
-        first.reason.id == IssueId::JsonDepth;
+        first.reason.id == IssueId::NoIceNear || first.reason.id == IssueId::ColumnsFixed ||
+        first.reason.id == IssueId::HeaderColumns || first.reason.id == IssueId::JsonDepth;
     if (!isWhole && !isAboutAll && first.field.empty() && !first.message().starts_with("line "))
         fail(std::string("neither field nor line: ") + error.what());
     if (std::string_view(error.what()).find('\x1b') != std::string_view::npos)
@@ -107,6 +108,8 @@ void readAsMap(const std::string& text)
         for (const std::vector<LatLon>& part : shape.parts)
             if (part.empty())
                 fail("a shape without places");
+    if (isIceChart(text) && !unreadable(importIceChart(sea(), text, kSubject).scenario).empty())
+        fail("an ice chart that cannot be opened");
 }
 
 void readAsForecast(const std::string& text)

@@ -225,7 +225,7 @@ private slots:
             {{.offset_m = {0, 600}, .chance = 0.5}, {.offset_m = {0, -600}, .chance = 0.25}}, {}};
         const CoverageModel model(input, {.length_s = 300});
         QCOMPARE(model.placeCount(), 3); // There are two icebergs and one more place.
-        QCOMPARE(model.icebergAt(2), 0);
+        QCOMPARE(model.icebergAt(2), ModelPlace(0));
         CoverageState state = model.start();
         QCOMPARE(model.chanceAt(state, 0), 0.5);
         const double unseen_m2 = model.sigma_m2(state, 0);

@@ -171,7 +171,7 @@ private slots:
         const CoverageModel model = modelOf(scenario);
         const CoverageResult result = improved(model, 50'000);
         QVERIFY(!result.plan.empty());
-        QCOMPARE(result.plan.front().iceberg, 0);
+        QCOMPARE(result.plan.front().iceberg, ModelPlace(0));
     }
 
     void sixtyIcebergs()

@@ -176,16 +176,34 @@ Outline cutToChart(Outline outline_m)
     return outline_m;
 }
 
-/** Returns the outline in whole metres, thinned; empty if it vanishes. */
-Outline thinnedOutline(const Outline& outline_m, double tolerance_m)
+/** Returns the outline without corners that are close to the one before. */
+std::vector<TimedPoint> sparsePath(const Outline& outline_m, double distance_m)
 {
     std::vector<TimedPoint> path;
     for (const Point& p_m : outline_m)
-        path.push_back({.position_m = p_m, .time_s = 0});
+        if (path.empty() || (p_m - path.back().position_m).norm() >= distance_m)
+            path.push_back({.position_m = p_m, .time_s = 0});
     path.push_back(path.front());
+    return path;
+}
+
+/**
+ * Returns the outline in whole metres, moved by the tolerance at most; empty if it vanishes, or
+ * nullopt if it keeps too many corners.
+ */
+std::optional<Outline> thinnedOutline(const Outline& outline_m, double tolerance_m)
+{
+    constexpr std::size_t kMostToThin = 50'000; // thinning more takes long
+    const std::vector<TimedPoint> path = sparsePath(outline_m, tolerance_m / 2);
+    if (path.size() > kMostToThin)
+        return std::nullopt;
+    const std::vector<TimedPoint> kept = thinnedPath(path, tolerance_m / 2, kMostIceCorners);
+    if (kept.size() > kMostIceCorners)
+        return std::nullopt;
     Outline thinned_m;
-    for (const TimedPoint& point : thinnedPath(path, tolerance_m, kMostIceCorners)) {
-        const Point whole_m(std::round(point.position_m.x()), std::round(point.position_m.y()));
+    for (const TimedPoint& point : kept) {
+        const Point whole_m(std::round(point.position_m.x()) + 0.0, // not -0
+                            std::round(point.position_m.y()) + 0.0);
         if (thinned_m.empty() || thinned_m.back() != whole_m)
             thinned_m.push_back(whole_m);
     }
@@ -194,6 +212,35 @@ Outline thinnedOutline(const Outline& outline_m, double tolerance_m)
     if (thinned_m.size() < 3)
         thinned_m.clear();
     return thinned_m;
+}
+
+/**
+ * Returns the areas with outlines that move by the tolerance at most, without those that vanish;
+ * nullopt if they keep too many corners.
+ */
+std::optional<std::vector<IceArea>> thinnedAreas(const std::vector<IceArea>& areas,
+                                                 double tolerance_m, const ReadBudget& budget)
+{
+    std::size_t corners = 0;
+    std::vector<IceArea> kept;
+    for (const IceArea& area : areas) {
+        IceArea thinned{.label = area.label,
+                        .concentration_tenths = area.concentration_tenths,
+                        .isFast = area.isFast};
+        for (const Outline& outline_m : area.outlines_m) {
+            budget.throwIfStopped();
+            std::optional<Outline> thin_m = thinnedOutline(outline_m, tolerance_m);
+            if (!thin_m || (corners += thin_m->size()) > kMostIceCorners)
+                return std::nullopt;
+            if (!thin_m->empty())
+                thinned.outlines_m.push_back(std::move(*thin_m));
+            else if (thinned.outlines_m.empty())
+                break; // without its outline its holes would be areas
+        }
+        if (!thinned.outlines_m.empty())
+            kept.push_back(std::move(thinned));
+    }
+    return kept;
 }
 
 /** Reads the chart of one text. */
@@ -340,30 +387,13 @@ private:
     void thin()
     {
         constexpr double kFirst_m = 50;
-        for (double tolerance_m = kFirst_m;; tolerance_m *= 2) {
-            m_budget.throwIfStopped();
-            std::size_t corners = 0;
-            std::vector<IceArea> areas;
-            for (const IceArea& area : m_chart.areas) {
-                IceArea thinned = area;
-                thinned.outlines_m.clear();
-                for (const Outline& outline_m : area.outlines_m)
-                    if (Outline thin_m = thinnedOutline(outline_m, tolerance_m); !thin_m.empty()) {
-                        corners += thin_m.size();
-                        thinned.outlines_m.push_back(std::move(thin_m));
-                    } else if (thinned.outlines_m.empty()) {
-                        break; // without its outline its holes would be areas
-                    }
-                if (!thinned.outlines_m.empty())
-                    areas.push_back(std::move(thinned));
-            }
-            if (corners > kMostIceCorners)
-                continue;
+        std::optional<std::vector<IceArea>> areas;
+        for (double tolerance_m = kFirst_m; !areas; tolerance_m *= 2) {
+            areas = thinnedAreas(m_chart.areas, tolerance_m, m_budget);
             m_result.thinned_m = tolerance_m;
-            m_result.leftOut += m_chart.areas.size() - areas.size();
-            m_chart.areas = std::move(areas);
-            return;
         }
+        m_result.leftOut += m_chart.areas.size() - areas->size();
+        m_chart.areas = std::move(*areas);
     }
 
     ReadBudget& m_budget;

@@ -40,7 +40,7 @@ std::string allTexts(const Mission& mission)
 {
     std::string texts;
     for (const ExportFormat& row : exportFormats())
-        if (!row.holds.painted)
+        if (!row.holds.painted && !row.holds.gis)
             texts += row.text(runContent(mission));
     return texts;
 }

@@ -108,6 +108,9 @@ private slots:
         const Forecast sumOnly = read(changed(R"("instant")", R"("next_1_day")"));
         QVERIFY(!sumOnly.series[0].wind_mps && !sumOnly.series[0].gust_mps);
         QVERIFY(!read(changed(R"("updated_at": "2026-05-01T11:04:26Z",)", "")).issued);
+        const Forecast humid = read(changed(R"("wind_speed": 8.0,)",
+                                            R"("wind_speed": 8.0, "dew_point_temperature": -2.5,)"));
+        QCOMPARE(humid.series[0].dewPoint_degC, std::optional(-2.5));
         QVERIFY(read("\xEF\xBB\xBF" + fixture("oceanforecast")).issued); // a byte order mark
     }
 

@@ -172,7 +172,7 @@ private slots:
         test::assign(problem, 1, 1);
         const SolveOutcome outcome = solveFleet(problem, Backend::Auto, {});
         QVERIFY(test::sameObjective(problem, outcome.objective, test::bruteForceFleet(problem)));
-        QCOMPARE(outcome.plan[1].front(), 1);
+        QCOMPARE(outcome.plan[1].front(), NodeIndex(1));
     }
 
     /** Compares the assignment with dynamic programming, and plans many icebergs quickly. */

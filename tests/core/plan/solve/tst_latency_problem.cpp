@@ -92,7 +92,7 @@ private slots:
                 QVERIFY(std::abs(outcome.objective - least) <= 2e-9 * least);
                 putReturnLast(extended, outcome);
                 VisitOrder order = outcome.order();
-                QCOMPARE(order.back(), icebergs + 1);
+                QCOMPARE(order.back(), NodeIndex::of(icebergs + 1));
                 order.pop_back();
                 QVERIFY(isVisitOrder(problem, order));
                 QVERIFY(std::abs(costWithReturn(problem, order) - outcome.objective) <=
@@ -144,7 +144,7 @@ private slots:
         const TvpProblem extended = withReturn(latencyProblem(problem));
         SolveOutcome outcome = makeSolver(Backend::Auto)->solve(extended, {});
         putReturnLast(extended, outcome);
-        QCOMPARE(outcome.order().back(), 19);
+        QCOMPARE(outcome.order().back(), NodeIndex(19));
         QCOMPARE(outcome.objective, 0.0);
     }
 

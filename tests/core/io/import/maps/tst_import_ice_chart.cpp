@@ -284,11 +284,14 @@ private slots:
         QFile given(dir.filePath("given.geojson"));
         QVERIFY(given.open(QIODevice::WriteOnly));
         std::string features;
-        int i = 0;
-        for (const char* code : {"00", "01", "02", "13", "46", "79", "81", "91", "92"})
-            features += (i > 0 ? "," : "") + feature("'CT':'" + std::string(code) +
-                                                         "','POLY_TYPE':'I','RECDAT':'20210118'",
-                                                     square(-48 + 0.2 * i++, 47, 0.1));
+        int count = 0;
+        for (const char* code : {"00", "01", "02", "13", "46", "79", "81", "91", "92"}) {
+            features +=
+                (count > 0 ? "," : "") +
+                feature("'CT':'" + std::string(code) + "','POLY_TYPE':'I','RECDAT':'20210118'",
+                        square(-48 + 0.2 * count, 47, 0.1));
+            ++count;
+        }
         given.write(QByteArray::fromStdString(chart(features)));
         given.close();
         for (const QString name : {"chart.shp", "chart.shp.zip", "chart.gpkg", "chart.fgb"}) {
@@ -302,8 +305,12 @@ private slots:
             const IceChart ice = read(text);
             QCOMPARE(ice.areas.size(), 9U);
             QCOMPARE(ice.dateUtc, std::string("2021-01-18T00:00:00Z"));
-            QCOMPARE(ice.areas[4].concentration_tenths, std::optional(5.0));
-            QVERIFY(std::abs(ice.areas[0].outlines_m[0][0].norm()) < 20'000);
+            QVERIFY(std::ranges::any_of(ice.areas, [](const IceArea& area) {
+                return area.concentration_tenths == 5.0 && area.label == "4-6/10";
+            }));
+            QVERIFY(std::ranges::all_of(ice.areas, [](const IceArea& area) {
+                return area.outlines_m[0].size() == 4 && area.outlines_m[0][0].norm() < 200'000;
+            }));
         }
     }
 };
