@@ -1,5 +1,6 @@
 #include "app/cli/import_additions.h"
 
+#include "app/cli/import_rows.h"
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "core/io/files/scenario_json.h"
@@ -48,28 +49,6 @@ std::string iceChartSummary(const std::string& file, const IceChartResult& resul
 }
 
 } // namespace
-
-std::string saidPlace(const Rejections& rejected, std::size_t number)
-{
-    if (rejected.place == "feature")
-        return said(QT_TRANSLATE_NOOP("CommandLine", "feature %1"), {countOf(number)});
-    if (rejected.place == "packet")
-        return said(QT_TRANSLATE_NOOP("CommandLine", "packet %1"), {countOf(number)});
-    return placeOf(rejected, number);
-}
-
-void printRows(const std::string& file, const Rejections& rows)
-{
-    std::size_t printed = 0;
-    for (const RejectedRow& row : rows.first)
-        if (printed++ < kMostRows)
-            printMessage(word(file) + ": " +
-                         said(Issue{Severity::Error, saidPlace(rows, row.line), reasonOf(row)}));
-    if (rows.count > kMostRows)
-        printMessage(word(file) + ": " +
-                     said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
-                          {countOf(rows.count - kMostRows)}));
-}
 
 int addAirspace(const Addition& arguments, const std::string& text, const std::stop_token& stop)
 {

@@ -2,8 +2,6 @@
 
 // Private to app/cli: imports of files without sightings, which are added to a scenario.
 
-#include "core/io/import/fields/import_table.h"
-
 #include <stop_token>
 #include <string>
 
@@ -11,12 +9,6 @@ namespace berg::cli {
 
 inline constexpr const char* kAirspaceFormat = "airspace";
 inline constexpr const char* kIceChartFormat = "ice-chart";
-inline constexpr std::size_t kMostRows = 100; ///< of a list on stderr
-
-/** Returns the place of a row in words: "line 3" is translated by whoever says it. */
-[[nodiscard]] std::string saidPlace(const Rejections& rejected, std::size_t number);
-/** Prints rows of a file with their reasons on stderr; of a long list only its start. */
-void printRows(const std::string& file, const Rejections& rows);
 
 /** A file to add to a scenario. */
 struct Addition

@@ -96,14 +96,6 @@ void addMapping(ColumnMapping& mapping, FieldColumn added)
     mapping.push_back(std::move(added));
 }
 
-std::string sourceNames()
-{
-    std::string names;
-    for (const SightingSource source : kSightingSources)
-        names += (names.empty() ? "" : ", ") + std::string(errorOf(source).name);
-    return names;
-}
-
 /** Metres, or how the positions were found. */
 std::optional<double> positionErrorOf(const std::string& text)
 {
@@ -212,13 +204,13 @@ void printDetails(const std::string& file, const ImportResult& result)
                  note == ImportNote::Contradicted || note == ImportNote::TooFast ||
                  note == ImportNote::OnLand || note == ImportNote::Repeated ||
                  note == ImportNote::TimeUnknown) &&
-                notes++ < kMostRows)
+                notes++ < kMostPrintedRows)
                 printMessage(word(file) + ": " + word(iceberg.id) + ": " +
                              said(importNoteText(note), {}));
-    if (notes > kMostRows)
+    if (notes > kMostPrintedRows)
         printMessage(word(file) + ": " +
                      said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more notes about icebergs"),
-                          {countOf(notes - kMostRows)}));
+                          {countOf(notes - kMostPrintedRows)}));
 }
 
 /** How to get at sightings that are off the plane. */
@@ -309,7 +301,7 @@ void requireConsent(const std::string& file, const ImportResult& result)
         return;
     std::vector<Issue> issues;
     for (const ImportedIceberg& iceberg : result.icebergs)
-        if (isDoubtful(iceberg) && issues.size() < kMostRows)
+        if (isDoubtful(iceberg) && issues.size() < kMostPrintedRows)
             issues.push_back({Severity::Error, word(iceberg.id), {IssueId::ImportDoubtful}});
     throw Error(ErrorCode::InvalidInput, file, std::move(issues));
 }

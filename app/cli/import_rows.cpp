@@ -5,8 +5,17 @@
 #include "app/cli/usage.h"
 #include "core/base/number_text.h"
 #include "core/scenario/text_checks.h"
+#include "core/tracking/position_error.h"
 
 namespace berg::cli {
+
+std::string sourceNames()
+{
+    std::string names;
+    for (const SightingSource source : kSightingSources)
+        names += (names.empty() ? "" : ", ") + std::string(errorOf(source).name);
+    return names;
+}
 
 std::string saidPlace(const Rejections& rejected, std::size_t number)
 {
@@ -23,13 +32,13 @@ void printRows(const std::string& file, const Rejections& rows)
 {
     std::size_t printed = 0;
     for (const RejectedRow& row : rows.first)
-        if (printed++ < kMostRows)
+        if (printed++ < kMostPrintedRows)
             printMessage(word(file) + ": " +
                          said(Issue{Severity::Error, saidPlace(rows, row.line), reasonOf(row)}));
-    if (rows.count > kMostRows)
+    if (rows.count > kMostPrintedRows)
         printMessage(word(file) + ": " +
                      said(QT_TRANSLATE_NOOP("CommandLine", "and %1 more"),
-                          {countOf(rows.count - kMostRows)}));
+                          {countOf(rows.count - kMostPrintedRows)}));
 }
 
 } // namespace berg::cli
