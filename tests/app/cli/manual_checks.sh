@@ -40,8 +40,10 @@ for chapter in $chapters; do
     done <../list.txt
 done
 # What the text names is there: options, policies, formats.
+commands=$(bergwatch-cli --help | awk '/^Subcommands:/ { inside = 1; next } /^[^ ]/ { inside = 0 }
+    inside && /^  [a-z]/ { print $1 }')
 {
-    for command in solve plan curve simulate sweep study export import forecast drift vehicle listen benchmark validate; do
+    for command in $commands; do
         bergwatch-cli help "$command"
     done
     bergwatch-cli --help
