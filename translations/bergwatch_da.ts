@@ -977,6 +977,22 @@
             <numerusform>… og %n til</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The file is too large to be imported. Split it, or leave out what is not needed.</source>
+        <translation>Filen er for stor til at blive importeret. Del den, eller udelad det, der ikke er brug for.</translation>
+    </message>
+    <message>
+        <source>The file is broken. Correct it at the place named, or export it again.</source>
+        <translation>Filen er beskadiget. Ret den på det angivne sted, eller eksportér den igen.</translation>
+    </message>
+    <message>
+        <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
+        <translation>Bergwatch genkender ikke denne fil. Hvis det er en tabel, så vælg kolonnerne for bredde og længde nedenfor.</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be used like this.</source>
+        <translation>Intet i den kan bruges, som det er.</translation>
+    </message>
 </context>
 <context>
     <name>EventText</name>
@@ -2472,18 +2488,6 @@
 <context>
     <name>ImportWords</name>
     <message>
-        <source>The file is too large to be imported. Split it, or leave out what is not needed.</source>
-        <translation>Filen er for stor til at blive importeret. Del den, eller udelad det, der ikke er brug for.</translation>
-    </message>
-    <message>
-        <source>The file is broken. Correct it at the place named, or export it again.</source>
-        <translation>Filen er beskadiget. Ret den på det angivne sted, eller eksportér den igen.</translation>
-    </message>
-    <message>
-        <source>Nothing of it can be used like this.</source>
-        <translation>Intet i den kan bruges, som det er.</translation>
-    </message>
-    <message>
         <source>new</source>
         <translation>nyt</translation>
     </message>
@@ -2725,10 +2729,6 @@
     <message>
         <source>From the file: %1</source>
         <translation>Fra filen: %1</translation>
-    </message>
-    <message>
-        <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
-        <translation>Bergwatch genkender ikke denne fil. Hvis det er en tabel, så vælg kolonnerne for bredde og længde nedenfor.</translation>
     </message>
     <message>
         <source>Radar and AIS of a ship (NMEA log)</source>
@@ -10285,6 +10285,282 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
     <message>
         <source>Lowest cloud base, above sea level, in which the UAV may fly; compared with the forecast.</source>
         <translation>Laveste skybase over havet, som UAV&apos;en må flyve i; sammenlignes med prognosen.</translation>
+    </message>
+    <message>
+        <source>Unique in the file; without it, uav-1, uav-2, ... or berg-1, berg-2, ... in the order of the file.</source>
+        <translation>Entydig i filen; uden den uav-1, uav-2, ... eller berg-1, berg-2, ... i filens rækkefølge.</translation>
+    </message>
+    <message>
+        <source>Position at the start; of an iceberg the estimate, which is the truth in the simple model.</source>
+        <translation>Stedet ved starten; for et isbjerg estimatet, som er sandheden i den enkle model.</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view along and across the heading.</source>
+        <translation>Synsfelt langs og på tværs af kursen.</translation>
+    </message>
+    <message>
+        <source>Landing place; without it, where the UAV starts.</source>
+        <translation>Landingsplads; uden den hvor dronen starter.</translation>
+    </message>
+    <message>
+        <source>Time between two commands of the autopilot; 0 means every time step. After an order to return home, a slower autopilot commands once a second.</source>
+        <translation>Tid mellem to kommandoer fra autopiloten; 0 betyder hvert tidsskridt. Efter en ordre om at flyve hjem giver en langsommere autopilot én kommando i sekundet.</translation>
+    </message>
+    <message>
+        <source>Drift velocity, without the current.</source>
+        <translation>Drivets hastighed, uden strømmen.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of the drift velocity, along each axis (Kalman observer).</source>
+        <translation>Standardafvigelsen af fejlen i drivets hastighed, langs hver akse (Kalman-observatør).</translation>
+    </message>
+    <message>
+        <source>Changing drift (Kalman observer): standard deviation with which the velocity varies about the current. A fit to a beacon gave 0.15 m/s.</source>
+        <translation>Drift, der ændrer sig (Kalman-observatør): standardafvigelsen, som hastigheden varierer om strømmen med. En tilpasning til en bøje gav 0.15 m/s.</translation>
+    </message>
+    <message>
+        <source>Changing drift (Kalman observer): time in which the velocity fades to the current (to 1/e); 0 means constant drift. A fit to a beacon gave 36000 s.</source>
+        <translation>Drift, der ændrer sig (Kalman-observatør): tiden, hvori hastigheden nærmer sig strømmen (til 1/e); 0 betyder konstant drift. En tilpasning til en bøje gav 36000 s.</translation>
+    </message>
+    <message>
+        <source>Age of the last sighting at t = 0: adds q x age and (`velocity_sd_mps` x age)^2 to `sigma0_m2`; with changing drift the formula is that of the drift process.</source>
+        <translation>Alderen på den seneste observation ved t = 0: lægger q x alder og (`velocity_sd_mps` x alder)^2 til `sigma0_m2`; når driften ændrer sig, gælder driftprocessens formel.</translation>
+    </message>
+    <message>
+        <source>Id of the only UAV that may visit it; empty allows any UAV.</source>
+        <translation>Id på den eneste drone, der må besøge det; tom tillader enhver drone.</translation>
+    </message>
+    <message>
+        <source>Speed of a ship; 0 for a platform.</source>
+        <translation>Et skibs fart; 0 for en platform.</translation>
+    </message>
+    <message>
+        <source>UAVs that start clear of the asset keep this distance, from a ship to its whole track.</source>
+        <translation>Droner, der starter klar af objektet, holder denne afstand, fra et skib til hele dets spor.</translation>
+    </message>
+    <message>
+        <source>Corners of the area.</source>
+        <translation>Områdets hjørner.</translation>
+    </message>
+    <message>
+        <source>Name of the airspace.</source>
+        <translation>Luftrummets navn.</translation>
+    </message>
+    <message>
+        <source>Class or type of the airspace.</source>
+        <translation>Luftrummets klasse eller type.</translation>
+    </message>
+    <message>
+        <source>Lower limit, above the sea.</source>
+        <translation>Nedre grænse, over havet.</translation>
+    </message>
+    <message>
+        <source>Upper limit, above the sea.</source>
+        <translation>Øvre grænse, over havet.</translation>
+    </message>
+    <message>
+        <source>Time from which the airspace exists; without it, always.</source>
+        <translation>Tidspunktet, luftrummet findes fra; uden det altid.</translation>
+    </message>
+    <message>
+        <source>Time until which the airspace exists, not before `from_utc`; without it, always.</source>
+        <translation>Tidspunktet, luftrummet findes til, ikke før `from_utc`; uden det altid.</translation>
+    </message>
+    <message>
+        <source>Position of the antenna.</source>
+        <translation>Antennens sted.</translation>
+    </message>
+    <message>
+        <source>Latitude of the local plane&apos;s origin.</source>
+        <translation>Breddegraden for det lokale plans origo.</translation>
+    </message>
+    <message>
+        <source>Longitude of the local plane&apos;s origin.</source>
+        <translation>Længdegraden for det lokale plans origo.</translation>
+    </message>
+    <message>
+        <source>With `simple`, the estimate of an iceberg in view is the truth; with `kalman`, a filter uses noisy measurements.</source>
+        <translation>Med `simple` er estimatet for et isbjerg i syne sandheden; med `kalman` bruger et filter målinger med støj.</translation>
+    </message>
+    <message>
+        <source>Policy that chooses the orders.</source>
+        <translation>Reglen, der vælger rækkefølgerne.</translation>
+    </message>
+    <message>
+        <source>0 visits the most uncertain iceberg first; a large value gives the shortest path.</source>
+        <translation>0 besøger det mest usikre isbjerg først; en stor værdi giver den korteste vej.</translation>
+    </message>
+    <message>
+        <source>Whether the path ends over the last iceberg or returns to its start.</source>
+        <translation>Om vejen slutter over det sidste isbjerg eller går tilbage til starten.</translation>
+    </message>
+    <message>
+        <source>Solver of the orders.</source>
+        <translation>Løseren til rækkefølgerne.</translation>
+    </message>
+    <message>
+        <source>An iceberg is reached within this distance. Without it, an iceberg is reached when it is in view; with measurements, when its estimate is in view after a sighting.</source>
+        <translation>Et isbjerg er nået inden for denne afstand. Uden den er et isbjerg nået, når det er i syne; med målinger når dets estimat er i syne efter en observation.</translation>
+    </message>
+    <message>
+        <source>Shape of the field of view. The diameter of a disk is `fov_m[0]`; the second number has no effect.</source>
+        <translation>Synsfeltets form. En disks diameter er `fov_m[0]`; det andet tal er uden virkning.</translation>
+    </message>
+    <message>
+        <source>Start time, ISO 8601 with Z; without it, times are relative.</source>
+        <translation>Starttid, ISO 8601 med Z; uden den er tider relative.</translation>
+    </message>
+    <message>
+        <source>If false, nothing is random: icebergs drift at their given velocities, and measurements detect every iceberg in view.</source>
+        <translation>Hvis false, er intet tilfældigt: isbjerge driver med de angivne hastigheder, og målinger opdager hvert isbjerg i syne.</translation>
+    </message>
+    <message>
+        <source>Velocity over ground; the wind must be slower than the airspeed.</source>
+        <translation>Hastighed over grunden; vinden skal være langsommere end flyvehastigheden.</translation>
+    </message>
+    <message>
+        <source>Velocity over ground; the current carries every iceberg.</source>
+        <translation>Hastighed over grunden; strømmen fører hvert isbjerg med sig.</translation>
+    </message>
+    <message>
+        <source>Corners of the monitored area; an iceberg that is farther outside than its radius is no longer monitored.</source>
+        <translation>Det overvågede områdes hjørner; et isbjerg, der er længere udenfor end sin radius, overvåges ikke længere.</translation>
+    </message>
+    <message>
+        <source>UAVs that start clear of the edge of `area_m` stay inside it; `validate` warns if a start leaves no safe turn or path home, but the flight is allowed.</source>
+        <translation>Droner, der starter klar af kanten af `area_m`, bliver inden for den; `validate` advarer, hvis en start ikke giver noget sikkert sving eller nogen sikker vej hjem, men flyvningen er tilladt.</translation>
+    </message>
+    <message>
+        <source>Least distance between UAVs whose altitudes differ by less than %1, after they have reached it (`validate` gives a hint if they start nearer); 0 turns separation off.</source>
+        <translation>Mindste afstand mellem droner med mindre end %1 højdeforskel, efter at de har nået den (`validate` giver et tip, hvis de starter nærmere); 0 slår afstanden fra.</translation>
+    </message>
+    <message>
+        <source>Areas that UAVs stay out of if they start clear of them; with geofence and stand-off ring at most 200 corners at the altitude of a UAV.</source>
+        <translation>Områder, som droner holder sig uden for, hvis de starter klar af dem; med geohegn og sikkerhedsring højst 200 hjørner i en drones højde.</translation>
+    </message>
+    <message>
+        <source>Airspace, for information: a check reports that the operation may enter it, but no UAV is kept out.</source>
+        <translation>Luftrum, til oplysning: en kontrol melder, at operationen kan komme ind i det, men ingen drone holdes ude.</translation>
+    </message>
+    <message>
+        <source>Content of a permit application: constants of the operation volume, and texts for the flight brief.</source>
+        <translation>Indholdet i en ansøgning om tilladelse: operationsvolumenets konstanter og tekster til flyvebriefingen.</translation>
+    </message>
+    <message>
+        <source>Protected asset.</source>
+        <translation>Beskyttet objekt.</translation>
+    </message>
+    <message>
+        <source>Missing values are not checked.</source>
+        <translation>Manglende værdier kontrolleres ikke.</translation>
+    </message>
+    <message>
+        <source>`{&quot;time_s&quot;: [...], &quot;position_m&quot;: [[x, y], ...]}`: true positions, instead of random drift.</source>
+        <translation>`{&quot;time_s&quot;: [...], &quot;position_m&quot;: [[x, y], ...]}`: sande positioner i stedet for tilfældig drift.</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>påkrævet</translation>
+    </message>
+    <message>
+        <source>`%1` in older files.</source>
+        <translation>`%1` i ældre filer.</translation>
+    </message>
+    <message>
+        <source>Longest flight; the UAV is home before it ends. Without it, the UAV lands only when ordered to return.</source>
+        <translation>Længste flyvning; dronen er hjemme, før den slutter. Uden den lander dronen kun efter ordre om at flyve hjem.</translation>
+    </message>
+    <message>
+        <source>Range of the link; without it, the radio horizon of the antenna and the UAV&apos;s altitude.</source>
+        <translation>Forbindelsens rækkevidde; uden den radiohorisonten for antennen og dronens højde.</translation>
+    </message>
+    <message>
+        <source>Length at the waterline: wind and current then carry the iceberg by the balance of their drags (below 15 m: the current and 2 % of the wind, turned 20 degrees), and it stands still where a `forecast` gives a depth below its draft of 1.78 L^0.71. Without it the current alone carries the iceberg.</source>
+        <translation>Længden i vandlinjen: vind og strøm fører da isbjerget efter ligevægten mellem modstandene (under 15 m: strømmen og 2 % af vinden, drejet 20 grader), og det står stille, hvor et `forecast` giver en dybde under dybgangen 1,78 L^0,71. Uden længde fører kun strømmen isbjerget.</translation>
+    </message>
+    <message>
+        <source>File or service that the chart comes from.</source>
+        <translation>Filen eller tjenesten, som iskortet kommer fra.</translation>
+    </message>
+    <message>
+        <source>Date of the chart; without it, unknown.</source>
+        <translation>Datoen for kortet; uden den er den ukendt.</translation>
+    </message>
+    <message>
+        <source>Words or codes of the chart for the area; may be empty.</source>
+        <translation>Iskortets ord eller koder for området; kan være tomt.</translation>
+    </message>
+    <message>
+        <source>Part of the area that ice covers, in tenths; without it, unknown.</source>
+        <translation>Den del af området, som is dækker, i tiendedele; uden den er den ukendt.</translation>
+    </message>
+    <message>
+        <source>Whether the ice is fast to a shore and does not drift.</source>
+        <translation>Om isen er landfast og ikke driver.</translation>
+    </message>
+    <message>
+        <source>Velocity of the wind at 10 m, towards true east and north.</source>
+        <translation>Vindens hastighed i 10 m, mod sand øst og nord.</translation>
+    </message>
+    <message>
+        <source>Speed of gusts.</source>
+        <translation>Vindstødenes fart.</translation>
+    </message>
+    <message>
+        <source>Temperature of the air at 2 m.</source>
+        <translation>Luftens temperatur i 2 m.</translation>
+    </message>
+    <message>
+        <source>Dew point of the air at 2 m.</source>
+        <translation>Luftens dugpunkt i 2 m.</translation>
+    </message>
+    <message>
+        <source>Part of the area with fog.</source>
+        <translation>Den del af området, hvor der er tåge.</translation>
+    </message>
+    <message>
+        <source>Visibility.</source>
+        <translation>Sigten.</translation>
+    </message>
+    <message>
+        <source>Height of the cloud base above the sea.</source>
+        <translation>Skybasens højde over havet.</translation>
+    </message>
+    <message>
+        <source>Velocity of the current, towards true east and north.</source>
+        <translation>Strømmens hastighed, mod sand øst og nord.</translation>
+    </message>
+    <message>
+        <source>Latitude of a place of the grid.</source>
+        <translation>Breddegraden for et sted i gitteret.</translation>
+    </message>
+    <message>
+        <source>Longitude of a place of the grid.</source>
+        <translation>Længdegraden for et sted i gitteret.</translation>
+    </message>
+    <message>
+        <source>Depth of the sea at the place.</source>
+        <translation>Havdybden på stedet.</translation>
+    </message>
+    <message>
+        <source>Ice chart for the map, without effect on the flight.</source>
+        <translation>Iskort til kortet, uden virkning på flyvningen.</translation>
+    </message>
+    <message>
+        <source>Areas of the chart, each with `outlines_m` (needed): outline and holes, each a list of corners.</source>
+        <translation>Iskortets områder, hvert med `outlines_m` (skal findes): omrids og huller, hvert en liste over hjørner.</translation>
+    </message>
+    <message>
+        <source>Forecast with `source`, `issued` (UTC), `columns` (1) and `places`; needs `start_utc`.</source>
+        <translation>Prognose med `source`, `issued` (UTC), `columns` (1) og `places`; kræver `start_utc`.</translation>
+    </message>
+    <message>
+        <source>Grid of rows from south to north, each from west to east, with `columns` places.</source>
+        <translation>Gitter af rækker fra syd til nord, hver fra vest til øst, med `columns` steder.</translation>
+    </message>
+    <message>
+        <source>Values at a `time` (UTC; times rise); any may be missing.</source>
+        <translation>Værdier for en `time` (UTC; tiderne stiger); alle kan mangle.</translation>
     </message>
 </context>
 <context>

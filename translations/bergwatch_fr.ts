@@ -977,6 +977,22 @@
             <numerusform>… et %n de plus</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The file is too large to be imported. Split it, or leave out what is not needed.</source>
+        <translation>Le fichier est trop volumineux pour être importé. Divisez-le ou omettez ce qui n&apos;est pas nécessaire.</translation>
+    </message>
+    <message>
+        <source>The file is broken. Correct it at the place named, or export it again.</source>
+        <translation>Le fichier est endommagé. Corrigez-le à l&apos;endroit indiqué ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
+        <translation>Bergwatch ne reconnaît pas ce fichier. Si c&apos;est un tableau, choisissez ci-dessous ses colonnes de latitude et de longitude.</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be used like this.</source>
+        <translation>Rien n&apos;y est utilisable tel quel.</translation>
+    </message>
 </context>
 <context>
     <name>EventText</name>
@@ -2472,18 +2488,6 @@
 <context>
     <name>ImportWords</name>
     <message>
-        <source>The file is too large to be imported. Split it, or leave out what is not needed.</source>
-        <translation>Le fichier est trop volumineux pour être importé. Divisez-le ou omettez ce qui n&apos;est pas nécessaire.</translation>
-    </message>
-    <message>
-        <source>The file is broken. Correct it at the place named, or export it again.</source>
-        <translation>Le fichier est endommagé. Corrigez-le à l&apos;endroit indiqué ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>Nothing of it can be used like this.</source>
-        <translation>Rien n&apos;y est utilisable tel quel.</translation>
-    </message>
-    <message>
         <source>new</source>
         <translation>nouveau</translation>
     </message>
@@ -2725,10 +2729,6 @@
     <message>
         <source>From the file: %1</source>
         <translation>Du fichier : %1</translation>
-    </message>
-    <message>
-        <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
-        <translation>Bergwatch ne reconnaît pas ce fichier. Si c&apos;est un tableau, choisissez ci-dessous ses colonnes de latitude et de longitude.</translation>
     </message>
     <message>
         <source>Radar and AIS of a ship (NMEA log)</source>
@@ -10285,6 +10285,282 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
     <message>
         <source>Lowest cloud base, above sea level, in which the UAV may fly; compared with the forecast.</source>
         <translation>Plafond le plus bas, au-dessus de la mer, dans lequel le drone peut voler, comparé à la prévision.</translation>
+    </message>
+    <message>
+        <source>Unique in the file; without it, uav-1, uav-2, ... or berg-1, berg-2, ... in the order of the file.</source>
+        <translation>Unique dans le fichier ; sans lui, uav-1, uav-2, ... ou berg-1, berg-2, ... dans l&apos;ordre du fichier.</translation>
+    </message>
+    <message>
+        <source>Position at the start; of an iceberg the estimate, which is the truth in the simple model.</source>
+        <translation>Position au départ ; pour un iceberg, l&apos;estimation, qui est la vérité dans le modèle simple.</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view along and across the heading.</source>
+        <translation>Étendue du champ de vision le long du cap et en travers.</translation>
+    </message>
+    <message>
+        <source>Landing place; without it, where the UAV starts.</source>
+        <translation>Lieu d&apos;atterrissage ; à défaut, le point de départ du drone.</translation>
+    </message>
+    <message>
+        <source>Time between two commands of the autopilot; 0 means every time step. After an order to return home, a slower autopilot commands once a second.</source>
+        <translation>Temps entre deux commandes de l&apos;autopilote ; 0 signifie à chaque pas de temps. Après un ordre de retour, un autopilote plus lent commande une fois par seconde.</translation>
+    </message>
+    <message>
+        <source>Drift velocity, without the current.</source>
+        <translation>Vitesse de dérive, sans le courant.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of the drift velocity, along each axis (Kalman observer).</source>
+        <translation>Écart type de l&apos;erreur de la vitesse de dérive, le long de chaque axe (observateur de Kalman).</translation>
+    </message>
+    <message>
+        <source>Changing drift (Kalman observer): standard deviation with which the velocity varies about the current. A fit to a beacon gave 0.15 m/s.</source>
+        <translation>Dérive changeante (observateur de Kalman) : écart type avec lequel la vitesse varie autour du courant. L&apos;ajustement à une balise a donné 0.15 m/s.</translation>
+    </message>
+    <message>
+        <source>Changing drift (Kalman observer): time in which the velocity fades to the current (to 1/e); 0 means constant drift. A fit to a beacon gave 36000 s.</source>
+        <translation>Dérive changeante (observateur de Kalman) : temps dans lequel la vitesse tend vers le courant (à 1/e) ; 0 signifie une dérive constante. L&apos;ajustement à une balise a donné 36000 s.</translation>
+    </message>
+    <message>
+        <source>Age of the last sighting at t = 0: adds q x age and (`velocity_sd_mps` x age)^2 to `sigma0_m2`; with changing drift the formula is that of the drift process.</source>
+        <translation>Âge de la dernière observation à t = 0 : ajoute q x âge et (`velocity_sd_mps` x âge)^2 à `sigma0_m2` ; si la dérive change, la formule est celle du processus de dérive.</translation>
+    </message>
+    <message>
+        <source>Id of the only UAV that may visit it; empty allows any UAV.</source>
+        <translation>Id du seul drone qui peut le visiter ; vide autorise tout drone.</translation>
+    </message>
+    <message>
+        <source>Speed of a ship; 0 for a platform.</source>
+        <translation>Vitesse d&apos;un navire ; 0 pour une plate-forme.</translation>
+    </message>
+    <message>
+        <source>UAVs that start clear of the asset keep this distance, from a ship to its whole track.</source>
+        <translation>Les drones qui partent à l&apos;écart du bien gardent cette distance, pour un navire à toute sa trace.</translation>
+    </message>
+    <message>
+        <source>Corners of the area.</source>
+        <translation>Sommets de la zone.</translation>
+    </message>
+    <message>
+        <source>Name of the airspace.</source>
+        <translation>Nom de l&apos;espace aérien.</translation>
+    </message>
+    <message>
+        <source>Class or type of the airspace.</source>
+        <translation>Classe ou type de l&apos;espace aérien.</translation>
+    </message>
+    <message>
+        <source>Lower limit, above the sea.</source>
+        <translation>Limite inférieure, au-dessus de la mer.</translation>
+    </message>
+    <message>
+        <source>Upper limit, above the sea.</source>
+        <translation>Limite supérieure, au-dessus de la mer.</translation>
+    </message>
+    <message>
+        <source>Time from which the airspace exists; without it, always.</source>
+        <translation>Instant à partir duquel l&apos;espace existe ; à défaut, toujours.</translation>
+    </message>
+    <message>
+        <source>Time until which the airspace exists, not before `from_utc`; without it, always.</source>
+        <translation>Instant jusqu&apos;auquel l&apos;espace existe, pas avant `from_utc` ; à défaut, toujours.</translation>
+    </message>
+    <message>
+        <source>Position of the antenna.</source>
+        <translation>Position de l&apos;antenne.</translation>
+    </message>
+    <message>
+        <source>Latitude of the local plane&apos;s origin.</source>
+        <translation>Latitude de l&apos;origine du plan local.</translation>
+    </message>
+    <message>
+        <source>Longitude of the local plane&apos;s origin.</source>
+        <translation>Longitude de l&apos;origine du plan local.</translation>
+    </message>
+    <message>
+        <source>With `simple`, the estimate of an iceberg in view is the truth; with `kalman`, a filter uses noisy measurements.</source>
+        <translation>Avec `simple`, l&apos;estimation d&apos;un iceberg en vue est la vérité ; avec `kalman`, un filtre utilise des mesures bruitées.</translation>
+    </message>
+    <message>
+        <source>Policy that chooses the orders.</source>
+        <translation>Règle qui choisit les ordres de visite.</translation>
+    </message>
+    <message>
+        <source>0 visits the most uncertain iceberg first; a large value gives the shortest path.</source>
+        <translation>0 visite d&apos;abord l&apos;iceberg le plus incertain ; une grande valeur donne le chemin le plus court.</translation>
+    </message>
+    <message>
+        <source>Whether the path ends over the last iceberg or returns to its start.</source>
+        <translation>Si le chemin finit au-dessus du dernier iceberg ou revient au départ.</translation>
+    </message>
+    <message>
+        <source>Solver of the orders.</source>
+        <translation>Solveur des ordres de visite.</translation>
+    </message>
+    <message>
+        <source>An iceberg is reached within this distance. Without it, an iceberg is reached when it is in view; with measurements, when its estimate is in view after a sighting.</source>
+        <translation>Un iceberg est atteint à moins de cette distance. Sans elle, un iceberg est atteint quand il est en vue ; avec des mesures, quand son estimation est en vue après une observation.</translation>
+    </message>
+    <message>
+        <source>Shape of the field of view. The diameter of a disk is `fov_m[0]`; the second number has no effect.</source>
+        <translation>Forme du champ de vision. Le diamètre d&apos;un disque est `fov_m[0]` ; le second nombre est sans effet.</translation>
+    </message>
+    <message>
+        <source>Start time, ISO 8601 with Z; without it, times are relative.</source>
+        <translation>Heure de départ, ISO 8601 avec Z ; sans elle, les temps sont relatifs.</translation>
+    </message>
+    <message>
+        <source>If false, nothing is random: icebergs drift at their given velocities, and measurements detect every iceberg in view.</source>
+        <translation>Si false, rien n&apos;est aléatoire : les icebergs dérivent à leurs vitesses données, et les mesures détectent chaque iceberg en vue.</translation>
+    </message>
+    <message>
+        <source>Velocity over ground; the wind must be slower than the airspeed.</source>
+        <translation>Vitesse par rapport au sol ; le vent doit être plus lent que la vitesse air.</translation>
+    </message>
+    <message>
+        <source>Velocity over ground; the current carries every iceberg.</source>
+        <translation>Vitesse par rapport au sol ; le courant emporte chaque iceberg.</translation>
+    </message>
+    <message>
+        <source>Corners of the monitored area; an iceberg that is farther outside than its radius is no longer monitored.</source>
+        <translation>Sommets de la zone surveillée ; un iceberg situé au-delà à plus de son rayon n&apos;est plus surveillé.</translation>
+    </message>
+    <message>
+        <source>UAVs that start clear of the edge of `area_m` stay inside it; `validate` warns if a start leaves no safe turn or path home, but the flight is allowed.</source>
+        <translation>Les drones qui partent à l&apos;écart du bord de `area_m` restent à l&apos;intérieur ; `validate` avertit si un départ ne laisse ni virage ni retour sûrs, mais le vol est permis.</translation>
+    </message>
+    <message>
+        <source>Least distance between UAVs whose altitudes differ by less than %1, after they have reached it (`validate` gives a hint if they start nearer); 0 turns separation off.</source>
+        <translation>Distance minimale entre les drones dont les altitudes diffèrent de moins de %1, une fois atteinte (`validate` donne un conseil s&apos;ils partent plus près) ; 0 la désactive.</translation>
+    </message>
+    <message>
+        <source>Areas that UAVs stay out of if they start clear of them; with geofence and stand-off ring at most 200 corners at the altitude of a UAV.</source>
+        <translation>Zones que les drones évitent s&apos;ils partent à l&apos;écart ; avec la barrière et l&apos;anneau de sécurité, au plus 200 sommets à l&apos;altitude d&apos;un drone.</translation>
+    </message>
+    <message>
+        <source>Airspace, for information: a check reports that the operation may enter it, but no UAV is kept out.</source>
+        <translation>Espaces aériens, pour information : un contrôle signale que l&apos;opération peut y entrer, mais aucun drone n&apos;en est écarté.</translation>
+    </message>
+    <message>
+        <source>Content of a permit application: constants of the operation volume, and texts for the flight brief.</source>
+        <translation>Contenu d&apos;une demande d&apos;autorisation : constantes du volume d&apos;opération et textes du dossier de vol.</translation>
+    </message>
+    <message>
+        <source>Protected asset.</source>
+        <translation>Bien protégé.</translation>
+    </message>
+    <message>
+        <source>Missing values are not checked.</source>
+        <translation>Les valeurs absentes ne sont pas vérifiées.</translation>
+    </message>
+    <message>
+        <source>`{&quot;time_s&quot;: [...], &quot;position_m&quot;: [[x, y], ...]}`: true positions, instead of random drift.</source>
+        <translation>`{&quot;time_s&quot;: [...], &quot;position_m&quot;: [[x, y], ...]}` : positions vraies, au lieu d&apos;une dérive aléatoire.</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>obligatoire</translation>
+    </message>
+    <message>
+        <source>`%1` in older files.</source>
+        <translation>`%1` dans les fichiers plus anciens.</translation>
+    </message>
+    <message>
+        <source>Longest flight; the UAV is home before it ends. Without it, the UAV lands only when ordered to return.</source>
+        <translation>Vol le plus long ; le drone est rentré avant sa fin. Sans elle, le drone n&apos;atterrit que sur ordre de retour.</translation>
+    </message>
+    <message>
+        <source>Range of the link; without it, the radio horizon of the antenna and the UAV&apos;s altitude.</source>
+        <translation>Portée de la liaison ; sans elle, l&apos;horizon radio de l&apos;antenne et de l&apos;altitude du drone.</translation>
+    </message>
+    <message>
+        <source>Length at the waterline: wind and current then carry the iceberg by the balance of their drags (below 15 m: the current and 2 % of the wind, turned 20 degrees), and it stands still where a `forecast` gives a depth below its draft of 1.78 L^0.71. Without it the current alone carries the iceberg.</source>
+        <translation>Longueur à la flottaison : vent et courant portent alors l&apos;iceberg selon l&apos;équilibre de leurs traînées (au-dessous de 15 m : le courant et 2 % du vent, tourné de 20 degrés), et il s&apos;arrête là où un `forecast` donne une profondeur inférieure à son tirant d&apos;eau de 1,78 L^0,71. Sans longueur, le courant seul porte l&apos;iceberg.</translation>
+    </message>
+    <message>
+        <source>File or service that the chart comes from.</source>
+        <translation>Fichier ou service d&apos;où vient la carte.</translation>
+    </message>
+    <message>
+        <source>Date of the chart; without it, unknown.</source>
+        <translation>Date de la carte ; sans elle, inconnue.</translation>
+    </message>
+    <message>
+        <source>Words or codes of the chart for the area; may be empty.</source>
+        <translation>Mots ou codes de la carte pour la zone ; peut être vide.</translation>
+    </message>
+    <message>
+        <source>Part of the area that ice covers, in tenths; without it, unknown.</source>
+        <translation>Part de la zone couverte de glace, en dixièmes ; sans elle, inconnue.</translation>
+    </message>
+    <message>
+        <source>Whether the ice is fast to a shore and does not drift.</source>
+        <translation>Indique si la glace est attachée à une côte et ne dérive pas.</translation>
+    </message>
+    <message>
+        <source>Velocity of the wind at 10 m, towards true east and north.</source>
+        <translation>Vitesse du vent à 10 m, vers l&apos;est et le nord vrais.</translation>
+    </message>
+    <message>
+        <source>Speed of gusts.</source>
+        <translation>Vitesse des rafales.</translation>
+    </message>
+    <message>
+        <source>Temperature of the air at 2 m.</source>
+        <translation>Température de l&apos;air à 2 m.</translation>
+    </message>
+    <message>
+        <source>Dew point of the air at 2 m.</source>
+        <translation>Point de rosée de l&apos;air à 2 m.</translation>
+    </message>
+    <message>
+        <source>Part of the area with fog.</source>
+        <translation>Part de la zone où il y a du brouillard.</translation>
+    </message>
+    <message>
+        <source>Visibility.</source>
+        <translation>Visibilité.</translation>
+    </message>
+    <message>
+        <source>Height of the cloud base above the sea.</source>
+        <translation>Hauteur de la base des nuages au-dessus de la mer.</translation>
+    </message>
+    <message>
+        <source>Velocity of the current, towards true east and north.</source>
+        <translation>Vitesse du courant, vers l&apos;est et le nord vrais.</translation>
+    </message>
+    <message>
+        <source>Latitude of a place of the grid.</source>
+        <translation>Latitude d&apos;un lieu de la grille.</translation>
+    </message>
+    <message>
+        <source>Longitude of a place of the grid.</source>
+        <translation>Longitude d&apos;un lieu de la grille.</translation>
+    </message>
+    <message>
+        <source>Depth of the sea at the place.</source>
+        <translation>Profondeur de la mer à ce lieu.</translation>
+    </message>
+    <message>
+        <source>Ice chart for the map, without effect on the flight.</source>
+        <translation>Carte des glaces à montrer sur la carte, sans effet sur le vol.</translation>
+    </message>
+    <message>
+        <source>Areas of the chart, each with `outlines_m` (needed): outline and holes, each a list of corners.</source>
+        <translation>Zones de la carte, chacune avec `outlines_m` (nécessaire) : contour et trous, chacun une liste de sommets.</translation>
+    </message>
+    <message>
+        <source>Forecast with `source`, `issued` (UTC), `columns` (1) and `places`; needs `start_utc`.</source>
+        <translation>Prévision avec `source`, `issued` (UTC), `columns` (1) et `places` ; exige `start_utc`.</translation>
+    </message>
+    <message>
+        <source>Grid of rows from south to north, each from west to east, with `columns` places.</source>
+        <translation>Grille de rangées du sud au nord, chacune d&apos;ouest en est, de `columns` lieux.</translation>
+    </message>
+    <message>
+        <source>Values at a `time` (UTC; times rise); any may be missing.</source>
+        <translation>Valeurs à un `time` (UTC ; en ordre croissant) ; chacune peut manquer.</translation>
     </message>
 </context>
 <context>

@@ -977,6 +977,22 @@
             <numerusform>… og %n til</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The file is too large to be imported. Split it, or leave out what is not needed.</source>
+        <translation>Filen er for stor til å importeres. Del den, eller utelat det som ikke trengs.</translation>
+    </message>
+    <message>
+        <source>The file is broken. Correct it at the place named, or export it again.</source>
+        <translation>Filen er ødelagt. Rett den på det oppgitte stedet, eller eksporter den på nytt.</translation>
+    </message>
+    <message>
+        <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
+        <translation>Bergwatch gjenkjenner ikke denne filen. Hvis det er en tabell, velger du kolonnene for bredde og lengde nedenfor.</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be used like this.</source>
+        <translation>Ingenting i den kan brukes slik den er.</translation>
+    </message>
 </context>
 <context>
     <name>EventText</name>
@@ -2472,18 +2488,6 @@
 <context>
     <name>ImportWords</name>
     <message>
-        <source>The file is too large to be imported. Split it, or leave out what is not needed.</source>
-        <translation>Filen er for stor til å importeres. Del den, eller utelat det som ikke trengs.</translation>
-    </message>
-    <message>
-        <source>The file is broken. Correct it at the place named, or export it again.</source>
-        <translation>Filen er ødelagt. Rett den på det oppgitte stedet, eller eksporter den på nytt.</translation>
-    </message>
-    <message>
-        <source>Nothing of it can be used like this.</source>
-        <translation>Ingenting i den kan brukes slik den er.</translation>
-    </message>
-    <message>
         <source>new</source>
         <translation>nytt</translation>
     </message>
@@ -2725,10 +2729,6 @@
     <message>
         <source>From the file: %1</source>
         <translation>Fra filen: %1</translation>
-    </message>
-    <message>
-        <source>Bergwatch does not recognise this file. If it is a table, choose its latitude and longitude columns below.</source>
-        <translation>Bergwatch gjenkjenner ikke denne filen. Hvis det er en tabell, velger du kolonnene for bredde og lengde nedenfor.</translation>
     </message>
     <message>
         <source>Radar and AIS of a ship (NMEA log)</source>
@@ -10285,6 +10285,282 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
     <message>
         <source>Lowest cloud base, above sea level, in which the UAV may fly; compared with the forecast.</source>
         <translation>Laveste skybase, over havet, som UAV-en kan fly i; sammenlignes med varselet.</translation>
+    </message>
+    <message>
+        <source>Unique in the file; without it, uav-1, uav-2, ... or berg-1, berg-2, ... in the order of the file.</source>
+        <translation>Entydig i filen; uten den uav-1, uav-2, ... eller berg-1, berg-2, ... i filens rekkefølge.</translation>
+    </message>
+    <message>
+        <source>Position at the start; of an iceberg the estimate, which is the truth in the simple model.</source>
+        <translation>Stedet ved starten; for et isfjell estimatet, som er sannheten i den enkle modellen.</translation>
+    </message>
+    <message>
+        <source>Extent of the field of view along and across the heading.</source>
+        <translation>Synsfelt langs og på tvers av kursen.</translation>
+    </message>
+    <message>
+        <source>Landing place; without it, where the UAV starts.</source>
+        <translation>Landingsplass; uten den der UAV-en starter.</translation>
+    </message>
+    <message>
+        <source>Time between two commands of the autopilot; 0 means every time step. After an order to return home, a slower autopilot commands once a second.</source>
+        <translation>Tid mellom to kommandoer fra autopiloten; 0 betyr hvert tidssteg. Etter en ordre om å fly hjem gir en langsommere autopilot én kommando i sekundet.</translation>
+    </message>
+    <message>
+        <source>Drift velocity, without the current.</source>
+        <translation>Driftens hastighet, uten strømmen.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of the drift velocity, along each axis (Kalman observer).</source>
+        <translation>Standardavviket til feilen i driftens hastighet, langs hver akse (Kalman-observatør).</translation>
+    </message>
+    <message>
+        <source>Changing drift (Kalman observer): standard deviation with which the velocity varies about the current. A fit to a beacon gave 0.15 m/s.</source>
+        <translation>Drift som endrer seg (Kalman-observatør): standardavviket som hastigheten varierer om strømmen med. En tilpasning til en drivbøye ga 0.15 m/s.</translation>
+    </message>
+    <message>
+        <source>Changing drift (Kalman observer): time in which the velocity fades to the current (to 1/e); 0 means constant drift. A fit to a beacon gave 36000 s.</source>
+        <translation>Drift som endrer seg (Kalman-observatør): tiden der hastigheten nærmer seg strømmen (til 1/e); 0 betyr konstant drift. En tilpasning til en drivbøye ga 36000 s.</translation>
+    </message>
+    <message>
+        <source>Age of the last sighting at t = 0: adds q x age and (`velocity_sd_mps` x age)^2 to `sigma0_m2`; with changing drift the formula is that of the drift process.</source>
+        <translation>Alderen på siste observasjon ved t = 0: legger q x alder og (`velocity_sd_mps` x alder)^2 til `sigma0_m2`; når driften endrer seg, gjelder formelen for driftprosessen.</translation>
+    </message>
+    <message>
+        <source>Id of the only UAV that may visit it; empty allows any UAV.</source>
+        <translation>Id til den eneste UAV-en som kan besøke det; tom tillater en hvilken som helst UAV.</translation>
+    </message>
+    <message>
+        <source>Speed of a ship; 0 for a platform.</source>
+        <translation>Farten til et skip; 0 for en plattform.</translation>
+    </message>
+    <message>
+        <source>UAVs that start clear of the asset keep this distance, from a ship to its whole track.</source>
+        <translation>UAV-er som starter klar av objektet, holder denne avstanden, for et skip til hele sporet.</translation>
+    </message>
+    <message>
+        <source>Corners of the area.</source>
+        <translation>Hjørner i området.</translation>
+    </message>
+    <message>
+        <source>Name of the airspace.</source>
+        <translation>Navnet på luftrommet.</translation>
+    </message>
+    <message>
+        <source>Class or type of the airspace.</source>
+        <translation>Klasse eller type luftrom.</translation>
+    </message>
+    <message>
+        <source>Lower limit, above the sea.</source>
+        <translation>Nedre grense, over havet.</translation>
+    </message>
+    <message>
+        <source>Upper limit, above the sea.</source>
+        <translation>Øvre grense, over havet.</translation>
+    </message>
+    <message>
+        <source>Time from which the airspace exists; without it, always.</source>
+        <translation>Tiden luftrommet finnes fra; uten den alltid.</translation>
+    </message>
+    <message>
+        <source>Time until which the airspace exists, not before `from_utc`; without it, always.</source>
+        <translation>Tiden luftrommet finnes til, ikke før `from_utc`; uten den alltid.</translation>
+    </message>
+    <message>
+        <source>Position of the antenna.</source>
+        <translation>Antennens sted.</translation>
+    </message>
+    <message>
+        <source>Latitude of the local plane&apos;s origin.</source>
+        <translation>Breddegraden til origo i det lokale planet.</translation>
+    </message>
+    <message>
+        <source>Longitude of the local plane&apos;s origin.</source>
+        <translation>Lengdegraden til origo i det lokale planet.</translation>
+    </message>
+    <message>
+        <source>With `simple`, the estimate of an iceberg in view is the truth; with `kalman`, a filter uses noisy measurements.</source>
+        <translation>Med `simple` er estimatet for et isfjell i syne sannheten; med `kalman` bruker et filter målinger med støy.</translation>
+    </message>
+    <message>
+        <source>Policy that chooses the orders.</source>
+        <translation>Regelen som velger rekkefølgene.</translation>
+    </message>
+    <message>
+        <source>0 visits the most uncertain iceberg first; a large value gives the shortest path.</source>
+        <translation>0 besøker det mest usikre isfjellet først; en stor verdi gir den korteste veien.</translation>
+    </message>
+    <message>
+        <source>Whether the path ends over the last iceberg or returns to its start.</source>
+        <translation>Om veien slutter over det siste isfjellet eller går tilbake til starten.</translation>
+    </message>
+    <message>
+        <source>Solver of the orders.</source>
+        <translation>Løseren for rekkefølgene.</translation>
+    </message>
+    <message>
+        <source>An iceberg is reached within this distance. Without it, an iceberg is reached when it is in view; with measurements, when its estimate is in view after a sighting.</source>
+        <translation>Et isfjell er nådd innenfor denne avstanden. Uten den er et isfjell nådd når det er i syne; med målinger når estimatet er i syne etter en observasjon.</translation>
+    </message>
+    <message>
+        <source>Shape of the field of view. The diameter of a disk is `fov_m[0]`; the second number has no effect.</source>
+        <translation>Formen på synsfeltet. Diameteren til en disk er `fov_m[0]`; det andre tallet er uten virkning.</translation>
+    </message>
+    <message>
+        <source>Start time, ISO 8601 with Z; without it, times are relative.</source>
+        <translation>Starttid, ISO 8601 med Z; uten den er tider relative.</translation>
+    </message>
+    <message>
+        <source>If false, nothing is random: icebergs drift at their given velocities, and measurements detect every iceberg in view.</source>
+        <translation>Hvis false, er ingenting tilfeldig: isfjell driver med de oppgitte hastighetene, og målinger oppdager hvert isfjell i syne.</translation>
+    </message>
+    <message>
+        <source>Velocity over ground; the wind must be slower than the airspeed.</source>
+        <translation>Hastighet over grunnen; vinden må være langsommere enn flyfarten.</translation>
+    </message>
+    <message>
+        <source>Velocity over ground; the current carries every iceberg.</source>
+        <translation>Hastighet over grunnen; strømmen fører med seg hvert isfjell.</translation>
+    </message>
+    <message>
+        <source>Corners of the monitored area; an iceberg that is farther outside than its radius is no longer monitored.</source>
+        <translation>Hjørnene i det overvåkede området; et isfjell som er lenger utenfor enn radien sin, overvåkes ikke lenger.</translation>
+    </message>
+    <message>
+        <source>UAVs that start clear of the edge of `area_m` stay inside it; `validate` warns if a start leaves no safe turn or path home, but the flight is allowed.</source>
+        <translation>UAV-er som starter klar av kanten av `area_m`, holder seg innenfor; `validate` advarer hvis en start ikke gir noen trygg sving eller trygg vei hjem, men flygingen er tillatt.</translation>
+    </message>
+    <message>
+        <source>Least distance between UAVs whose altitudes differ by less than %1, after they have reached it (`validate` gives a hint if they start nearer); 0 turns separation off.</source>
+        <translation>Minste avstand mellom UAV-er med mindre enn %1 høydeforskjell, etter at de har nådd den (`validate` gir et tips hvis de starter nærmere); 0 slår avstanden av.</translation>
+    </message>
+    <message>
+        <source>Areas that UAVs stay out of if they start clear of them; with geofence and stand-off ring at most 200 corners at the altitude of a UAV.</source>
+        <translation>Områder som UAV-er holder seg utenfor hvis de starter klar av dem; med geogjerde og sikkerhetsring høyst 200 hjørner i høyden til en UAV.</translation>
+    </message>
+    <message>
+        <source>Airspace, for information: a check reports that the operation may enter it, but no UAV is kept out.</source>
+        <translation>Luftrom, til opplysning: en kontroll melder at operasjonen kan komme inn i det, men ingen UAV holdes ute.</translation>
+    </message>
+    <message>
+        <source>Content of a permit application: constants of the operation volume, and texts for the flight brief.</source>
+        <translation>Innholdet i en søknad om tillatelse: konstantene i operasjonsvolumet og tekster til flygearket.</translation>
+    </message>
+    <message>
+        <source>Protected asset.</source>
+        <translation>Beskyttet objekt.</translation>
+    </message>
+    <message>
+        <source>Missing values are not checked.</source>
+        <translation>Verdier som mangler, kontrolleres ikke.</translation>
+    </message>
+    <message>
+        <source>`{&quot;time_s&quot;: [...], &quot;position_m&quot;: [[x, y], ...]}`: true positions, instead of random drift.</source>
+        <translation>`{&quot;time_s&quot;: [...], &quot;position_m&quot;: [[x, y], ...]}`: sanne posisjoner, i stedet for tilfeldig drift.</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>påkrevd</translation>
+    </message>
+    <message>
+        <source>`%1` in older files.</source>
+        <translation>`%1` i eldre filer.</translation>
+    </message>
+    <message>
+        <source>Longest flight; the UAV is home before it ends. Without it, the UAV lands only when ordered to return.</source>
+        <translation>Lengste flyging; UAV-en er hjemme før den er slutt. Uten den lander UAV-en bare på ordre om å fly hjem.</translation>
+    </message>
+    <message>
+        <source>Range of the link; without it, the radio horizon of the antenna and the UAV&apos;s altitude.</source>
+        <translation>Rekkevidden til sambandet; uten den radiohorisonten til antennen og høyden til UAV-en.</translation>
+    </message>
+    <message>
+        <source>Length at the waterline: wind and current then carry the iceberg by the balance of their drags (below 15 m: the current and 2 % of the wind, turned 20 degrees), and it stands still where a `forecast` gives a depth below its draft of 1.78 L^0.71. Without it the current alone carries the iceberg.</source>
+        <translation>Lengden i vannlinjen: vind og strøm fører da isfjellet etter likevekten mellom motstandene (under 15 m: strømmen og 2 % av vinden, dreid 20 grader), og det står stille der et `forecast` gir en dybde under dypgangen 1,78 L^0,71. Uten lengde fører bare strømmen isfjellet.</translation>
+    </message>
+    <message>
+        <source>File or service that the chart comes from.</source>
+        <translation>Filen eller tjenesten som iskartet kommer fra.</translation>
+    </message>
+    <message>
+        <source>Date of the chart; without it, unknown.</source>
+        <translation>Datoen for kartet; uten den er den ukjent.</translation>
+    </message>
+    <message>
+        <source>Words or codes of the chart for the area; may be empty.</source>
+        <translation>Iskartets ord eller koder for området; kan være tomt.</translation>
+    </message>
+    <message>
+        <source>Part of the area that ice covers, in tenths; without it, unknown.</source>
+        <translation>Delen av området som is dekker, i tideler; uten den er den ukjent.</translation>
+    </message>
+    <message>
+        <source>Whether the ice is fast to a shore and does not drift.</source>
+        <translation>Om isen er fast til land og ikke driver.</translation>
+    </message>
+    <message>
+        <source>Velocity of the wind at 10 m, towards true east and north.</source>
+        <translation>Vindens hastighet i 10 m, mot sann øst og nord.</translation>
+    </message>
+    <message>
+        <source>Speed of gusts.</source>
+        <translation>Farten til vindkast.</translation>
+    </message>
+    <message>
+        <source>Temperature of the air at 2 m.</source>
+        <translation>Lufttemperaturen i 2 m.</translation>
+    </message>
+    <message>
+        <source>Dew point of the air at 2 m.</source>
+        <translation>Duggpunktet til luften i 2 m.</translation>
+    </message>
+    <message>
+        <source>Part of the area with fog.</source>
+        <translation>Delen av området med tåke.</translation>
+    </message>
+    <message>
+        <source>Visibility.</source>
+        <translation>Sikten.</translation>
+    </message>
+    <message>
+        <source>Height of the cloud base above the sea.</source>
+        <translation>Skybasens høyde over havet.</translation>
+    </message>
+    <message>
+        <source>Velocity of the current, towards true east and north.</source>
+        <translation>Strømmens hastighet, mot sann øst og nord.</translation>
+    </message>
+    <message>
+        <source>Latitude of a place of the grid.</source>
+        <translation>Breddegraden til et sted i rutenettet.</translation>
+    </message>
+    <message>
+        <source>Longitude of a place of the grid.</source>
+        <translation>Lengdegraden til et sted i rutenettet.</translation>
+    </message>
+    <message>
+        <source>Depth of the sea at the place.</source>
+        <translation>Havdybden på stedet.</translation>
+    </message>
+    <message>
+        <source>Ice chart for the map, without effect on the flight.</source>
+        <translation>Iskart til kartet, uten virkning på flygingen.</translation>
+    </message>
+    <message>
+        <source>Areas of the chart, each with `outlines_m` (needed): outline and holes, each a list of corners.</source>
+        <translation>Områdene på iskartet, hvert med `outlines_m` (må finnes): omriss og hull, hvert en liste over hjørner.</translation>
+    </message>
+    <message>
+        <source>Forecast with `source`, `issued` (UTC), `columns` (1) and `places`; needs `start_utc`.</source>
+        <translation>Varsel med `source`, `issued` (UTC), `columns` (1) og `places`; trenger `start_utc`.</translation>
+    </message>
+    <message>
+        <source>Grid of rows from south to north, each from west to east, with `columns` places.</source>
+        <translation>Rutenett av rader fra sør til nord, hver fra vest til øst, med `columns` steder.</translation>
+    </message>
+    <message>
+        <source>Values at a `time` (UTC; times rise); any may be missing.</source>
+        <translation>Verdier for en `time` (UTC; tidene stiger); alle kan mangle.</translation>
     </message>
 </context>
 <context>

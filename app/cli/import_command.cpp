@@ -96,14 +96,6 @@ void addMapping(ColumnMapping& mapping, FieldColumn added)
     mapping.push_back(std::move(added));
 }
 
-std::string sourceNames()
-{
-    std::string names;
-    for (const SightingSource source : kSightingSources)
-        names += (names.empty() ? "" : ", ") + std::string(errorOf(source).name);
-    return names;
-}
-
 /** Metres, or how the positions were found. */
 std::optional<double> positionErrorOf(const std::string& text)
 {

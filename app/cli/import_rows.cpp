@@ -5,8 +5,17 @@
 #include "app/cli/usage.h"
 #include "core/base/number_text.h"
 #include "core/scenario/text_checks.h"
+#include "core/tracking/position_error.h"
 
 namespace berg::cli {
+
+std::string sourceNames()
+{
+    std::string names;
+    for (const SightingSource source : kSightingSources)
+        names += (names.empty() ? "" : ", ") + std::string(errorOf(source).name);
+    return names;
+}
 
 std::string saidPlace(const Rejections& rejected, std::size_t number)
 {

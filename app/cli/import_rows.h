@@ -9,6 +9,9 @@ namespace berg::cli {
 /** Longest list of rows on stderr. */
 inline constexpr std::size_t kMostListedRows = 100;
 
+/** Returns the names of all sources of positions, with commas. */
+[[nodiscard]] std::string sourceNames();
+
 /** Returns "line 3" in the language of the command line. */
 [[nodiscard]] std::string saidPlace(const Rejections& rejected, std::size_t number);
 

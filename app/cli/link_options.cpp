@@ -2,7 +2,7 @@
 
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
-#include "core/link/telemetry_log.h"
+#include "core/link/logs/telemetry_log.h"
 #include "core/link/transport/link_clock.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/cli/commands.h"
-#include "core/link/frame_exchange.h"
+#include "core/link/message/frame_exchange.h"
 #include "core/link/transport/transport_link.h"
 
 #include <fstream>

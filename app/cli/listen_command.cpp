@@ -9,8 +9,8 @@
 #include "core/io/text/read_budget.h"
 #include "core/io/text/utc_time.h"
 #include "core/link/link_session.h"
-#include "core/link/nmea_log.h"
-#include "core/link/recorded_flight.h"
+#include "core/link/logs/nmea_log.h"
+#include "core/link/logs/recorded_flight.h"
 #include "core/link/tracker_list.h"
 
 #include <CLI/CLI.hpp>

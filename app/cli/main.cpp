@@ -1,5 +1,4 @@
 #include "app/cli/program.h"
-#include "app/cli/sweep_flight.h"
 #include "core/base/version.h"
 
 using namespace berg::cli;

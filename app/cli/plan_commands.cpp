@@ -169,35 +169,41 @@ std::string verificationLine(const PlanReport& report)
     }
     if (second.outcome.status != SolveStatus::None)
         text += ", objective " + fixed(second.outcome.objective, 3) + " (" +
-                solverWords(report.problem, second.outcome) + ", " +
+                solverWords(report.plan.problem, second.outcome) + ", " +
                 fixed(1000 * second.outcome.elapsed_s, 1) + " ms)";
     return text + '\n';
 }
 
 /** Ids, or the numbers of a bare problem. */
-std::string orderWords(const UavReport& uav)
+std::string orderWords(const PlanReport& report, const UavPlan& uav)
 {
     std::string text;
-    for (std::size_t i = 0; i < uav.order.size(); ++i)
-        text += ' ' + (uav.ids.empty() ? std::to_string(uav.order[i]) : word(uav.ids[i]));
+    for (const std::string& id : report.idsOf(uav.order))
+        text += ' ' + word(id);
+    if (report.scenario == nullptr)
+        for (const int number : report.numbersOf(uav.order))
+            text += ' ' + std::to_string(number);
     return text;
 }
 
 /** A line for each UAV; the only one needs no name. */
-std::string orderLines(const std::vector<UavReport>& uavs)
+std::string orderLines(const PlanReport& report)
 {
-    if (const UavReport& only = uavs.front(); uavs.size() == 1)
-        return "order     " + orderWords(only) + '\n' +
+    const std::vector<UavPlan>& uavs = report.plan.uavs;
+    if (const UavPlan& only = uavs.front(); uavs.size() == 1)
+        return "order     " + orderWords(report, only) + '\n' +
                (only.thisSortie
                     ? "sortie     the first " + std::to_string(*only.thisSortie) + ", then home\n"
                     : "");
     std::string text;
-    for (const UavReport& uav : uavs) {
-        text += rowLabel(uav.id) + orderWords(uav) + "  (" + grouped(uav.distance_m) + " m";
-        if (uav.thisSortie)
-            text += ", the first " + std::to_string(*uav.thisSortie) + ", then home";
-        if (uav.slot_s)
-            text += ", recovery slot " + grouped(*uav.slot_s) + " s";
+    for (std::size_t k = 0; k < uavs.size(); ++k) {
+        const UavLength& length = report.lengths[k];
+        text += rowLabel(report.uavId(k)) + orderWords(report, uavs[k]) + "  (" +
+                grouped(length.distance_m) + " m";
+        if (uavs[k].thisSortie)
+            text += ", the first " + std::to_string(*uavs[k].thisSortie) + ", then home";
+        if (length.slot_s)
+            text += ", recovery slot " + grouped(*length.slot_s) + " s";
         text += ")\n";
     }
     return text;
@@ -213,19 +219,19 @@ std::string reportText(const PlanReport& report, bool json)
 {
     if (json)
         return planJson(report);
-    const SolveOutcome& outcome = report.outcome;
+    const SolveOutcome& outcome = report.plan.outcome;
     if (outcome.status == SolveStatus::None)
         return noPlan(outcome);
-    std::string text = orderLines(report.uavs);
-    for (const std::vector<std::string>& ids : report.clusters) {
+    std::string text = orderLines(report);
+    for (const IcebergList& members : report.clusters()) {
         text += "together  ";
-        for (const std::string& id : ids)
+        for (const std::string& id : report.idsOf(members))
             text += ' ' + word(id);
         text += '\n';
     }
     const std::optional<double> objective = report.objective();
     text += "objective  " + (objective ? fixed(*objective, 3) : std::string("none")) + "  (" +
-            solverWords(report.problem, outcome) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
+            solverWords(report.plan.problem, outcome) + ", " + fixed(1000 * outcome.elapsed_s, 1) +
             " ms, " + nameOf(kSourceNames, outcome.source) + ")\ndistance   " +
             grouped(report.distance_m) + " m  (" + nameOf(kPathNames, report.path) + ")" +
             (report.mu() ? "   mu " + fixed(*report.mu(), 6) : std::string()) + '\n';
@@ -249,8 +255,9 @@ void checkOutcome(const SolveOutcome& outcome, const std::string& file)
 NewFile certificateOf(const PlanReport& report, const SolveArguments& arguments,
                       const std::stop_token& stop)
 {
-    const Certificate certificate{.problem = report.problem,
-                                  .proofs = {certify(report.problem, report.outcome.plan, stop)}};
+    const Certificate certificate{
+        .problem = report.plan.problem,
+        .proofs = {certify(report.plan.problem, report.plan.outcome.plan, stop)}};
     if (stop.stop_requested())
         throw Interrupted{};
     return {.path = arguments.certificateFile, .content = certificateJson(certificate)};
@@ -268,10 +275,10 @@ void checkSolveFiles(const SolveArguments& arguments)
 void checkProblem(const PlanReport& report, const SolveArguments& arguments)
 {
     const bool certifies = !arguments.certificateFile.empty();
-    if (report.outcome.status == SolveStatus::None || (!certifies && !arguments.verify))
+    if (report.plan.outcome.status == SolveStatus::None || (!certifies && !arguments.verify))
         return;
-    if (isFleetPlan(report.problem, report.outcome.plan) &&
-        (!certifies || report.problem.icebergCount() > 0))
+    if (isFleetPlan(report.plan.problem, report.plan.outcome.plan) &&
+        (!certifies || report.plan.problem.icebergCount() > 0))
         return;
     if (arguments.policy)
         throw wrongOptions(arguments.verify ? "--policy, --verify" : "--policy, --certificate",
@@ -281,18 +288,18 @@ void checkProblem(const PlanReport& report, const SolveArguments& arguments)
 
 int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOptions& options)
 {
-    checkOutcome(report.outcome, arguments.file);
+    checkOutcome(report.plan.outcome, arguments.file);
     checkProblem(report, arguments);
     if (arguments.verify)
         report.secondOpinion =
-            secondOpinion(report.problem, report.outcome, options, arguments.formulation);
+            secondOpinion(report.plan.problem, report.plan.outcome, options, arguments.formulation);
     if (report.secondOpinion && report.secondOpinion->outcome.reason == StopReason::Cancelled)
         throw Interrupted{};
     std::vector<NewFile> files;
-    if (!arguments.certificateFile.empty() && report.outcome.status != SolveStatus::None)
+    if (!arguments.certificateFile.empty() && report.plan.outcome.status != SolveStatus::None)
         files.push_back(certificateOf(report, arguments, options.stop));
     deliver(files, reportText(report, arguments.json));
-    if (report.outcome.status == SolveStatus::None)
+    if (report.plan.outcome.status == SolveStatus::None)
         return kLimitWithoutPlan;
     if (!report.secondOpinion || report.secondOpinion->verdict != Verdict::Disagrees)
         return kDone;
@@ -300,7 +307,7 @@ int conclude(PlanReport& report, const SolveArguments& arguments, const SolveOpt
         QT_TRANSLATE_NOOP(
             "CommandLine",
             "%1: %2 and %3 contradict each other. One of the two is wrong; do not use this order."),
-        {arguments.file, nameOf(kSourceNames, report.outcome.source),
+        {arguments.file, nameOf(kSourceNames, report.plan.outcome.source),
          nameOfSecond(*report.secondOpinion)}));
     return kFailure;
 }
@@ -394,15 +401,14 @@ int solveProblem(const SolveArguments& arguments, const std::stop_token& stop)
     const auto solver = makeSolver(arguments.backend.value_or(Backend::Auto),
                                    arguments.formulation.value_or(Formulation::Position));
     SolvedProblem answer = solved(problem, *solver, options, arguments.countsReturn);
-    std::vector<int> numbers = numbersOf(answer.order);
-    if (file.isTsplib) // whose first iceberg is node 2
-        for (int& number : numbers)
-            ++number;
-    PlanReport report{.problem = std::move(answer.problem),
-                      .outcome = std::move(answer.outcome),
+    UavPlan only;
+    for (const NodeIndex node : answer.order)
+        only.order.push_back(IcebergIndex::of(node.number() - 1));
+    PlanReport report{.plan = {.uavs = {std::move(only)},
+                               .outcome = std::move(answer.outcome),
+                               .problem = std::move(answer.problem)},
                       .distance_m = answer.distance_m,
-                      .uavs = {}};
-    report.uavs.push_back({.id = {}, .order = std::move(numbers), .ids = {}});
+                      .firstNumber = file.isTsplib ? 2 : 1}; // its first node is the start
     return conclude(report, arguments, options);
 }
 
@@ -430,9 +436,9 @@ int planScenario(const SolveArguments& arguments, const std::stop_token& stop)
     printWarnings(arguments.file, validate(scenario));
 
     const SolveOptions options = optionsOf(arguments, stop);
-    const Plan answer = naming(arguments.file, [&] { return planFromStart(scenario, options); });
-    checkOutcome(answer.outcome, arguments.file);
-    PlanReport report = planReport(scenario, answer);
+    Plan plan = naming(arguments.file, [&] { return planFromStart(scenario, options); });
+    checkOutcome(plan.outcome, arguments.file);
+    PlanReport report = planReport(scenario, std::move(plan));
     return conclude(report, arguments, options);
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 
+#include <optional>
 #include <string>
 
 namespace berg::cli {
@@ -26,5 +27,8 @@ struct Program
  * none.
  */
 void becomeBergwatch(char** argv);
+
+/** Returns the rank of this process in an MPI program, or nullopt if it was started alone. */
+[[nodiscard]] std::optional<int> mpiRank();
 
 } // namespace berg::cli

@@ -6,7 +6,7 @@
 #include "core/io/export/missions/mission_upload.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
-#include "core/link/impaired_link.h"
+#include "core/link/message/impaired_link.h"
 #include "core/link/transport/link_fan_out.h"
 #include "core/mission/mission.h"
 #include "core/scenario/fields.h"

@@ -2,7 +2,7 @@
 #include "app/flight/aircraft_controller.h"
 #include "app/flight/flight_view.h"
 #include "app/layout/panels.h"
-#include "core/link/log_replay.h"
+#include "core/link/logs/log_replay.h"
 #include "widgets/map/paint/graticule.h"
 #include "widgets/panels/aircraft/aircraft_panel.h"
 #include "widgets/workspace/workspace.h"

@@ -131,4 +131,14 @@ void adviseForecast(const Scenario& scenario, Findings& findings)
         findings.warn("forecast.issued", IssueId::ForecastOld, {std::round(*age_h)});
 }
 
+void adviseIceChart(const Scenario& scenario, Findings& findings)
+{
+    if (!scenario.iceChart)
+        return;
+    if (const std::optional<double> age_s = ageOf_s(*scenario.iceChart, scenario.startUtc);
+        age_s > kOldIceChart_s)
+        findings.hint("ice_chart.date_utc", IssueId::IceChartOld,
+                      {static_cast<std::int64_t>(std::floor(*age_s / 3600))});
+}
+
 } // namespace berg

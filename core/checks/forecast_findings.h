@@ -15,4 +15,7 @@ void checkForecast(const Scenario& scenario, Findings& findings);
  */
 void adviseForecast(const Scenario& scenario, Findings& findings);
 
+/** Hints at an ice chart that is old at the start of the run, if there is one. */
+void adviseIceChart(const Scenario& scenario, Findings& findings);
+
 } // namespace berg

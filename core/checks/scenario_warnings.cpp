@@ -105,7 +105,7 @@ public:
         for (Issue& issue : airspaceIssues(m_s))
             m_found.warn(std::move(issue.field), issue.reason.id,
                          std::move(issue.reason.arguments));
-        adviseIceChart();
+        adviseIceChart(m_s, m_found);
         adviseWeather(m_s, m_found);
         adviseForecast(m_s, m_found);
         adviseFences();
@@ -164,7 +164,6 @@ private:
     }
 
     void adviseUnused();
-    void adviseIceChart();
     void adviseUavs();
     void adviseLayers();
     void adviseRecovery();
@@ -183,14 +182,6 @@ private:
     std::vector<Flyer> m_flyers;
     Findings m_found{Findings::Kind::All};
 };
-
-void ScenarioWarnings::adviseIceChart()
-{
-    const auto age_s = ageOf_s(m_s.iceChart.value_or(IceChart()), m_s.startUtc);
-    if (age_s > kOldIceChart_s)
-        m_found.hint("ice_chart.date_utc", IssueId::IceChartOld,
-                     {static_cast<std::int64_t>(std::floor(*age_s / 3600))});
-}
 
 void ScenarioWarnings::adviseUnused()
 {

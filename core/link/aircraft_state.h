@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/earth/geodesy.h"
-#include "core/link/link_message.h"
+#include "core/link/message/link_message.h"
 
 #include <cstdint>
 #include <optional>

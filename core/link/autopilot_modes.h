@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/link/mission_item.h"
+#include "core/link/mission/mission_item.h"
 
 #include <cstdint>
 

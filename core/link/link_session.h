@@ -2,8 +2,8 @@
 
 #include "core/link/aircraft_state.h"
 #include "core/link/command_queue.h"
-#include "core/link/frame_exchange.h"
-#include "core/link/mission_sync.h"
+#include "core/link/message/frame_exchange.h"
+#include "core/link/mission/mission_sync.h"
 
 #include <cstdint>
 #include <map>

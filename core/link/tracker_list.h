@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/link/link_session.h"
-#include "core/link/nmea_reader.h"
+#include "core/link/nmea/nmea_reader.h"
 
 #include <map>
 #include <vector>

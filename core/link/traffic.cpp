@@ -1,7 +1,7 @@
 #include "core/link/traffic.h"
 
 #include "core/base/angles.h"
-#include "core/link/ais_message.h"
+#include "core/link/nmea/ais_message.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/earth/geodesy.h"
-#include "core/link/link_message.h"
-#include "core/link/nmea_reader.h"
+#include "core/link/message/link_message.h"
+#include "core/link/nmea/nmea_reader.h"
 
 #include <cstdint>
 #include <map>

@@ -48,7 +48,15 @@ struct FieldTraits
     Presence presence = Presence::UnlessDefault;
     const char* olderName = nullptr; ///< name of a number in older files
     bool isLong = false;             ///< text of several lines
+    /**
+     * English text of the page of fields (`fieldRows`), for a field without help, or whose help is
+     * about the input and not about the file. Null means the help.
+     */
+    const char* note = nullptr;
 };
+
+/** Context of the translations of labels, help and notes. */
+inline constexpr const char* kFieldContext = "berg::Fields";
 
 /** Complete description of one field of a T, used by files, checks, inputs and pages. */
 template <class T>
@@ -77,6 +85,15 @@ template <class T>
 [[nodiscard]] std::span<const Field<T>> fieldsOf();
 /** Returns the fields of the file's object `planner`, which a scenario stores in several places. */
 [[nodiscard]] std::span<const Field<Scenario>> plannerFields();
+
+/** Part of a scenario file that is no single field, or that needs an explanation as a whole. */
+struct ObjectPart
+{
+    std::string_view path;    ///< "no_fly[]"
+    const char* meaning = ""; ///< English text of the page of fields
+};
+/** Returns these parts; a file may lack each of them. */
+[[nodiscard]] std::span<const ObjectPart> objectParts();
 
 /**
  * Returns the fields of a table from the one named `first` to the one named `last`, both included.

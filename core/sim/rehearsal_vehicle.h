@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/earth/geodesy.h"
-#include "core/link/vehicle_side.h"
+#include "core/link/vehicle/vehicle_side.h"
 #include "core/vehicle/dubins.h"
 #include "core/vehicle/uav_spec.h"
 

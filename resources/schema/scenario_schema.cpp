@@ -1,5 +1,7 @@
-// Prints the JSON Schema of scenario files, made of the tables of their fields.
+// Prints the JSON Schema of scenario files, or with the argument "fields" the page of their fields.
+// Both are made of the tables of the fields.
 
+#include "core/io/files/field_rows.h"
 #include "core/io/text/json_writer.h"
 #include "core/scenario/fields.h"
 
@@ -167,8 +169,12 @@ std::string scenarioObject()
 
 } // namespace
 
-int main()
+int main(int count, char* arguments[])
 {
+    if (count > 1 && std::string_view(arguments[1]) == "fields") {
+        std::cout << "# Fields of Bergwatch scenarios (.berg)\n\n" << fieldTable();
+        return 0;
+    }
     JsonObject parts;
     parts.addText("number2", listSchema(numberSchema("number", {}), 2, 2)); // of run files
     parts.addText("policy", fieldSchema(plannerFields().front(), PolicyKind::Visitation));

@@ -1,8 +1,10 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,24 @@ namespace fs = std::filesystem;
 
 constexpr int kMostLines = 500;        ///< of a file
 constexpr int kMostFunctionLines = 80; ///< of a function, its braces and name included
+constexpr int kMostRoomFiles = 45;     ///< sources and headers of a folder
+constexpr int kMostMethods = 45;       ///< declarations of functions in a class
+constexpr int kMostMembers = 25;       ///< variables of a class
+
+/** Functions and variables of a class. */
+struct ClassSize
+{
+    std::string name;
+    int methods = 0;
+    int members = 0;
+};
+
+/** Classes that are larger, with their sizes: make them smaller, never larger. */
+const std::vector<ClassSize> kLargeClasses{
+    {"Workspace", 86, 31},         {"TimeChart", 63, 20}, {"MapView", 60, 19},
+    {"AircraftController", 50, 9}, {"Autopilot", 49, 19}, {"MapScene", 46, 23},
+    {"ImportDialog", 21, 28},
+};
 
 /** A function in a file, from the line of its name to its closing brace. */
 struct Function
@@ -84,10 +104,137 @@ std::vector<std::string> linesOf(const fs::path& path)
     return lines;
 }
 
+/** Returns the text without comments and contents of literals. */
+std::string codeOf(const std::vector<std::string>& lines)
+{
+    std::string code;
+    bool inComment = false;
+    for (const std::string& line : lines) {
+        if (line.starts_with('#'))
+            continue;
+        char quote = 0;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const std::string_view rest = std::string_view(line).substr(i);
+            if (inComment) {
+                if (rest.starts_with("*/")) {
+                    inComment = false;
+                    ++i;
+                }
+            } else if (quote != 0) {
+                if (line[i] == '\\')
+                    ++i;
+                else if (line[i] == quote)
+                    quote = 0;
+            } else if (rest.starts_with("//")) {
+                break;
+            } else if (rest.starts_with("/*")) {
+                inComment = true;
+                ++i;
+            } else if (line[i] == '"' ||
+                       (line[i] == '\'' &&
+                        (i == 0 || !std::isalnum(static_cast<unsigned char>(line[i - 1]))))) {
+                quote = line[i];
+            } else {
+                code += line[i];
+            }
+        }
+        code += '\n';
+    }
+    return code;
+}
+
+bool isNameCharacter(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/** Returns whether a declaration, whose braces are empty, is that of a variable `m_name`. */
+bool declaresMember(const std::string& declaration)
+{
+    std::size_t place = declaration.rfind("m_");
+    if (place == std::string::npos || (place > 0 && isNameCharacter(declaration[place - 1])))
+        return false;
+    while (place < declaration.size() && isNameCharacter(declaration[place]))
+        ++place;
+    const bool isInitialised = declaration.find(") :") != std::string::npos; // by a constructor
+    return !isInitialised &&
+           (place == declaration.size() ||
+            std::string_view(" ={[").find(declaration[place]) != std::string::npos);
+}
+
+/** Counts one declaration at the outer level of a class. */
+void countDeclaration(const std::string& text, ClassSize& size)
+{
+    const std::size_t start = text.find_first_not_of(" \n");
+    if (start == std::string::npos)
+        return;
+    const std::string declaration = text.substr(start);
+    for (const char* other : {"using ", "friend ", "enum ", "struct ", "class ", "static_assert"})
+        if (declaration.starts_with(other))
+            return;
+    if (declaresMember(declaration))
+        ++size.members;
+    else if (declaration.find('(') != std::string::npos)
+        ++size.methods;
+}
+
+/** Returns the size of the class whose body begins at `place`, behind its brace. */
+ClassSize sizeOf(std::string_view code, std::size_t place, std::string name)
+{
+    ClassSize size{.name = std::move(name)};
+    std::string declaration;
+    for (int depth = 0; place < code.size(); ++place) {
+        const char c = code[place];
+        if (c == '{' && depth++ == 0)
+            declaration += c;
+        if (c == '}' && depth-- == 0)
+            break;
+        if (depth > 0 || c == '{')
+            continue;
+        const auto endsWith = [&](const char* word) { return declaration.ends_with(word); };
+        if (c == '}') {
+            declaration += c;
+            const bool isBody = declaration.find(')') != std::string::npos;
+            if (isBody && !declaresMember(declaration)) {
+                countDeclaration(declaration, size);
+                declaration.clear();
+            }
+        } else if (c == ';') {
+            countDeclaration(declaration, size);
+            declaration.clear();
+        } else if (c == ':' && (endsWith("public") || endsWith("private") || endsWith("slots") ||
+                                endsWith("protected") || endsWith("signals"))) {
+            declaration.clear();
+        } else {
+            declaration += c;
+        }
+    }
+    return size;
+}
+
+/** Returns the sizes of the classes at the left margin. */
+std::vector<ClassSize> classesOf(const std::vector<std::string>& lines)
+{
+    const std::string code = '\n' + codeOf(lines);
+    std::vector<ClassSize> found;
+    for (std::size_t at = code.find("\nclass "); at != std::string::npos;
+         at = code.find("\nclass ", at + 1)) {
+        std::size_t end = at + 7;
+        while (isNameCharacter(code[end]))
+            ++end;
+        const std::size_t open = code.find_first_of("{;", end);
+        if (open != std::string::npos && code[open] == '{')
+            found.push_back(sizeOf(code, open + 1, code.substr(at + 7, end - at - 7)));
+    }
+    return found;
+}
+
 struct Scan
 {
     int files = 0;
     int functions = 0;
+    int classes = 0;
+    std::map<std::string, int> rooms; ///< numbers of files
     std::vector<std::string> faults;
 };
 
@@ -103,6 +250,17 @@ void scanFile(const fs::path& path, const std::string& name, Scan& scan)
             scan.faults.push_back(name + ':' + std::to_string(function.line) + ": " +
                                   std::to_string(function.lines) + " lines: " + function.name);
     }
+    if (!name.starts_with("tests/"))
+        for (const ClassSize& size : classesOf(text)) {
+            ++scan.classes;
+            const auto known = std::ranges::find(kLargeClasses, size.name, &ClassSize::name);
+            const bool isKnown = known != kLargeClasses.end();
+            if (size.methods > std::max(kMostMethods, isKnown ? known->methods : 0) ||
+                size.members > std::max(kMostMembers, isKnown ? known->members : 0))
+                scan.faults.push_back(name + ": class " + size.name + " has " +
+                                      std::to_string(size.methods) + " functions and " +
+                                      std::to_string(size.members) + " variables");
+        }
 }
 
 Scan scanTree(const fs::path& root)
@@ -111,15 +269,22 @@ Scan scanTree(const fs::path& root)
     for (const char* folder : {"app", "core", "tests", "widgets"})
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
             const std::string extension = entry.path().extension().string();
-            if (entry.is_regular_file() && (extension == ".h" || extension == ".cpp"))
-                scanFile(entry.path(), fs::relative(entry.path(), root).generic_string(), scan);
+            if (!entry.is_regular_file() || (extension != ".h" && extension != ".cpp"))
+                continue;
+            const fs::path path = fs::relative(entry.path(), root);
+            scanFile(entry.path(), path.generic_string(), scan);
+            if (*path.begin() != "tests")
+                ++scan.rooms[path.parent_path().generic_string()];
         }
+    for (const auto& [room, files] : scan.rooms)
+        if (files > kMostRoomFiles)
+            scan.faults.push_back(room + ": " + std::to_string(files) + " files");
     return scan;
 }
 
 } // namespace
 
-/** Verifies that files and functions keep to the lengths that CONTRIBUTING.md names. */
+/** Verifies that files, functions, classes and rooms keep to the limits of CONTRIBUTING.md. */
 class TestLimits : public QObject
 {
     Q_OBJECT
@@ -160,10 +325,42 @@ private slots:
         QCOMPARE(found[1].lines, 4);
     }
 
+    void classesAreMeasured()
+    {
+        const std::vector<std::string> text{
+            "class A;",
+            "class B : public C",
+            "{",
+            "    Q_OBJECT",
+            "public:",
+            "    explicit B(int a) : m_a(a), m_b{a} {}",
+            "    /** Of (it); */",
+            "    [[nodiscard]] int a() const { return m_a; }",
+            "    using D = int (*)(int);",
+            "    void e(const F& f = {}, std::function<void()> g = {});",
+            "signals:",
+            "    void changed();",
+            "private:",
+            "    struct G",
+            "    {",
+            "        int h();",
+            "    };",
+            "    int m_a = 0;",
+            "    std::function<void(int)> m_b{};",
+            "    static constexpr const char* kName = \"m_(;\";",
+            "};"};
+        const std::vector<ClassSize> found = classesOf(text);
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(found[0].name, std::string("B"));
+        QCOMPARE(found[0].methods, 4);
+        QCOMPARE(found[0].members, 2);
+    }
+
     void nothingIsTooLong()
     {
         const Scan scan = scanTree(BERG_SOURCE_DIR);
         QVERIFY2(scan.files > 500 && scan.functions > 5 * scan.files, "the tree was not read");
+        QVERIFY(scan.classes > 200 && scan.rooms.size() > 40);
         QString faults;
         for (const std::string& fault : scan.faults)
             faults += QString::fromStdString(fault) + '\n';

@@ -1,6 +1,6 @@
 #include "widgets/aircraft/link_log.h"
 
-#include "core/link/telemetry_log.h"
+#include "core/link/logs/telemetry_log.h"
 
 #include <QDateTime>
 #include <QDir>

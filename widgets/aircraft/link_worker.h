@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/link/log_replay.h"
+#include "core/link/logs/log_replay.h"
 #include "core/link/tracker_list.h"
 #include "core/link/transport/link_clock.h"
 #include "widgets/aircraft/link_status.h"

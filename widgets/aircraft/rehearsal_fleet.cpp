@@ -1,6 +1,6 @@
 #include "widgets/aircraft/rehearsal_fleet.h"
 
-#include "core/link/impaired_link.h"
+#include "core/link/message/impaired_link.h"
 #include "core/link/transport/link_clock.h"
 #include "core/link/transport/transport_link.h"
 #include "widgets/tasks/work_failure.h"

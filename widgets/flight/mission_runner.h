@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/files/run_json.h"
-#include "core/link/mission_sync.h"
+#include "core/link/mission/mission_sync.h"
 #include "widgets/flight/export_worker.h"
 #include "widgets/flight/flight_rate.h"
 #include "widgets/flight/mission_snapshot.h"

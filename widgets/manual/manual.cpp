@@ -1,12 +1,13 @@
 #include "widgets/manual/manual.h"
 
 #include "core/base/error.h"
-#include "core/base/number_text.h"
+#include "core/io/files/field_rows.h"
 #include "core/scenario/fields.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QTranslator>
 
 #include <algorithm>
 
@@ -51,61 +52,25 @@ std::vector<MarkdownBlock> blocksOf(const QString& path)
     return markdownBlocks(QString::fromUtf8(file.readAll()));
 }
 
-/** Exact number, with exponent if that is shorter: 1e6. */
-QString shortNumber(double number)
+/**
+ * Fills the table of the chapter about fields, which has only its header, in the language of the
+ * chapter, which need not be the window's.
+ */
+void fillTable(std::vector<MarkdownBlock>& blocks, const QString& language)
 {
-    const QString digits = QString::fromStdString(numberText(number));
-    const QString power = QString::number(number, 'g', QLocale::FloatingPointShortest)
-                              .replace(u"e+0"_s, u"e"_s)
-                              .replace(u"e+"_s, u"e"_s);
-    return power.size() < digits.size() ? power : digits;
-}
-
-/** Rows with path, smallest and largest value of each number of a scenario. */
-std::vector<QStringList> limitRows()
-{
-    std::vector<QStringList> rows;
-    forEachObject([&rows](const std::string& object, const auto& fields) {
-        for (const auto& field : fields)
-            if (field.limits && field.limits->high < std::numeric_limits<double>::max())
-                rows.push_back({QString::fromStdString(object + field.name),
-                                (field.limits->above ? u"above "_s : QString()) +
-                                    shortNumber(field.limits->low),
-                                shortNumber(field.limits->high)});
-    });
-    return rows;
-}
-
-/** Rows of the scenario page that describe the fields; the chapter's `own` translations replace
- * them. */
-std::vector<QStringList> fieldRows(const std::vector<QStringList>& own)
-{
-    for (const MarkdownBlock& block : blocksOf(u"scenarios/README.md"_s)) {
-        if (block.rows.empty())
-            continue;
-        std::vector<QStringList> rows(block.rows.begin() + 1, block.rows.end());
-        for (QStringList& row : rows) {
-            const auto it = std::ranges::find(own, row.front(),
-                                              [](const QStringList& one) { return one.front(); });
-            if (it != own.end())
-                row = *it;
-        }
-        return rows;
-    }
-    return {};
-}
-
-/** Fills the tables of the chapter about fields, which contains their headers only. */
-void fillTables(std::vector<MarkdownBlock>& blocks)
-{
-    bool isFirst = true;
-    for (MarkdownBlock& block : blocks)
-        if (!block.rows.empty()) {
-            std::vector<QStringList> rows = isFirst ? fieldRows(block.rows) : limitRows();
-            rows.insert(rows.begin(), block.rows.front());
-            block.rows = std::move(rows);
-            isFirst = false;
-        }
+    QTranslator translator;
+    const bool isTranslated = translator.load(u":/i18n/bergwatch_%1.qm"_s.arg(language));
+    const auto said = [&](const char* english) {
+        const QString own = isTranslated ? translator.translate(kFieldContext, english) : QString();
+        return own.isEmpty() ? std::string(english) : own.toStdString();
+    };
+    const auto table = std::ranges::find_if(
+        blocks, [](const MarkdownBlock& block) { return !block.rows.empty(); });
+    require(table != blocks.end(), "readManual: the chapter has a table");
+    for (const FieldRow& row : fieldRows(said))
+        table->rows.push_back(
+            {QString::fromStdString(row.field), QString::fromStdString(row.standard),
+             QString::fromStdString(row.values), QString::fromStdString(row.meaning)});
 }
 
 } // namespace
@@ -170,7 +135,7 @@ Manual readManual(const QString& language)
         manual.chapters.push_back(
             {.name = chapter, .blocks = blocksOf(u"%1/%2.md"_s.arg(language, chapter))});
         if (chapter == u"fields"_s)
-            fillTables(manual.chapters.back().blocks);
+            fillTable(manual.chapters.back().blocks, language);
     }
     return manual;
 }

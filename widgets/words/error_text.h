@@ -8,6 +8,8 @@ namespace berg {
 
 /** Returns what went wrong and what to do about it, as translated sentences. */
 [[nodiscard]] QString errorText(ErrorCode code);
+/** Returns the same about a file to be imported, which need not be one of ours. */
+[[nodiscard]] QString importErrorText(ErrorCode code);
 
 /**
  * Returns the full report of a failure: the file or field concerned, the sentence of its code, then

@@ -7,16 +7,7 @@
 
 namespace berg {
 
-/** Groups of formats with similar readers. */
-enum class ExportGroup
-{
-    Autopilots,
-    Maps,
-    Pages, ///< images and print
-    Tables
-};
-
-/** Description of an export format for the user. */
+/** Words of an export format (`ExportWords`) in the user's language. */
 struct ExportFormatText
 {
     ExportGroup group = ExportGroup::Tables;
@@ -30,17 +21,7 @@ struct ExportFormatText
 /** Returns the description of a format. */
 [[nodiscard]] ExportFormatText exportFormatText(const ExportFormat& format);
 
-/** Effect of an export on requested content. */
-enum class ExportEffect
-{
-    Check,   ///< the mission may not fly as planned
-    Note,    ///< nothing is lost
-    Changed, ///< changed by the tool or the format
-    LeftOut
-};
-
-/** Returns the effect that a note reports. */
-[[nodiscard]] ExportEffect effectOf(ExportNoteKind kind);
+/** Returns the title of an effect. */
 [[nodiscard]] QString exportEffectText(ExportEffect effect);
 
 /** Returns a note as a sentence with its numbers. */

@@ -15,8 +15,6 @@ using namespace Qt::StringLiterals;
 namespace berg {
 namespace {
 
-constexpr const char* kFieldContext = "berg::Fields"; ///< context of the words of `fieldsOf`
-
 /** Name of a field that no table of the core lists. Its translation is in `context`. */
 struct FieldName
 {

@@ -1,5 +1,6 @@
 #include "widgets/words/import_text.h"
 
+#include "core/io/import/import_formats.h"
 #include "core/plan/solve/names.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/error_text.h"
@@ -53,36 +54,6 @@ public:
         {VelocitySource::File, QT_TR_NOOP("file")},
         {VelocitySource::Both, QT_TR_NOOP("both")},
     };
-
-    static constexpr Named<std::string_view> kFormats[]{
-        {"kml", QT_TR_NOOP("KML (Google Earth)")},
-        {"kmz", QT_TR_NOOP("KMZ (KML, packed)")},
-        {"czml", QT_TR_NOOP("CZML (Cesium)")},
-        {"gpx", QT_TR_NOOP("GPX (waypoints, routes and tracks)")},
-        {"plan", QT_TR_NOOP("QGroundControl plan")},
-        {"wpl", QT_TR_NOOP("ArduPilot mission (QGC WPL)")},
-        {"nmea", QT_TR_NOOP("Radar and AIS of a ship (NMEA log)")},
-        {"photo", QT_TR_NOOP("Photograph with GPS (JPEG)")},
-        {"metno", QT_TR_NOOP("MET Norway (GeoJSON)")},
-        {"geojson", QT_TR_NOOP("GeoJSON (QGIS)")},
-        {"iip", QT_TR_NOOP("International Ice Patrol (CSV)")},
-        {"cis-beacon", QT_TR_NOOP("Canadian Ice Service (CSV)")},
-        {"usnic", QT_TR_NOOP("US National Ice Center (CSV)")},
-        {"csv", QT_TR_NOOP("Any table (CSV)")},
-    };
-
-    /** Sentences of the codes that have another meaning for sightings than for our own files. */
-    static constexpr Named<ErrorCode> kErrors[]{
-        {ErrorCode::FileTooLarge,
-         QT_TR_NOOP(
-             "The file is too large to be imported. Split it, or leave out what is not needed.")},
-        {ErrorCode::SyntaxError,
-         QT_TR_NOOP("The file is broken. Correct it at the place named, or export it again.")},
-        {ErrorCode::WrongFormat,
-         QT_TR_NOOP("Bergwatch does not recognise this file. If it is a table, choose its latitude "
-                    "and longitude columns below.")},
-        {ErrorCode::InvalidInput, QT_TR_NOOP("Nothing of it can be used like this.")},
-    };
 };
 static_assert(std::size(ImportWords::kOutcomes) == std::size_t(ImportOutcome::LeftOut) + 1);
 static_assert(std::size(ImportWords::kFields) == kSightingFieldNames.size());
@@ -90,12 +61,6 @@ static_assert(std::size(ImportWords::kVelocitySources) == std::size_t(VelocitySo
 
 constexpr double kHour_s = 3600;
 constexpr double kDay_s = 24 * kHour_s;
-
-QString errorSentence(ErrorCode code)
-{
-    const std::string own = nameOf(ImportWords::kErrors, code);
-    return own.empty() ? errorText(code) : ImportWords::tr(own.c_str());
-}
 
 } // namespace
 
@@ -126,9 +91,9 @@ QString sightingFieldName(SightingField field)
 
 QString importFormatName(std::string_view id)
 {
-    const std::string name = nameOf(ImportWords::kFormats, id);
-    return name.empty() ? QString::fromUtf8(id.data(), qsizetype(id.size()))
-                        : ImportWords::tr(name.c_str());
+    const ImportFormat* const format = findImportFormat(id);
+    return format == nullptr ? QString::fromUtf8(id.data(), qsizetype(id.size()))
+                             : ImportWords::tr(format->name);
 }
 
 QString importSummary(const ImportResult& result)
@@ -188,7 +153,7 @@ QString importErrorReport(const Error& error)
     if (const QStringList lines = optionIssueLines(error, "import"); !lines.empty())
         return lines.join(u'\n');
     QStringList report{
-        u"%1: %2"_s.arg(QString::fromStdString(error.subject()), errorSentence(error.code()))};
+        u"%1: %2"_s.arg(QString::fromStdString(error.subject()), importErrorText(error.code()))};
     for (const Issue& issue : error.issues())
         if (issue.reason.id != IssueId::UnknownFormat) // the sentence of the code already says so
             report << placedIssueText(issue);

@@ -23,51 +23,52 @@ constexpr std::string_view kMissionPlanner = "Mission Planner";
 constexpr double kSecondsPerMinute = 60;
 constexpr std::string_view kGroundStations = "QGroundControl, Mission Planner";
 
-/** Name for scripts, and English words with %1, %2, ... for the arguments. */
+/** All that is known of a kind of note. */
 struct NoteRow
 {
     ExportNoteKind kind;
-    std::string_view id;
-    std::string_view words;
+    std::string_view id; ///< name for scripts
+    ExportEffect effect;
+    std::string_view words; ///< English words with %1, %2, ... for the arguments
 };
 // clang-format off
 constexpr NoteRow kNoteWords[]{
-    {ExportNoteKind::OneFileEach, "one-file-each", QT_TRANSLATE_NOOP("IssueText", "a file holds one UAV: %1 files are written, named after the UAVs")},
-    {ExportNoteKind::NoTimes, "no-times", QT_TRANSLATE_NOOP("IssueText", "the scenario has no start time, so the file has no dates")},
-    {ExportNoteKind::NoFence, "no-fence", QT_TRANSLATE_NOOP("IssueText", "the geofence is left out: the format has no place for it")},
-    {ExportNoteKind::NoNoFly, "no-no-fly-areas", QT_TRANSLATE_NOOP("IssueText", "no-fly areas and the stand-off ring are left out: the format has no place for them")},
-    {ExportNoteKind::NoHeights, "no-heights", QT_TRANSLATE_NOOP("IssueText", "no-fly areas have no heights: those at the altitude of the UAV are written")},
-    {ExportNoteKind::FenceAcross180, "fence-across-180", QT_TRANSLATE_NOOP("IssueText", "%1 may draw the fence the long way round: it crosses the antimeridian")},
-    {ExportNoteKind::VisitsOnly, "visits-only", QT_TRANSLATE_NOOP("IssueText", "the places where icebergs were reached are written, not the track")},
-    {ExportNoteKind::PathAsWaypoints, "path-as-waypoints", QT_TRANSLATE_NOOP("IssueText", "the path becomes %1 waypoints within %2 m of it")},
-    {ExportNoteKind::AcceptanceCut, "acceptance-cut", QT_TRANSLATE_NOOP("IssueText", "%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m")},
-    {ExportNoteKind::LoiterInSteps, "loiter-in-steps", QT_TRANSLATE_NOOP("IssueText", "%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m")},
-    {ExportNoteKind::WholeSpeed, "whole-speed", QT_TRANSLATE_NOOP("IssueText", "%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact")},
-    {ExportNoteKind::ChoiceNotUsed, "choice-not-used", QT_TRANSLATE_NOOP("IssueText", "the file is about the whole flight, whatever is chosen to be exported")},
-    {ExportNoteKind::NothingToFly, "nothing-to-fly", QT_TRANSLATE_NOOP("IssueText", "UAVs without an iceberg to visit: %1")},
-    {ExportNoteKind::LegsCross, "legs-cross", QT_TRANSLATE_NOOP("IssueText", "straight legs that lead out of the geofence or through a no-fly area: %1; export the path instead, which leads round")},
-    {ExportNoteKind::LaterSorties, "later-sorties", QT_TRANSLATE_NOOP("IssueText", "only this sortie is exported; icebergs left for later sorties: %1")},
-    {ExportNoteKind::NoTakeOffItem, "no-take-off-item", QT_TRANSLATE_NOOP("IssueText", "there is no take-off item: launch the UAV by hand and start the mission in the air")},
-    {ExportNoteKind::ReturnAdded, "return-added", QT_TRANSLATE_NOOP("IssueText", "after the last iceberg the mission returns home, %1 m that the plan does not include")},
-    {ExportNoteKind::EndsLoitering, "ends-loitering", QT_TRANSLATE_NOOP("IssueText", "the mission ends in an endless loiter: command the return yourself")},
-    {ExportNoteKind::LoiterAsTime, "loiter-as-time", QT_TRANSLATE_NOOP("IssueText", "%1 has no loiter by turns: the time that they take is written")},
-    {ExportNoteKind::NoLoiterTurns, "no-loiter-turns", QT_TRANSLATE_NOOP("IssueText", "loiter turns are left out: a VTOL or multirotor flies over each iceberg")},
-    {ExportNoteKind::AcceptanceIgnored, "acceptance-ignored", QT_TRANSLATE_NOOP("IssueText", "%1 uses the acceptance radius of its parameter %2, not that of the file")},
-    {ExportNoteKind::FenceOff, "fence-off", QT_TRANSLATE_NOOP("IssueText", "%1 keeps to the fence only if its parameter %2 says so")},
-    {ExportNoteKind::HomeRowForOther, "home-row", QT_TRANSLATE_NOOP("IssueText", "the first row is home, which %1 does not have: upload the file with QGroundControl")},
-    {ExportNoteKind::ClimbTooShort, "climb-too-short", QT_TRANSLATE_NOOP("IssueText", "the first iceberg is %2 m from the start, but the climb takes %1 m")},
-    {ExportNoteKind::FirstLegFar, "first-leg-far", QT_TRANSLATE_NOOP("IssueText", "the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)")},
-    {ExportNoteKind::EndsCross, "ends-cross", QT_TRANSLATE_NOOP("IssueText", "legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1")},
-    {ExportNoteKind::ApproachOverLand, "approach-over-land", QT_TRANSLATE_NOOP("IssueText", "the landing approach leads over land")},
-    {ExportNoteKind::ApproachSteep, "approach-steep", QT_TRANSLATE_NOOP("IssueText", "the landing approach descends at %1°, more than the usual %2°: make it longer or lower")},
-    {ExportNoteKind::WaypointsClose, "waypoints-close", QT_TRANSLATE_NOOP("IssueText", "waypoints within their acceptance radius of the one before, which the UAV may skip: %1")},
-    {ExportNoteKind::TooManyItems, "too-many-items", QT_TRANSLATE_NOOP("IssueText", "the mission has %2 items; %1 holds about %3")},
-    {ExportNoteKind::AirspaceOnTheWay, "airspace-on-the-way", QT_TRANSLATE_NOOP("IssueText", "airspace areas that the mission enters at its altitudes: %1")},
-    {ExportNoteKind::EnduranceShort, "endurance-short", QT_TRANSLATE_NOOP("IssueText", "with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min")},
-    {ExportNoteKind::LineTimesLeft, "line-times-left", QT_TRANSLATE_NOOP("IssueText", "the times along paths and tracks are left out: the format has no place for them")},
-    {ExportNoteKind::ShapefileNames, "shapefile-names", QT_TRANSLATE_NOOP("IssueText", "there is a Shapefile each for points, lines and areas; names of properties are cut to 10 letters, texts to 254 bytes")},
-    {ExportNoteKind::DrawingOnly, "drawing-only", QT_TRANSLATE_NOOP("IssueText", "coordinates are metres of EPSG:%1; names, numbers and times are left out")},
-    {ExportNoteKind::OptionNotUsed, "option-not-used", QT_TRANSLATE_NOOP("IssueText", "nothing in the file depends on %1")},
+    {ExportNoteKind::OneFileEach, "one-file-each", ExportEffect::Note, QT_TRANSLATE_NOOP("IssueText", "a file holds one UAV: %1 files are written, named after the UAVs")},
+    {ExportNoteKind::NoTimes, "no-times", ExportEffect::LeftOut, QT_TRANSLATE_NOOP("IssueText", "the scenario has no start time, so the file has no dates")},
+    {ExportNoteKind::NoFence, "no-fence", ExportEffect::LeftOut, QT_TRANSLATE_NOOP("IssueText", "the geofence is left out: the format has no place for it")},
+    {ExportNoteKind::NoNoFly, "no-no-fly-areas", ExportEffect::LeftOut, QT_TRANSLATE_NOOP("IssueText", "no-fly areas and the stand-off ring are left out: the format has no place for them")},
+    {ExportNoteKind::NoHeights, "no-heights", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "no-fly areas have no heights: those at the altitude of the UAV are written")},
+    {ExportNoteKind::FenceAcross180, "fence-across-180", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "%1 may draw the fence the long way round: it crosses the antimeridian")},
+    {ExportNoteKind::VisitsOnly, "visits-only", ExportEffect::LeftOut, QT_TRANSLATE_NOOP("IssueText", "the places where icebergs were reached are written, not the track")},
+    {ExportNoteKind::PathAsWaypoints, "path-as-waypoints", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "the path becomes %1 waypoints within %2 m of it")},
+    {ExportNoteKind::AcceptanceCut, "acceptance-cut", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "%1 keeps acceptance radii up to %3 m: %2 m becomes %3 m")},
+    {ExportNoteKind::LoiterInSteps, "loiter-in-steps", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "%1 keeps loiter radii above 255 m in steps of 10 m: %2 m becomes %3 m")},
+    {ExportNoteKind::WholeSpeed, "whole-speed", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "%1 reads the cruise speed as a whole number: %2 m/s becomes %3 m/s; the speed in the mission is exact")},
+    {ExportNoteKind::ChoiceNotUsed, "choice-not-used", ExportEffect::Note, QT_TRANSLATE_NOOP("IssueText", "the file is about the whole flight, whatever is chosen to be exported")},
+    {ExportNoteKind::NothingToFly, "nothing-to-fly", ExportEffect::Note, QT_TRANSLATE_NOOP("IssueText", "UAVs without an iceberg to visit: %1")},
+    {ExportNoteKind::LegsCross, "legs-cross", ExportEffect::Note, QT_TRANSLATE_NOOP("IssueText", "straight legs that lead out of the geofence or through a no-fly area: %1; export the path instead, which leads round")},
+    {ExportNoteKind::LaterSorties, "later-sorties", ExportEffect::LeftOut, QT_TRANSLATE_NOOP("IssueText", "only this sortie is exported; icebergs left for later sorties: %1")},
+    {ExportNoteKind::NoTakeOffItem, "no-take-off-item", ExportEffect::LeftOut, QT_TRANSLATE_NOOP("IssueText", "there is no take-off item: launch the UAV by hand and start the mission in the air")},
+    {ExportNoteKind::ReturnAdded, "return-added", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "after the last iceberg the mission returns home, %1 m that the plan does not include")},
+    {ExportNoteKind::EndsLoitering, "ends-loitering", ExportEffect::Note, QT_TRANSLATE_NOOP("IssueText", "the mission ends in an endless loiter: command the return yourself")},
+    {ExportNoteKind::LoiterAsTime, "loiter-as-time", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "%1 has no loiter by turns: the time that they take is written")},
+    {ExportNoteKind::NoLoiterTurns, "no-loiter-turns", ExportEffect::LeftOut, QT_TRANSLATE_NOOP("IssueText", "loiter turns are left out: a VTOL or multirotor flies over each iceberg")},
+    {ExportNoteKind::AcceptanceIgnored, "acceptance-ignored", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "%1 uses the acceptance radius of its parameter %2, not that of the file")},
+    {ExportNoteKind::FenceOff, "fence-off", ExportEffect::Note, QT_TRANSLATE_NOOP("IssueText", "%1 keeps to the fence only if its parameter %2 says so")},
+    {ExportNoteKind::HomeRowForOther, "home-row", ExportEffect::Note, QT_TRANSLATE_NOOP("IssueText", "the first row is home, which %1 does not have: upload the file with QGroundControl")},
+    {ExportNoteKind::ClimbTooShort, "climb-too-short", ExportEffect::Check, QT_TRANSLATE_NOOP("IssueText", "the first iceberg is %2 m from the start, but the climb takes %1 m")},
+    {ExportNoteKind::FirstLegFar, "first-leg-far", ExportEffect::Check, QT_TRANSLATE_NOOP("IssueText", "the first iceberg is %2 m from the start: %1 may refuse more than %3 m (MIS_DIST_1WP)")},
+    {ExportNoteKind::EndsCross, "ends-cross", ExportEffect::Check, QT_TRANSLATE_NOOP("IssueText", "legs of take-off, return and landing that lead out of the geofence or through a no-fly area: %1")},
+    {ExportNoteKind::ApproachOverLand, "approach-over-land", ExportEffect::Check, QT_TRANSLATE_NOOP("IssueText", "the landing approach leads over land")},
+    {ExportNoteKind::ApproachSteep, "approach-steep", ExportEffect::Check, QT_TRANSLATE_NOOP("IssueText", "the landing approach descends at %1°, more than the usual %2°: make it longer or lower")},
+    {ExportNoteKind::WaypointsClose, "waypoints-close", ExportEffect::Check, QT_TRANSLATE_NOOP("IssueText", "waypoints within their acceptance radius of the one before, which the UAV may skip: %1")},
+    {ExportNoteKind::TooManyItems, "too-many-items", ExportEffect::Check, QT_TRANSLATE_NOOP("IssueText", "the mission has %2 items; %1 holds about %3")},
+    {ExportNoteKind::AirspaceOnTheWay, "airspace-on-the-way", ExportEffect::Check, QT_TRANSLATE_NOOP("IssueText", "airspace areas that the mission enters at its altitudes: %1")},
+    {ExportNoteKind::EnduranceShort, "endurance-short", ExportEffect::Check, QT_TRANSLATE_NOOP("IssueText", "with climb, return and landing the mission takes %1 min; the endurance without reserve is %2 min")},
+    {ExportNoteKind::LineTimesLeft, "line-times-left", ExportEffect::LeftOut, QT_TRANSLATE_NOOP("IssueText", "the times along paths and tracks are left out: the format has no place for them")},
+    {ExportNoteKind::ShapefileNames, "shapefile-names", ExportEffect::Changed, QT_TRANSLATE_NOOP("IssueText", "there is a Shapefile each for points, lines and areas; names of properties are cut to 10 letters, texts to 254 bytes")},
+    {ExportNoteKind::DrawingOnly, "drawing-only", ExportEffect::LeftOut, QT_TRANSLATE_NOOP("IssueText", "coordinates are metres of EPSG:%1; names, numbers and times are left out")},
+    {ExportNoteKind::OptionNotUsed, "option-not-used", ExportEffect::Note, QT_TRANSLATE_NOOP("IssueText", "nothing in the file depends on %1")},
 };
 // clang-format on
 static_assert(std::size(kNoteWords) == std::size_t(ExportNoteKind::OptionNotUsed) + 1);
@@ -319,6 +320,11 @@ std::vector<ExportNote> exportNotes(const ExportFormat& format, const ExportCont
     if (holds.mission)
         addMissionNotes(notes, holds, content);
     return notes.take();
+}
+
+ExportEffect effectOf(ExportNoteKind kind)
+{
+    return noteRow(kind).effect;
 }
 
 std::string_view notePattern(ExportNoteKind kind)

@@ -56,6 +56,15 @@ enum class ExportNoteKind
     OptionNotUsed     ///< tool: the given option, on which nothing in the file depends
 };
 
+/** Effect of an export on requested content. */
+enum class ExportEffect
+{
+    Check,   ///< the mission may not fly as planned
+    Note,    ///< nothing is lost
+    Changed, ///< changed by the tool or the format
+    LeftOut
+};
+
 struct ExportNote
 {
     ExportNoteKind kind = ExportNoteKind::NoTimes;
@@ -83,6 +92,8 @@ struct ExportNote
  */
 [[nodiscard]] std::size_t legsThatCross(const ExportContent& content);
 
+/** Returns the effect that a note reports. */
+[[nodiscard]] ExportEffect effectOf(ExportNoteKind kind);
 /** Returns an English sentence with %1, %2, ... for the arguments. */
 [[nodiscard]] std::string_view notePattern(ExportNoteKind kind);
 /** Returns the arguments of the note's sentence. */

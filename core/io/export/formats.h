@@ -43,6 +43,24 @@ struct ExportCapabilities
     [[nodiscard]] bool dependsOn(ExportOption option, const ExportContent& content) const;
 };
 
+/** Groups of formats with similar readers. */
+enum class ExportGroup
+{
+    Autopilots,
+    Maps,
+    Pages, ///< images and print
+    Tables
+};
+
+/** English texts about a format, which the window translates (`ExportText`). */
+struct ExportWords
+{
+    ExportGroup group = ExportGroup::Tables;
+    const char* name = "";  ///< "GPX"; %1 stands for the extension in capitals
+    const char* tool = "";  ///< program or device for which the format is meant
+    const char* about = ""; ///< content of a file, in sentences
+};
+
 /** Row of the table of formats that the command line, the file dialog and the tests share. */
 struct ExportFormat
 {
@@ -54,6 +72,7 @@ struct ExportFormat
     void (*put)(const ExportContent&, const TextSink&) = nullptr;
     /** Table of the format, for writing it while a run is replayed; null if it is no such table. */
     const SampleTable* table = nullptr;
+    ExportWords words = {};
 
     /**
      * Returns the whole text that `put` writes. The format must not be painted: its `put` is null.

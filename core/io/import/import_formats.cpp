@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/find_by_id.h"
+#include "core/base/translate_noop.h"
 #include "core/io/import/fields/import_clock.h"
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/import_xml.h"
@@ -23,32 +24,44 @@ namespace berg {
 
 namespace {
 
+// clang-format off
 constexpr std::array kFormats{
-    ImportFormat{"kml", "Google Earth and other map programs", true, {}, isKml, readKml},
-    ImportFormat{"kmz", "KML in a zip archive", true, {}, isZip, readKml},
-    ImportFormat{"czml", "Cesium: places and tracks", true, {}, isCzml, readCzml},
-    ImportFormat{"gpx", "GPS devices: waypoints, routes and tracks", false, {}, isGpx, readGpx},
-    ImportFormat{"plan", "QGroundControl: places of a mission", false, {}, isPlan, readPlan},
-    ImportFormat{"wpl", "ArduPilot: places of a mission (QGC WPL)", false, {}, isWpl, readWpl},
-    ImportFormat{"nmea", "NMEA 0183 and AIS: logs of a ship's radar", false, SightingSource::Radar,
-                 isNmea, readNmea},
-    ImportFormat{"photo", "Photographs with GPS (JPEG with EXIF)", false, SightingSource::Camera,
-                 isPhoto, readPhoto},
-    ImportFormat{"metno", "MET Norway and Copernicus: icebergs seen by radar", true,
+    ImportFormat{"kml", QT_TRANSLATE_NOOP("ImportWords", "KML (Google Earth)"),
+                 "Google Earth and other map programs", true, {}, isKml, readKml},
+    ImportFormat{"kmz", QT_TRANSLATE_NOOP("ImportWords", "KMZ (KML, packed)"),
+                 "KML in a zip archive", true, {}, isZip, readKml},
+    ImportFormat{"czml", QT_TRANSLATE_NOOP("ImportWords", "CZML (Cesium)"),
+                 "Cesium: places and tracks", true, {}, isCzml, readCzml},
+    ImportFormat{"gpx", QT_TRANSLATE_NOOP("ImportWords", "GPX (waypoints, routes and tracks)"),
+                 "GPS devices: waypoints, routes and tracks", false, {}, isGpx, readGpx},
+    ImportFormat{"plan", QT_TRANSLATE_NOOP("ImportWords", "QGroundControl plan"),
+                 "QGroundControl: places of a mission", false, {}, isPlan, readPlan},
+    ImportFormat{"wpl", QT_TRANSLATE_NOOP("ImportWords", "ArduPilot mission (QGC WPL)"),
+                 "ArduPilot: places of a mission (QGC WPL)", false, {}, isWpl, readWpl},
+    ImportFormat{"nmea", QT_TRANSLATE_NOOP("ImportWords", "Radar and AIS of a ship (NMEA log)"),
+                 "NMEA 0183 and AIS: logs of a ship's radar", false, SightingSource::Radar, isNmea,
+                 readNmea},
+    ImportFormat{"photo", QT_TRANSLATE_NOOP("ImportWords", "Photograph with GPS (JPEG)"),
+                 "Photographs with GPS (JPEG with EXIF)", false, SightingSource::Camera, isPhoto,
+                 readPhoto},
+    ImportFormat{"metno", QT_TRANSLATE_NOOP("ImportWords", "MET Norway (GeoJSON)"),
+                 "MET Norway and Copernicus: icebergs seen by radar", true,
                  SightingSource::Satellite, isMetno, readGeoJson},
-    ImportFormat{"geojson",
-                 "QGIS and other map programs: points and tracks",
-                 true,
-                 {},
-                 isGeoJson,
+    ImportFormat{"geojson", QT_TRANSLATE_NOOP("ImportWords", "GeoJSON (QGIS)"),
+                 "QGIS and other map programs: points and tracks", true, {}, isGeoJson,
                  readGeoJson},
-    ImportFormat{"iip", "International Ice Patrol sightings (NSIDC G00807)", false,
+    ImportFormat{"iip", QT_TRANSLATE_NOOP("ImportWords", "International Ice Patrol (CSV)"),
+                 "International Ice Patrol sightings (NSIDC G00807)", false,
                  SightingSource::Aircraft, isIip, readIip},
-    ImportFormat{"cis-beacon", "Canadian Ice Service beacons", true, SightingSource::ArgosBeacon,
-                 isCisBeacon, readCisBeacon},
-    ImportFormat{"usnic", "US National Ice Center, Antarctic icebergs", true,
-                 SightingSource::Aircraft, isUsnic, readUsnic},
-    ImportFormat{"csv", "any table with a header", true, {}, isAnyCsv, readAnyCsv}};
+    ImportFormat{"cis-beacon", QT_TRANSLATE_NOOP("ImportWords", "Canadian Ice Service (CSV)"),
+                 "Canadian Ice Service beacons", true, SightingSource::ArgosBeacon, isCisBeacon,
+                 readCisBeacon},
+    ImportFormat{"usnic", QT_TRANSLATE_NOOP("ImportWords", "US National Ice Center (CSV)"),
+                 "US National Ice Center, Antarctic icebergs", true, SightingSource::Aircraft,
+                 isUsnic, readUsnic},
+    ImportFormat{"csv", QT_TRANSLATE_NOOP("ImportWords", "Any table (CSV)"),
+                 "any table with a header", true, {}, isAnyCsv, readAnyCsv}};
+// clang-format on
 
 std::string formatIds()
 {

@@ -14,6 +14,7 @@ namespace berg {
 struct ImportFormat
 {
     std::string_view id;      ///< e.g. "iip"
+    const char* name;         ///< English text with its origin, translated (`ImportWords`)
     std::string_view origin;  ///< origin of such files
     bool namedColumns = true; ///< whether the format uses a column mapping
     /** Usual source of positions, for rows that name none; nullopt if there is none. */

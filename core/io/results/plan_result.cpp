@@ -11,7 +11,7 @@
 #include "core/sim/simulation.h"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 namespace berg {
 
@@ -41,16 +41,18 @@ double ownDistance_m(const PlanRequest& request, const UavRequest& uav, const Sc
     return distance_m;
 }
 
-Json uavJson(const UavReport& uav)
+Json uavJson(const PlanReport& report, std::size_t k)
 {
-    Json json{{"id", uav.id},
-              {"order", uav.order},
-              {"icebergs", uav.ids},
-              {"distance_m", uav.distance_m}};
+    const UavPlan& uav = report.plan.uavs[k];
+    const UavLength& length = report.lengths[k];
+    Json json{{"id", report.uavId(k)},
+              {"order", report.numbersOf(uav.order)},
+              {"icebergs", report.idsOf(uav.order)},
+              {"distance_m", length.distance_m}};
     if (uav.thisSortie)
         json["this_sortie"] = *uav.thisSortie;
-    if (uav.slot_s)
-        json["recovery_slot_s"] = *uav.slot_s;
+    if (length.slot_s)
+        json["recovery_slot_s"] = *length.slot_s;
     return json;
 }
 
@@ -76,94 +78,113 @@ Json secondOpinionJson(const SecondOpinion& second)
 
 std::optional<double> PlanReport::objective() const
 {
-    if (outcome.status == SolveStatus::None || problem.sigma_m2.empty())
+    if (plan.outcome.status == SolveStatus::None || plan.problem.sigma_m2.empty())
         return std::nullopt;
-    return outcome.objective;
+    return plan.outcome.objective;
 }
 
 std::optional<double> PlanReport::gap() const
 {
-    if (!objective() || !outcome.bound)
+    if (!objective() || !plan.outcome.bound)
         return std::nullopt;
-    return relativeGap(problem, outcome.objective, *outcome.bound);
+    return relativeGap(plan.problem, plan.outcome.objective, *plan.outcome.bound);
 }
 
 std::optional<double> PlanReport::mu() const
 {
-    return problem.sigma_m2.empty() ? std::nullopt : std::optional(problem.mu);
+    return plan.problem.sigma_m2.empty() ? std::nullopt : std::optional(plan.problem.mu);
 }
 
-PlanReport planReport(const Scenario& scenario, const Plan& answer)
+std::vector<IcebergList> PlanReport::clusters() const
+{
+    std::vector<IcebergList> all;
+    for (const UavPlan& own : plan.uavs)
+        all.insert(all.end(), own.clusters.begin(), own.clusters.end());
+    std::ranges::sort(all);
+    return all;
+}
+
+std::vector<int> PlanReport::numbersOf(const IcebergList& icebergs) const
+{
+    std::vector<int> numbers;
+    for (const IcebergIndex iceberg : icebergs)
+        numbers.push_back(iceberg.number() + firstNumber);
+    return numbers;
+}
+
+std::vector<std::string> PlanReport::idsOf(const IcebergList& icebergs) const
+{
+    std::vector<std::string> ids;
+    if (scenario != nullptr)
+        for (const IcebergIndex iceberg : icebergs)
+            ids.push_back(scenario->icebergs[toIndex(iceberg)].id);
+    return ids;
+}
+
+std::string PlanReport::uavId(std::size_t k) const
+{
+    return scenario == nullptr ? std::string() : scenario->uavs[toIndex(plan.uavs[k].uav)].id;
+}
+
+PlanReport planReport(const Scenario& scenario, Plan plan)
 {
     const Simulation start(scenario);
     const PlanRequest request = requestFor(start, scenario.planner.policy);
-    require(answer.uavs.size() == request.uavs.size(), "planReport: an answer for each UAV");
-    const auto idOf = [&](IcebergIndex iceberg) { return scenario.icebergs[toIndex(iceberg)].id; };
-    PlanReport report{.problem = answer.problem, .outcome = answer.outcome, .uavs = {}};
-    for (std::size_t k = 0; k < answer.uavs.size(); ++k) {
-        const IcebergList& order = answer.uavs[k].order;
+    require(plan.uavs.size() == request.uavs.size(), "planReport: an answer for each UAV");
+    PlanReport report{.plan = std::move(plan), .scenario = &scenario};
+    for (std::size_t k = 0; k < request.uavs.size(); ++k) {
+        UavPlan& own = report.plan.uavs[k];
         const UavRequest& asked = request.uavs[k];
-        UavReport uav{.id = scenario.uavs[toIndex(asked.uav)].id,
-                      .order = {},
-                      .ids = {},
-                      .distance_m = ownDistance_m(request, asked, scenario, order),
-                      .thisSortie = thisSortie(start, asked.uav, order, answer.uavs[k].clusters),
-                      .slot_s = slotOfSortie_s(scenario, toIndex(asked.uav),
-                                               start.uav(asked.uav).withheld_s)};
-        for (const IcebergIndex iceberg : order) {
-            uav.order.push_back(iceberg.number() + 1);
-            uav.ids.push_back(idOf(iceberg));
-        }
-        report.distance_m += uav.distance_m;
-        report.uavs.push_back(std::move(uav));
+        own.uav = asked.uav;
+        own.thisSortie = thisSortie(start, asked.uav, own.order, own.clusters);
+        report.lengths.push_back({.distance_m = ownDistance_m(request, asked, scenario, own.order),
+                                  .slot_s = slotOfSortie_s(scenario, toIndex(asked.uav),
+                                                           start.uav(asked.uav).withheld_s)});
+        report.distance_m += report.lengths.back().distance_m;
     }
     if (hasWeatherLimits(scenario)) {
-        report.weather = weatherAlong(scenario, plannedFlights(scenario, answer));
+        report.weather = weatherAlong(scenario, plannedFlights(scenario, report.plan));
         report.weatherLine = weatherLine(scenario, *report.weather);
         for (const Uav& uav : scenario.uavs)
             report.weatherUavs.push_back(uav.id);
     }
     const PolicyKind policy = scenario.planner.policy;
-    if (report.uavs.size() == 1 && policy == PolicyKind::Tour)
+    if (report.lengths.size() == 1 && policy == PolicyKind::Tour)
         report.path = LengthKind::Round;
-    if (report.uavs.size() == 1 && policy == PolicyKind::Coverage)
+    if (report.lengths.size() == 1 && policy == PolicyKind::Coverage)
         report.path = LengthKind::Flight;
     if (report.path != LengthKind::Order)
-        report.uavs.front().distance_m = report.distance_m = answer.distance_m;
-    std::vector<IcebergList> clusters;
-    for (const UavPlan& own : answer.uavs)
-        clusters.insert(clusters.end(), own.clusters.begin(), own.clusters.end());
-    std::ranges::sort(clusters);
-    for (const IcebergList& members : clusters)
-        std::ranges::transform(members, std::back_inserter(report.clusters.emplace_back()), idOf);
+        report.lengths.front().distance_m = report.distance_m = report.plan.distance_m;
     return report;
 }
 
 std::string planJson(const PlanReport& report)
 {
-    const SolveOutcome& outcome = report.outcome;
+    const SolveOutcome& outcome = report.plan.outcome;
     const bool solved = outcome.status != SolveStatus::None;
-    std::vector<int> order;
-    std::vector<std::string> ids;
-    Json uavs = Json::array();
-    for (const UavReport& uav : report.uavs) {
+    IcebergList order;
+    for (const UavPlan& uav : report.plan.uavs)
         order.insert(order.end(), uav.order.begin(), uav.order.end());
-        ids.insert(ids.end(), uav.ids.begin(), uav.ids.end());
-        uavs.push_back(uavJson(uav));
-    }
+    const std::vector<std::string> ids = report.idsOf(order);
     Json json{{"status", nameOf(kStatusNames, outcome.status)},
               {"objective", orNull(report.objective())},
               {"bound", orNull(outcome.bound)},
               {"gap", orNull(report.gap())},
-              {"order", order},
+              {"order", report.numbersOf(order)},
               {"distance_m", solved ? Json(report.distance_m) : Json(nullptr)},
               {"mu", orNull(report.mu())},
               {"seconds", outcome.elapsed_s},
               {"backend", nameOf(kSourceNames, outcome.source)}};
     if (!ids.empty()) // a problem without a scenario has no ids
         json["icebergs"] = ids;
-    if (!report.clusters.empty())
-        json["clusters"] = report.clusters;
+    Json together = Json::array();
+    for (const IcebergList& members : report.clusters())
+        together.push_back(report.idsOf(members));
+    if (!together.empty())
+        json["clusters"] = together;
+    Json uavs = Json::array();
+    for (std::size_t k = 0; k < report.lengths.size(); ++k)
+        uavs.push_back(uavJson(report, k));
     if (!ids.empty())
         json["uavs"] = uavs;
     if (report.secondOpinion)

@@ -11,18 +11,6 @@
 
 namespace berg {
 
-/** Plan of one UAV. */
-struct UavReport
-{
-    std::string id;
-    std::vector<int> order;            ///< 1-based numbers, as printed
-    std::vector<std::string> ids;      ///< iceberg ids in visiting order; empty for a bare problem
-    double distance_m = 0;             ///< length of the order, through the air
-    std::optional<int> thisSortie;     ///< visits of this sortie before the UAV must fly home;
-                                       ///< nullopt if it makes all of them
-    std::optional<double> slot_s = {}; ///< end of its recovery slot; nullopt if it needs no slot
-};
-
 /** Path whose length a plan gives as its distance. */
 enum class LengthKind
 {
@@ -31,15 +19,23 @@ enum class LengthKind
     Flight, ///< legs with aim points beside the icebergs, until all of the order are seen
 };
 
+/** Results for a UAV that its part of the plan does not hold. */
+struct UavLength
+{
+    double distance_m = 0;             ///< length of the order, through the air
+    std::optional<double> slot_s = {}; ///< end of its recovery slot; nullopt if it needs no slot
+};
+
 /** Plan from the start of a scenario, or of a problem without a scenario. */
 struct PlanReport
 {
-    FleetProblem problem;  ///< empty if no problem was solved
-    SolveOutcome outcome;  ///< outcome of the solve for all UAVs
+    Plan plan; ///< its `problem` is empty if no problem was solved
+    /** Scenario with the ids; it must outlive the report. Null for a problem without one. */
+    const Scenario* scenario = nullptr;
     double distance_m = 0; ///< sum over the UAVs, each through the air
     LengthKind path = LengthKind::Order;
-    std::vector<UavReport> uavs;
-    std::vector<std::vector<std::string>> clusters = {}; ///< ids planned as one point
+    std::vector<UavLength> lengths = {}; ///< of each of `plan.uavs`; empty without a scenario
+    int firstNumber = 1;                 ///< printed number of the first iceberg
     std::optional<SecondOpinion> secondOpinion = {};
     /** Along the predicted flights (`plannedFlights`); nullopt if no UAV has a limit. */
     std::optional<WeatherVerdict> weather = {};
@@ -53,13 +49,21 @@ struct PlanReport
     [[nodiscard]] std::optional<double> gap() const;
     /** Returns the distance weight of the problem; nullopt if no problem was solved. */
     [[nodiscard]] std::optional<double> mu() const;
+    /** Returns the icebergs planned as one point, all UAVs, in ascending order. */
+    [[nodiscard]] std::vector<IcebergList> clusters() const;
+    /** Returns the numbers of icebergs as they are printed. */
+    [[nodiscard]] std::vector<int> numbersOf(const IcebergList& icebergs) const;
+    /** Returns the ids of icebergs; empty without a scenario. */
+    [[nodiscard]] std::vector<std::string> idsOf(const IcebergList& icebergs) const;
+    /** Returns the id of the UAV of `plan.uavs[k]`; empty without a scenario. */
+    [[nodiscard]] std::string uavId(std::size_t k) const;
 };
 
 /**
- * Builds the report of a plan. `answer` must come from `planFromStart(scenario)`; throws
+ * Builds the report of a plan. `plan` must come from `planFromStart(scenario)`; throws
  * `std::logic_error` for another number of UAVs.
  */
-[[nodiscard]] PlanReport planReport(const Scenario& scenario, const Plan& answer);
+[[nodiscard]] PlanReport planReport(const Scenario& scenario, Plan plan);
 
 /**
  * Returns the report as one JSON document with a stable member order, as `--json` prints it. The

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/link/byte_link.h"
+#include "core/link/message/byte_link.h"
 
 #include <chrono>
 

@@ -1,7 +1,7 @@
-#include "core/link/nmea_reader.h"
+#include "core/link/nmea/nmea_reader.h"
 #include "core/link/transport/link_clock.h"
 #include "core/link/transport/transport_link.h"
-#include "core/link/vehicle_side.h"
+#include "core/link/vehicle/vehicle_side.h"
 #include "tests/support/flight/scenario_builder.h"
 #include "tests/support/window/window_fixture.h"
 

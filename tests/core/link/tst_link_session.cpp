@@ -1,4 +1,4 @@
-#include "core/link/telemetry_log.h"
+#include "core/link/logs/telemetry_log.h"
 #include "tests/support/approx.h"
 #include "tests/support/flight/link_scene.h"
 

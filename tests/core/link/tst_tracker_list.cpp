@@ -1,4 +1,4 @@
-#include "core/link/memory_link.h"
+#include "core/link/message/memory_link.h"
 #include "core/link/tracker_list.h"
 
 #include <QtTest>

@@ -4,7 +4,6 @@
 #include "core/scenario/fields.h"
 #include "tests/support/expect_error.h"
 
-#include <QFile>
 #include <QtTest>
 
 #include <cmath>
@@ -141,15 +140,6 @@ private slots:
         QVERIFY(!isRefused(field, high));
         QVERIFY(isRefused(field, below(low)));
         QVERIFY(isRefused(field, beyond(high)));
-    }
-
-    void thePageNamesThePolicies()
-    {
-        const QString names = QString::fromStdString(allowedNames(kPolicyNames));
-        QFile page(QStringLiteral(BERG_SOURCE_DIR "/resources/scenarios/README.md"));
-        QVERIFY(page.open(QIODevice::ReadOnly));
-        QVERIFY(QString::fromUtf8(page.readAll())
-                    .contains(u"\n| planner.policy | visitation | %1 |\n"_s.arg(names)));
     }
 };
 

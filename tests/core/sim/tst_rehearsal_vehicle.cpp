@@ -1,5 +1,5 @@
 #include "core/link/link_session.h"
-#include "core/link/memory_link.h"
+#include "core/link/message/memory_link.h"
 #include "core/sim/rehearsal_vehicle.h"
 #include "tests/support/approx.h"
 

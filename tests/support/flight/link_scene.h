@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/link/impaired_link.h"
 #include "core/link/link_session.h"
-#include "core/link/memory_link.h"
-#include "core/link/vehicle_side.h"
+#include "core/link/message/impaired_link.h"
+#include "core/link/message/memory_link.h"
+#include "core/link/vehicle/vehicle_side.h"
 
 #include <cmath>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "core/link/telemetry_log.h"
+#include "core/link/logs/telemetry_log.h"
 #include "widgets/aircraft/link_log.h"
 
 #include <QTemporaryDir>

@@ -1,3 +1,4 @@
+#include "core/io/files/field_rows.h"
 #include "tests/support/window/panel_test.h"
 #include "widgets/manual/manual_pages.h"
 #include "widgets/manual/manual_places.h"
@@ -178,39 +179,26 @@ private slots:
         }
     }
 
-    /** Each row of the page about scenario files, in both languages; numbers need no translation.
-     */
-    void fieldsAreThoseOfScenarioFiles()
+    /** The table is made of the core's rows, in the language of the chapter. */
+    void fieldsAreThoseOfTheCore()
     {
-        QFile file(QStringLiteral(BERG_SOURCE_DIR "/resources/scenarios/README.md"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        std::vector<QStringList> page;
-        for (const MarkdownBlock& block : markdownBlocks(QString::fromUtf8(file.readAll())))
-            if (!block.rows.empty() && page.empty())
-                page = block.rows;
-        QVERIFY(page.size() > 30);
-        const auto tablesOf = [](const QString& language) {
+        const auto tableOf = [](const QString& language) {
             const Manual manual = readManual(language);
-            std::vector<std::vector<QStringList>> tables;
-            for (const MarkdownBlock& block : manual.chapterAt(u"fields"_s)->blocks)
-                if (!block.rows.empty())
-                    tables.push_back(block.rows);
-            return tables;
+            const auto& blocks = manual.chapterAt(u"fields"_s)->blocks;
+            return std::ranges::find_if(blocks,
+                                        [](const auto& block) { return !block.rows.empty(); })
+                ->rows;
         };
-        const auto english = tablesOf(u"en"_s);
-        const auto norwegian = tablesOf(u"nb"_s);
-        QCOMPARE(english.size(), 2U);
-        QCOMPARE(english[0].size(), page.size());
-        QVERIFY(english[1].size() > 50);
-        for (std::size_t i = 1; i < page.size(); ++i) {
-            QCOMPARE(english[0][i], page[i]);
-            QCOMPARE(norwegian[0][i].front(), page[i].front());
-            if (page[i].front() == u"planner.policy"_s) // names
-                QCOMPARE(norwegian[0][i], page[i]);
-            QVERIFY2(
-                norwegian[0][i][2] != page[i][2] || !page[i][2].contains(u' ') ||
-                    page[i].front().startsWith(u"planner."_s),
-                qPrintable(u"resources/manual/nb/fields.md lacks a row: "_s + page[i].front()));
+        const std::vector<FieldRow> rows = fieldRows([](const char* english) { return english; });
+        const std::vector<QStringList> english = tableOf(u"en"_s);
+        const std::vector<QStringList> norwegian = tableOf(u"nb"_s);
+        QCOMPARE(english.size(), rows.size() + 1);
+        QCOMPARE(norwegian.size(), english.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            QCOMPARE(english[i + 1].front().toStdString(), rows[i].field);
+            QCOMPARE(english[i + 1].back().toStdString(), rows[i].meaning);
+            QCOMPARE(norwegian[i + 1].front(), english[i + 1].front());
+            QVERIFY2(norwegian[i + 1].back() != english[i + 1].back(), rows[i].field.c_str());
         }
     }
 

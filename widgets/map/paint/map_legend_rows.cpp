@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -332,19 +333,15 @@ void addIceRows(RowList& rows, const MapPicture& picture, const MapStyle& style)
          {MapLegend::tr("Fast ice"), MapLegend::tr("Fast ice")},
          {MapLegend::tr("Ice, concentration unknown"), u"?/10"_s}}};
     const IceChart& chart = picture.iceChart->chart;
-    std::array<bool, kIceClasses> isThere{};
+    std::set<IceClass> classes;
     for (const IceArea& area : chart.areas)
-        isThere[static_cast<std::size_t>(classOf(area))] = true;
-    std::vector<IceClass> there;
-    for (std::size_t i = 0; i < kIceClasses; ++i)
-        if (isThere[i])
-            there.push_back(static_cast<IceClass>(i));
+        classes.insert(classOf(area));
+    const std::vector<IceClass> there(classes.begin(), classes.end());
     const Theme& theme = style.theme;
-    const QString date = dateText(chart);
     rows.add(true,
              (picture.iceChart->isOld ? MapLegend::tr("Old ice chart: %1")
                                       : MapLegend::tr("Ice chart: %1"))
-                 .arg(date),
+                 .arg(dateText(chart)),
              picture.iceChart->isOld ? MapLegend::tr("Old ice chart") : MapLegend::tr("Ice chart"),
              [&theme, there, opacity](QPainter& p, const QRectF& r) {
                  drawIceSwatch(p, r, there, theme, opacity);

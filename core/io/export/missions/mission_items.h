@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/export/content/export_content.h"
-#include "core/link/mission_item.h"
+#include "core/link/mission/mission_item.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/export/missions/mission_items.h"
-#include "core/link/mission_sync.h"
+#include "core/link/mission/mission_sync.h"
 
 #include <vector>
 

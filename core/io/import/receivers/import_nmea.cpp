@@ -1,9 +1,9 @@
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/receivers/receiver_readers.h"
 #include "core/io/text/byte_order_mark.h"
-#include "core/link/ais_message.h"
-#include "core/link/nmea_log.h"
-#include "core/link/nmea_reader.h"
+#include "core/link/logs/nmea_log.h"
+#include "core/link/nmea/ais_message.h"
+#include "core/link/nmea/nmea_reader.h"
 #include "core/link/traffic.h"
 #include "core/tracking/position_error.h"
 

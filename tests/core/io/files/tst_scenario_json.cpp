@@ -113,8 +113,7 @@ private slots:
                                               .backend = Backend::Heuristic,
                                               .formulation = Formulation::Reduced}));
         QCOMPARE(s.reachRadius_m.value_or(0), 200.0);
-        QVERIFY(s.fovShape == FovShape::Disk);
-        QCOMPARE(s.forecast->places.size(), std::size_t{2}); // tst_forecast_members reads the rest
+        QVERIFY(s.fovShape == FovShape::Disk && s.forecast->places.size() == 2);
         QCOMPARE(s.originExtraJson, std::string(R"({"datum":"WGS 84"})"));
         QCOMPARE(s.plannerExtraJson, std::string(R"({"depth":3})"));
         QCOMPARE(s.extraJson, std::string(R"({"camera":{"tilt_deg":10}})"));

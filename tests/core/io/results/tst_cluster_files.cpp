@@ -328,12 +328,14 @@ private slots:
 
     void planNamesTheMembers()
     {
-        PlanReport report{
-            .problem = {}, .outcome = {}, .uavs = {{.id = {}, .order = {1, 3}, .ids = {"a", "c"}}}};
+        const Scenario scenario = twoTogether();
+        PlanReport report{.plan = {.uavs = {{.order = {0, 2}}}},
+                          .scenario = &scenario,
+                          .lengths = std::vector<UavLength>(1)};
         QVERIFY(planJson(report).find("clusters") == std::string::npos);
-        report.clusters = {{"a", "c"}};
+        report.plan.uavs.front().clusters = {{0, 2}};
         const QJsonObject json = QJsonDocument::fromJson(bytes(planJson(report))).object();
-        QCOMPARE(json[u"clusters"].toArray(), (QJsonArray{QJsonArray{u"a"_s, u"c"_s}}));
+        QCOMPARE(json[u"clusters"].toArray(), (QJsonArray{QJsonArray{u"berg-1"_s, u"berg-3"_s}}));
     }
 };
 

@@ -11,18 +11,18 @@ using namespace berg;
 namespace {
 
 /** Returns the distance from the start along the order, and back on a closed route. */
-double lengthOf_m(const Scenario& scenario, const UavReport& uav)
+double lengthOf_m(const Scenario& scenario, const UavPlan& uav)
 {
-    const auto start = std::ranges::find(scenario.uavs, uav.id, &Uav::id);
-    Point from_m = start->position_m;
+    const Point start_m = scenario.uavs[toIndex(uav.uav)].position_m;
+    Point from_m = start_m;
     double length_m = 0;
-    for (const int number : uav.order) {
-        const Point& to_m = scenario.icebergs[static_cast<std::size_t>(number - 1)].position_m;
+    for (const IcebergIndex iceberg : uav.order) {
+        const Point& to_m = scenario.icebergs[toIndex(iceberg)].position_m;
         length_m += (to_m - from_m).norm();
         from_m = to_m;
     }
     const bool isClosed = scenario.planner.route == Route::Closed;
-    return length_m + (isClosed ? (start->position_m - from_m).norm() : 0);
+    return length_m + (isClosed ? (start_m - from_m).norm() : 0);
 }
 
 } // namespace
@@ -50,9 +50,9 @@ private slots:
             scenario.planner.route = k % 2 == 0 ? Route::Closed : Route::Open;
             const PlanReport report = planReport(scenario, planFromStart(scenario, {}));
             double sum_m = 0;
-            for (const UavReport& uav : report.uavs) {
-                const double length_m = lengthOf_m(scenario, uav);
-                COMPARE_NEAR(uav.distance_m, length_m, 1e-6);
+            for (std::size_t u = 0; u < report.lengths.size(); ++u) {
+                const double length_m = lengthOf_m(scenario, report.plan.uavs[u]);
+                COMPARE_NEAR(report.lengths[u].distance_m, length_m, 1e-6);
                 sum_m += length_m;
             }
             QVERIFY(sum_m > 0);

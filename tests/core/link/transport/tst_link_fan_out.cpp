@@ -1,4 +1,4 @@
-#include "core/link/memory_link.h"
+#include "core/link/message/memory_link.h"
 #include "core/link/transport/link_fan_out.h"
 
 #include <QtTest>

@@ -2,7 +2,7 @@
 
 #include "core/io/export/missions/mission_upload.h"
 #include "core/link/link_session.h"
-#include "core/link/memory_link.h"
+#include "core/link/message/memory_link.h"
 #include "core/sim/rehearsal_vehicle.h"
 #include "tests/support/flight/mission_builder.h"
 

@@ -1,6 +1,6 @@
 #include "core/base/random.h"
 #include "core/io/import/scenario/import_scenario.h"
-#include "core/link/nmea_reader.h"
+#include "core/link/nmea/nmea_reader.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/files/import_fixtures.h"
