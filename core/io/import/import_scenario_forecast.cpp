@@ -47,12 +47,13 @@ RunWindow runWindow(const Scenario& scenario, const std::optional<ForecastTime>&
             .end = *start + std::chrono::milliseconds(std::llround(scenario.duration_s * 1000))};
 }
 
-/** Keeps the instants of a run, the last before it and the first after it. */
+/** Keeps the instants that are needed, the last before them and the first after them. */
 void cutTo(const RunWindow& run, ForecastField& field)
 {
+    const ForecastTime needed = run.end + kForecastAfterRun;
     for (Forecast& place : field.places) {
         std::vector<ForecastEntry>& series = place.series;
-        const auto end = std::ranges::lower_bound(series, run.end, {}, &ForecastEntry::time);
+        const auto end = std::ranges::lower_bound(series, needed, {}, &ForecastEntry::time);
         if (end != series.end())
             series.erase(end + 1, series.end());
         const auto after = std::ranges::upper_bound(series, run.start, {}, &ForecastEntry::time);
@@ -94,7 +95,7 @@ ForecastReadOptions forecastOptions(const Scenario& scenario, const std::optiona
     };
     box.west_deg = longitude(west);
     box.east_deg = longitude(east);
-    return {.area = box, .since = run.start, .until = run.end, .mostEntries = kMostScenarioEntries};
+    return {.area = box, .since = run.start, .until = run.end + kForecastAfterRun, .mostEntries = kMostScenarioEntries};
 }
 
 const Forecast& middleOf(const ForecastField& field)

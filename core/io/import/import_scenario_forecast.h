@@ -3,20 +3,23 @@
 #include "core/io/import/forecast/forecast_reading.h"
 #include "core/scenario/scenario.h"
 
+#include <chrono>
 #include <optional>
 
 namespace berg {
 
 /** Distance around what a scenario holds from which a forecast is kept. */
 inline constexpr double kForecastMargin_m = 30'000;
+/** What a drift of 48 h and a scan of start times need of a forecast after the run. */
+inline constexpr std::chrono::hours kForecastAfterRun{48};
 /** Most places times instants of a forecast that is put into a scenario. */
 inline constexpr std::size_t kMostScenarioEntries = 50'000;
 
 /**
  * Returns which part of a forecast a scenario needs: the area of its icebergs, UAVs, monitored
- * area, asset and ground station with `kForecastMargin_m` around, and the time of its run. The run
- * starts at `at`, if that is given, else at the scenario's start. Throws `Error{InvalidInput}` if
- * neither is known.
+ * area, asset and ground station with `kForecastMargin_m` around, and the time from the start of
+ * its run to `kForecastAfterRun` after its end. The run starts at `at`, if that is given, else at
+ * the scenario's start. Throws `Error{InvalidInput}` if neither is known.
  */
 [[nodiscard]] ForecastReadOptions forecastOptions(const Scenario& scenario,
                                                   const std::optional<ForecastTime>& at = {});

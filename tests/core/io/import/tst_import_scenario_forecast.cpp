@@ -24,12 +24,12 @@ Scenario scenarioAt(const std::string& startUtc)
     return scenario;
 }
 
-/** Hourly winds of a day at one place. */
-ForecastReading dayOfWind()
+/** Hourly winds of four days at one place. */
+ForecastReading daysOfWind()
 {
     Forecast forecast{
         .source = "test", .issued = parseUtc("2026-05-01T00:00:00Z"), .place = {64, 179}};
-    for (int hour = 0; hour < 24; ++hour)
+    for (int hour = 0; hour < 96; ++hour)
         forecast.series.push_back(
             {.time = *parseUtc("2026-05-01T00:00:00Z") + std::chrono::hours(hour),
              .wind_mps = Point(hour, 0)});
@@ -43,11 +43,11 @@ class TestImportScenarioForecast : public QObject
     Q_OBJECT
 
 private slots:
-    void areaAndTimeAreThoseOfTheRun()
+    void areaAndTimeAreThoseOfTheRunAndTwoDaysMore()
     {
         const ForecastReadOptions options = forecastOptions(scenarioAt("2026-05-01T06:30:00Z"));
         QCOMPARE(options.since, parseUtc("2026-05-01T06:30:00Z"));
-        QCOMPARE(options.until, parseUtc("2026-05-01T08:30:00Z"));
+        QCOMPARE(options.until, parseUtc("2026-05-03T08:30:00Z"));
         // 30 km are 0.27 degrees of latitude, and 0.61 of longitude at 64 N, over the date line.
         COMPARE_NEAR(options.area->south_deg, 64 - 30 / 111.5, 0.02);
         COMPARE_NEAR(options.area->north_deg, 64 + 50 / 111.5, 0.02);
@@ -56,14 +56,14 @@ private slots:
         QVERIFY(options.area->west_deg > options.area->east_deg);
     }
 
-    void theForecastIsCutToTheRun()
+    void theForecastIsCutToTheRunAndTwoDaysMore()
     {
         const Scenario scenario = scenarioAt("2026-05-01T06:30:00Z");
-        const ForecastImport made = withForecast(scenario, dayOfWind(), "f", false);
+        const ForecastImport made = withForecast(scenario, daysOfWind(), "f", false);
         const std::vector<ForecastEntry>& series = made.scenario.forecast->places[0].series;
-        QCOMPARE(series.size(), 4U); // 6, 7, 8 and 9 o'clock
+        QCOMPARE(series.size(), 52U); // 6 o'clock to 9 o'clock two days later
         QCOMPARE(series.front().wind_mps->x(), 6.0);
-        QCOMPARE(series.back().wind_mps->x(), 9.0);
+        QCOMPARE(series.back().wind_mps->x(), 57.0);
         QCOMPARE(made.quantities, (std::vector{ForecastQuantity::Wind}));
         QCOMPARE(made.age_h, std::optional(6.5));
         QVERIFY(made.gaps.empty());
@@ -74,13 +74,13 @@ private slots:
 
     void aSecondForecastIsAdded()
     {
-        ForecastReading sea = dayOfWind();
+        ForecastReading sea = daysOfWind();
         for (ForecastEntry& entry : sea.field.places[0].series) {
             entry.current_mps = Point(0.1, 0);
             entry.wind_mps.reset();
         }
         const Scenario scenario = scenarioAt("2026-05-01T06:00:00Z");
-        const Scenario first = withForecast(scenario, dayOfWind(), "f", false).scenario;
+        const Scenario first = withForecast(scenario, daysOfWind(), "f", false).scenario;
         const ForecastImport both = withForecast(first, sea, "f", false);
         QCOMPARE(both.quantities.size(), 2U);
         const ForecastImport replaced = withForecast(first, sea, "f", true);
@@ -93,10 +93,10 @@ private slots:
         QVERIFY(none);
         QCOMPARE(std::string(none->what()), std::string("scenario: start_utc: is missing"));
         const auto at = parseUtc("2026-05-01T06:00:00Z");
-        const ForecastImport made = withForecast(scenarioAt(""), dayOfWind(), "f", false, at);
+        const ForecastImport made = withForecast(scenarioAt(""), daysOfWind(), "f", false, at);
         QCOMPARE(made.scenario.startUtc, std::string("2026-05-01T06:00:00Z"));
         const std::optional<Error> late = errorOf([] {
-            (void)withForecast(scenarioAt("2027-05-01T06:00:00Z"), dayOfWind(), "f", false);
+            (void)withForecast(scenarioAt("2027-05-01T06:00:00Z"), daysOfWind(), "f", false);
         });
         QVERIFY(late);
         QCOMPARE(late->issues()[0].reason.id, IssueId::ForecastNotThen);
