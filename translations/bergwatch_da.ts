@@ -13752,6 +13752,11 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Flyver scenariet fra hver start …</translation>
     </message>
     <message>
+        <source>Flying the scenario from each start: %1 of %2</source>
+        <comment>starts done, all</comment>
+        <translation>Flyver scenariet fra hver start: %1 af %2</translation>
+    </message>
+    <message>
         <source>Cancelled.</source>
         <translation>Annulleret.</translation>
     </message>

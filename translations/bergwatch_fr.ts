@@ -13752,6 +13752,11 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Vol du scénario à partir de chaque départ…</translation>
     </message>
     <message>
+        <source>Flying the scenario from each start: %1 of %2</source>
+        <comment>starts done, all</comment>
+        <translation>Vol du scénario à partir de chaque départ : %1 sur %2</translation>
+    </message>
+    <message>
         <source>Cancelled.</source>
         <translation>Annulé.</translation>
     </message>

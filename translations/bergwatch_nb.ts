@@ -13752,6 +13752,11 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Flyr scenarioet fra hver start …</translation>
     </message>
     <message>
+        <source>Flying the scenario from each start: %1 of %2</source>
+        <comment>starts done, all</comment>
+        <translation>Flyr scenarioet fra hver start: %1 av %2</translation>
+    </message>
+    <message>
         <source>Cancelled.</source>
         <translation>Avbrutt.</translation>
     </message>

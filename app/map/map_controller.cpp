@@ -24,6 +24,7 @@ namespace {
 
 constexpr const char* kPanelsKey = "view/mapPanels";
 constexpr const char* kLayersKey = "view/layers";
+constexpr double kTrackStep_s = 1800; // a smooth line through a turn of the tide
 constexpr const char* kTrackMarkKey = "view/trackMark";
 constexpr const char* kFormerSweptKey = "view/swept"; // before it was one of the layers
 constexpr const char* kOverviewKey = "view/overview";
@@ -55,7 +56,7 @@ void MapController::predictDrift()
 {
     const MapLayers& layers = panels().layers->layers();
     if (layers.shows(MapLayer::Tracks))
-        m_drift.setScenario(workspace().document().scenario(), layers.trackMark_s);
+        m_drift.setScenario(workspace().document().scenario(), kTrackStep_s);
     else
         m_drift.clear();
 }

@@ -34,9 +34,10 @@ StartChart::StartChart(const Theme& theme, QWidget* parent) : FigureView(theme, 
     refresh();
 }
 
-void StartChart::setScan(const std::optional<StartScan>& scan)
+void StartChart::setScan(const std::optional<StartScan>& scan, bool isWaiting)
 {
     m_scan = scan;
+    m_isWaiting = isWaiting;
     forgetItems(scan ? scan->starts.size() : 0);
     refresh();
 }
@@ -46,7 +47,8 @@ Figure StartChart::figure() const
     if (m_scan)
         return startFigure(*m_scan, startFormat(locale()));
     Figure figure{.name = utf8(tr("Zeta by start time"))};
-    figure.emptyText = utf8(tr("Press Compare to fly the scenario from each start time."));
+    if (!m_isWaiting)
+        figure.emptyText = utf8(tr("Press Compare to fly the scenario from each start time."));
     return figure;
 }
 

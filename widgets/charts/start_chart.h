@@ -15,8 +15,8 @@ class StartChart : public FigureView
 public:
     explicit StartChart(const Theme& theme, QWidget* parent = nullptr);
 
-    /** Sets the scan; nullopt if there is none. */
-    void setScan(const std::optional<StartScan>& scan);
+    /** Sets the scan; nullopt if there is none, or if it `isWaiting` for one. */
+    void setScan(const std::optional<StartScan>& scan, bool isWaiting = false);
     [[nodiscard]] QSize sizeHint() const override { return {720, 300}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 190}; }
 
@@ -25,6 +25,7 @@ protected:
 
 private:
     std::optional<StartScan> m_scan;
+    bool m_isWaiting = false;
 };
 
 } // namespace berg

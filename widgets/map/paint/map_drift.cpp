@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace berg {
 namespace {
@@ -35,13 +36,20 @@ QColor faint(QColor colour, double alpha)
     return colour;
 }
 
+bool isMark(const MapPaint& p, const DriftTrackPoint& point)
+{
+    constexpr double kRounding_s = 1;
+    return point.time_s > 0 &&
+           std::abs(std::remainder(point.time_s, p.style.layers.trackMark_s)) < kRounding_s;
+}
+
 void paintSpread(const MapPaint& p, const DriftTrack& track)
 {
     constexpr double kRim = 0.45;
     constexpr double kInside = 0.07;
     for (const DriftTrackPoint& point : track.points) {
         const double radius_px = point.sd_m * p.layout.view.scale_pxpm();
-        if (point.time_s <= 0 || radius_px < kLeastCircle_px || radius_px > kLargestCircle_px)
+        if (!isMark(p, point) || radius_px < kLeastCircle_px || radius_px > kLargestCircle_px)
             continue;
         p.painter.setPen(QPen(faint(p.theme.comparison, kRim), 1));
         p.painter.setBrush(faint(p.theme.comparison, kInside));
@@ -76,7 +84,7 @@ void paintTrackMarks(const MapPaint& p, const DriftTrack& track)
 {
     QPointF labelled = p.layout.view.toPixel(track.points.front().position_m);
     for (const DriftTrackPoint& point : track.points) {
-        if (point.time_s <= 0)
+        if (!isMark(p, point))
             continue;
         const QPointF at = p.layout.view.toPixel(point.position_m);
         p.painter.setPen(QPen(p.theme.sea, 1));

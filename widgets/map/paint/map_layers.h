@@ -43,7 +43,7 @@ struct MapLayers
      * By `MapLayer`, from 0 (hidden) to 1; the backdrop and the ice chart are faint by default,
      * and tracks are hidden.
      */
-    std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1, 1, 0.5, 1, 1, 0.6, 1, 1, 0};
+    std::array<double, kMapLayers> opacities{1, 1, 1, 1, 1, 1, 1, 0.5, 1, 1, 0.4, 1, 1, 0};
     BackdropPointer backdrop; ///< null if there is none
     /** Horizon of drift arrows; nullopt chooses one that gives them a readable length. */
     std::optional<double> horizon_s;

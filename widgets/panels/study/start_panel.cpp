@@ -141,13 +141,15 @@ void StartPanel::showProgress(qulonglong done, qulonglong count)
 {
     m_bar->setRange(0, static_cast<int>(count));
     m_bar->setValue(static_cast<int>(done));
+    m_state->setText(tr("Flying the scenario from each start: %1 of %2", "starts done, all")
+                         .arg(locale().toString(done), locale().toString(count)));
 }
 
 void StartPanel::showEnd(const QString& failure)
 {
     m_failure = failure;
     const std::optional<StartScan>& scan = m_runner.scan();
-    m_chart->setScan(scan);
+    m_chart->setScan(scan, m_runner.isRunning());
     if (scan)
         m_chart->setChosen(scan->best);
     showState();

@@ -196,6 +196,23 @@ private slots:
         QVERIFY(!panel.layers().shows(MapLayer::Tracks)); // hidden unless chosen
     }
 
+    /** Points between two marks belong to the line alone. */
+    void pointsBetweenMarksAreLineOnly()
+    {
+        std::vector<DriftTrack> tracks = *someTracks();
+        MapLayers layers;
+        layers.set(MapLayer::Tracks, 1);
+        layers.tracks = someTracks();
+        const QImage marks = painted(layers);
+        std::vector<DriftTrackPoint>& points = tracks.front().points;
+        points.insert(points.begin() + 1,
+                      {.time_s = 1800, .position_m = points.front().position_m, .sd_m = 1000});
+        layers.tracks = std::make_shared<const std::vector<DriftTrack>>(tracks);
+        QVERIFY(painted(layers) == marks);
+        layers.trackMark_s = 1800;
+        QVERIFY(painted(layers) != marks);
+    }
+
     /** Marks and circles would cover a field of many icebergs. */
     void manyTracksAreLinesOnly()
     {
