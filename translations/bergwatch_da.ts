@@ -13629,6 +13629,10 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <source>Press Compare to fly the scenario from each start time.</source>
         <translation>Tryk på Sammenlign for at flyve scenariet fra hver starttid.</translation>
     </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>Sammenligner …</translation>
+    </message>
 </context>
 <context>
     <name>berg::StartPage</name>

@@ -13629,6 +13629,10 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <source>Press Compare to fly the scenario from each start time.</source>
         <translation>Appuyez sur Comparer pour voler le scénario à partir de chaque heure de départ.</translation>
     </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>Comparaison…</translation>
+    </message>
 </context>
 <context>
     <name>berg::StartPage</name>

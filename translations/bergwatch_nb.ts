@@ -13629,6 +13629,10 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <source>Press Compare to fly the scenario from each start time.</source>
         <translation>Trykk på Sammenlign for å fly scenarioet fra hver starttid.</translation>
     </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>Sammenligner …</translation>
+    </message>
 </context>
 <context>
     <name>berg::StartPage</name>

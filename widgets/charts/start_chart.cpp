@@ -47,8 +47,9 @@ Figure StartChart::figure() const
     if (m_scan)
         return startFigure(*m_scan, startFormat(locale()));
     Figure figure{.name = utf8(tr("Zeta by start time"))};
-    if (!m_isWaiting)
-        figure.emptyText = utf8(tr("Press Compare to fly the scenario from each start time."));
+    figure.emptyText =
+        utf8(m_isWaiting ? tr("Comparing…")
+                         : tr("Press Compare to fly the scenario from each start time."));
     return figure;
 }
 
