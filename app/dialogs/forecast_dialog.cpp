@@ -2,6 +2,7 @@
 
 #include "core/io/import/import_forecast_file.h"
 #include "core/io/text/utc_time.h"
+#include "widgets/tables/dock_table.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCheckBox>
@@ -26,6 +27,7 @@ namespace {
 constexpr qint64 kReport_ms = 50;
 constexpr int kMostRows = 200;
 constexpr int kMostGaps = 5;
+constexpr int kForecastRow_px = 24;
 constexpr QSize kUsualSize(640, 480);
 
 QString shownTime(ForecastTime time)
@@ -91,8 +93,10 @@ ForecastDialog::ForecastDialog(ForecastOffer offer, QWidget* parent)
     m_table->setHorizontalHeaderLabels({tr("Time"), tr("Wind from"), tr("Gust"), tr("Air, °C"),
                                         tr("Dew point, °C"), tr("Visibility"), tr("Cloud base"),
                                         tr("Current to")});
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->verticalHeader()->hide();
+    m_table->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    setUpDockTable(*m_table, kForecastRow_px);
+    m_table->setFrameShape(QFrame::StyledPanel);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_progress = new QProgressBar;
     m_progress->setObjectName(u"forecastProgress"_s);
     m_progress->hide();
@@ -250,7 +254,10 @@ void ForecastDialog::showTable(const Forecast& forecast)
             velocityCell(entry.current_mps, false, 2, locale())};
         for (int column = 0; column < 8; ++column) {
             const QString& cell = cells[static_cast<std::size_t>(column)];
-            m_table->setItem(row, column, new QTableWidgetItem(cell));
+            auto* item = new QTableWidgetItem(cell);
+            if (column > 0)
+                item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            m_table->setItem(row, column, item);
             isUsed[static_cast<std::size_t>(column)] |= !cell.isEmpty();
         }
     }
