@@ -70,9 +70,9 @@ private slots:
         const auto forecast = f.dialog.choice().forecast;
         QVERIFY(forecast);
         QCOMPARE(forecast->places.size(), 1U);
-        QCOMPARE(forecast->places[0].series.size(), 2U); // 12 and 13 o'clock
+        QCOMPARE(forecast->places[0].series.size(), 5U); // 12 o'clock to noon of the next day
         const auto& table = f.part<QTableWidget>(u"forecastTable"_s);
-        QCOMPARE(table.rowCount(), 2);
+        QCOMPARE(table.rowCount(), 5);
         QVERIFY(table.item(0, 1)->text().startsWith(u"8.0"_s));
         QVERIFY(table.isColumnHidden(7)); // no current
         QVERIFY(f.part<QLabel>(u"forecastSummary"_s)
