@@ -28,6 +28,15 @@ scenario["uavs"] = [{"id": "uav-1", "position_m": [0, 0], "max_wind_mps": 20}]
 json.dump(scenario, open("calm.berg", "w"))
 scenario.pop("start_utc")
 json.dump(scenario, open("startless.berg", "w"))
+# Wind of 5 m/s at 12:00, 12 m/s at 13:00 and 9 m/s from 14:00 on, for a limit of 10 m/s.
+scenario["start_utc"] = "2026-05-01T12:00:00Z"
+scenario["uavs"] = [{"id": "uav-1", "position_m": [0, 0], "max_wind_mps": 10}]
+scenario["forecast"] = {
+    "source": "by hand", "issued": "2026-05-01T06:00:00Z",
+    "places": [{"latitude_deg": 64, "longitude_deg": -58,
+                "series": [{"time": f"2026-05-01T{12 + i}:00:00Z", "wind_mps": [wind, 0]}
+                           for i, wind in enumerate([5, 12, 9, 9])]}]}
+json.dump(scenario, open("front.berg", "w"))
 P
 
 # --- verdict of plan and simulate ------------------------------------------------------------
@@ -65,6 +74,15 @@ check "starts: chart" python3 -c 'import xml.etree.ElementTree as t; t.parse("st
 check "starts beyond a limit" exits 0 "$cli" starts limits.berg --hours 1
 check "starts beyond a limit: reason" grep -qE '^2026-05-01T13:00:00Z .* no-go  uav-2: wind 9 m/s, limit 8 m/s, from 13:00 UTC$' stdout.txt
 check "starts beyond a limit: none" grep -qx 'no start has weather that is go or marginal' stdout.txt
+# From 12:00 the wind is 5 + 7 t / h until 13:00, then 12 - 3 t / h: 8.5 at 12:30, 10.5 at 13:30.
+# Up to 0.8 of the limit is go.
+check "starts as a front passes" exits 0 "$cli" starts front.berg --hours 2 --every 0.5 --json
+check "starts as a front passes: go, marginal, no-go" json '[s["weather"] for s in d["starts"]] == ["go", "marginal", "no-go", "no-go", "marginal"]'
+check "starts as a front passes: limits" json 'all(s["reason"]["limit"] == "wind" and s["reason"]["limit_value"] == 10 for s in d["starts"][1:])'
+check "starts as a front passes: winds" json 'all(abs(s["reason"]["value"] - wind) < 1e-9 for s, wind in zip(d["starts"][1:], [8.5, 12, 10.5, 9]))'
+check "starts as a front passes: the best" json 'd["best"] == "2026-05-01T12:00:00Z"'
+check "plan before a front" exits 0 "$cli" plan front.berg
+check "plan before a front: go" grep -qx 'weather    go' stdout.txt
 check "starts without a start" exits 3 "$cli" starts startless.berg
 check "starts without a start: says so" says "startless.berg: start_utc: is missing"
 check "starts: too many" exits 2 "$cli" starts calm.berg --hours 240 --every 0.1
