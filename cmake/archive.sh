@@ -42,6 +42,12 @@ take_libraries() {
     ! LC_ALL=C ldd "$1" | grep 'not found' || return 1
 }
 
+# Folder of ecCodes' definitions, if the programs read GRIB and it has any.
+codes_definitions() {
+    local folder=/usr/share/eccodes/definitions
+    [ ! -e "$tree/lib/libeccodes.so.0" ] || [ ! -f "$folder/boot.def" ] || echo "$folder"
+}
+
 cmake --install "$build" --prefix "$tree" --strip >/dev/null
 for program in "$tree"/bin/* "$tree"/libexec/bergwatch/*; do
     take_libraries "$program"
@@ -66,6 +72,14 @@ for font in DejaVuSans DejaVuSans-Bold DejaVuSansMono; do
     take "/usr/share/fonts/truetype/dejavu/$font.ttf" "$tree/share/bergwatch/fonts"
 done
 cp "$source_dir/resources/package/archive/fonts.conf" "$tree/share/bergwatch"
+
+# ecCodes finds what the numbers in GRIB files mean in files; those of edition 2 are 24 MB, in the archive 0.4.
+definitions=$(codes_definitions)
+if [ -n "$definitions" ]; then
+    mkdir -p "$tree/share/bergwatch/eccodes"
+    cp -rL "$definitions"/{*.def,*.table,common,grib2} "$tree/share/bergwatch/eccodes"
+    realpath "$definitions/boot.def" >>"$taken"
+fi
 
 # Where /lib is /usr/lib, a package may name a file by either.
 owners=$(sed -n 'p; s|^/usr/lib/|/lib/|p' "$taken" | xargs dpkg -S 2>/dev/null || true)

@@ -1,6 +1,7 @@
 #!/bin/sh
 # The unpacked archive at work where nothing but an X server is installed: flies, replays, plans by the helper
-# program, exports, paints, shows its window, goes into the menus and out of them.
+# program, reads forecasts (wind.grib and wind.nc beside this script), exports, paints, shows its window, goes
+# into the menus and out of them.
 # Use: archive_checks.sh FOLDER
 set -eu
 folder=$1
@@ -24,6 +25,8 @@ for file in survey.plan survey.kmz brief.pdf map.svg; do
     cli export "$scenario" --output "$file"
     test -s "$file"
 done
+cli forecast "${0%/*}/wind.grib" | grep '^2026-05-01T06:00:00Z  *7.07  *315'
+cli forecast "${0%/*}/wind.nc" | grep '^2026-05-01T06:00:00Z  *7.07  *315'
 QT_QPA_PLATFORM=offscreen "$folder/bergwatch" --pictures painted flown/run.bergrun
 test "$(wc -c <painted/map.png)" -gt 20000
 
