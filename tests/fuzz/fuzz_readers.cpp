@@ -9,6 +9,7 @@
 #include "core/io/files/tsplib.h"
 #include "core/io/import/airspace/import_airspace.h"
 #include "core/io/import/import_forecast.h"
+#include "core/io/import/import_forecast_file.h"
 #include "core/io/import/import_formats.h"
 #include "core/io/import/maps/import_ice_chart.h"
 #include "core/io/import/maps/map_shapes.h"
@@ -16,6 +17,7 @@
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
+#include "core/link/nmea_log.h"
 #include "core/plan/solve/latency_problem.h"
 #include "core/presets/presets.h"
 #include "tests/fuzz/fuzz_mutator.h"
@@ -52,7 +54,9 @@ void checkMessage(const Error& error)
 {
     const bool isWhole = error.code() == ErrorCode::WrongFormat ||
                          error.code() == ErrorCode::UnsupportedVersion ||
-                         error.code() == ErrorCode::FileTooLarge;
+                         error.code() == ErrorCode::FileTooLarge ||
+                         error.code() == ErrorCode::FileUnreadable || // its library gave up
+                         error.code() == ErrorCode::Unsupported;      // a build without it
     if (error.subject() != kSubject || !std::string_view(error.what()).starts_with(kSubject + ": "))
         fail(std::string("a message without its file: ") + error.what());
     if (error.issues().empty())
@@ -119,6 +123,29 @@ void readAsForecast(const std::string& text)
         fail("a forecast whose times do not rise");
 }
 
+/** NetCDF and GRIB, whose libraries run in a process of their own: they may fail, we may not. */
+void readAsGrid(const std::string& text)
+{
+    const ForecastReading reading = forecastFromBytes(text, kSubject);
+    if (!isGrid(reading.field))
+        fail("a forecast that is no grid");
+}
+
+/** NMEA sentences and AIS messages, as they are replayed. */
+void readAsNmeaLog(const std::string& text)
+{
+    constexpr std::size_t kPiece = 100;
+    NmeaLogReader log;
+    std::size_t frames = 0;
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    for (std::size_t at = 0; at < bytes.size(); at += kPiece)
+        frames +=
+            log.feed(std::span(bytes).subspan(at, std::min(kPiece, bytes.size() - at))).size();
+    frames += log.finish().size();
+    if (frames > text.size())
+        fail("more sentences than bytes");
+}
+
 void readAsStudy(const std::string& text)
 {
     if (isReport(text))
@@ -172,7 +199,8 @@ void readAsFormat(const std::string& text)
 /** Sometimes also tries the other readers of text, whatever the file is called. */
 constexpr std::array kReaders{readAsScenario, readAsRun,       readAsProblem,  readAsStudy,
                               readAsFormat,   readAsSightings, readAsIcebergs, readAsPlace,
-                              readAsAirspace, readAsMap,       readAsTsplib,   readAsForecast};
+                              readAsAirspace, readAsMap,       readAsTsplib,   readAsForecast,
+                              readAsGrid,     readAsNmeaLog};
 
 using Reader = void (*)(const std::string&);
 
@@ -183,7 +211,7 @@ Reader readerOf(const std::filesystem::path& file)
         {".json", readAsProblem},    {".tsp", readAsTsplib},  {".atsp", readAsTsplib},
         {".openair", readAsAirspace}};
     if (file.parent_path().filename() == "forecast")
-        return readAsForecast;
+        return file.extension() == ".json" ? readAsForecast : readAsGrid;
     const auto it = kByEnding.find(file.extension().string());
     return it == kByEnding.end() ? readAsSightings : it->second;
 }
@@ -345,6 +373,8 @@ int feedMany(const Options& options)
         Reader reader = corpus.readers[which];
         if (reader == readAsSightings && mutator.below(4) == 0)
             reader = readAsMap; // for the same files
+        if (reader == readAsSightings && text.starts_with('$') && mutator.below(2) == 0)
+            reader = readAsNmeaLog;
         if (mutator.below(8) == 0)
             reader = kReaders[mutator.below(kReaders.size())];
         keeper.keep(
