@@ -7800,6 +7800,66 @@ På kortet: %1</translation>
         <source>no-go</source>
         <translation>flyv ikke</translation>
     </message>
+    <message>
+        <source>Forecast</source>
+        <translation>Prognose</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Kilde</translation>
+    </message>
+    <message>
+        <source>Issued</source>
+        <translation>Udstedt</translation>
+    </message>
+    <message>
+        <source>Age at take-off</source>
+        <translation>Alder ved start</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>ukendt</translation>
+    </message>
+    <message>
+        <source>Used in flight, at the middle of the starts of the UAVs.</source>
+        <translation>Brugt under flyvningen, midt mellem dronernes startsteder.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Wind, true</source>
+        <translation>Vind, retvisende</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Vindstød</translation>
+    </message>
+    <message>
+        <source>Current, true</source>
+        <translation>Strøm, retvisende</translation>
+    </message>
+    <message>
+        <source>No wind</source>
+        <translation>Ingen vind</translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation>%1 fra %2</translation>
+    </message>
+    <message>
+        <source>%1 towards %2</source>
+        <translation>%1 mod %2</translation>
+    </message>
+    <message>
+        <source>The forecast has no wind between %1 and %2: the flight used the constant wind of the scenario.</source>
+        <translation>Prognosen har ingen vind mellem %1 og %2: flyvningen brugte scenariets faste vind.</translation>
+    </message>
+    <message>
+        <source>The forecast has no current between %1 and %2: the flight used the constant current of the scenario.</source>
+        <translation>Prognosen har ingen strøm mellem %1 og %2: flyvningen brugte scenariets faste strøm.</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>

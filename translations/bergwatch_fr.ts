@@ -7800,6 +7800,66 @@ Sur la carte : %1</translation>
         <source>no-go</source>
         <translation>interdit</translation>
     </message>
+    <message>
+        <source>Forecast</source>
+        <translation>Prévision</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Issued</source>
+        <translation>Émise</translation>
+    </message>
+    <message>
+        <source>Age at take-off</source>
+        <translation>Âge au décollage</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Used in flight, at the middle of the starts of the UAVs.</source>
+        <translation>Utilisés en vol, au milieu des points de départ des drones.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Wind, true</source>
+        <translation>Vent, vrai</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Rafales</translation>
+    </message>
+    <message>
+        <source>Current, true</source>
+        <translation>Courant, vrai</translation>
+    </message>
+    <message>
+        <source>No wind</source>
+        <translation>Aucun vent</translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation>%1 du %2</translation>
+    </message>
+    <message>
+        <source>%1 towards %2</source>
+        <translation>%1 vers le %2</translation>
+    </message>
+    <message>
+        <source>The forecast has no wind between %1 and %2: the flight used the constant wind of the scenario.</source>
+        <translation>La prévision ne donne pas de vent entre %1 et %2 : le vol a utilisé le vent constant du scénario.</translation>
+    </message>
+    <message>
+        <source>The forecast has no current between %1 and %2: the flight used the constant current of the scenario.</source>
+        <translation>La prévision ne donne pas de courant entre %1 et %2 : le vol a utilisé le courant constant du scénario.</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>

@@ -7800,6 +7800,66 @@ På kartet: %1</translation>
         <source>no-go</source>
         <translation>ikke fly</translation>
     </message>
+    <message>
+        <source>Forecast</source>
+        <translation>Varsel</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Kilde</translation>
+    </message>
+    <message>
+        <source>Issued</source>
+        <translation>Utstedt</translation>
+    </message>
+    <message>
+        <source>Age at take-off</source>
+        <translation>Alder ved avgang</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>ukjent</translation>
+    </message>
+    <message>
+        <source>Used in flight, at the middle of the starts of the UAVs.</source>
+        <translation>Brukt under flygingen, midt mellom dronenes startsteder.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Wind, true</source>
+        <translation>Vind, rettvisende</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Vindkast</translation>
+    </message>
+    <message>
+        <source>Current, true</source>
+        <translation>Strøm, rettvisende</translation>
+    </message>
+    <message>
+        <source>No wind</source>
+        <translation>Ingen vind</translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation>%1 fra %2</translation>
+    </message>
+    <message>
+        <source>%1 towards %2</source>
+        <translation>%1 mot %2</translation>
+    </message>
+    <message>
+        <source>The forecast has no wind between %1 and %2: the flight used the constant wind of the scenario.</source>
+        <translation>Varselet har ingen vind mellom %1 og %2: flygingen brukte den faste vinden i scenarioet.</translation>
+    </message>
+    <message>
+        <source>The forecast has no current between %1 and %2: the flight used the constant current of the scenario.</source>
+        <translation>Varselet har ingen strøm mellom %1 og %2: flygingen brukte den faste strømmen i scenarioet.</translation>
+    </message>
 </context>
 <context>
     <name>SelectTool</name>

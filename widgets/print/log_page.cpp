@@ -29,6 +29,7 @@ LogFormat paperFormat(const ExportContent& content, const QLocale& locale, doubl
     const MissionClock clock{.start = content.start};
     return {.start = html(clock.dateText(0)),
             .time = [clock](double time_s) { return html(clock.text(time_s)); },
+            .date = [clock](double time_s) { return html(clock.dateText(time_s)); },
             .duration = [](double time_s) { return html(clockText(time_s)); },
             .distance = [locale](double m) { return html(distanceText(m, locale)); },
             .zeta = [locale](double m2s) { return html(zetaText(m2s, locale)); },
@@ -36,6 +37,8 @@ LogFormat paperFormat(const ExportContent& content, const QLocale& locale, doubl
             .radius = [locale](double m2) { return html(radius95Text(m2, locale)); },
             .planner = [locale](const PlannerSettings& of) { return html(policyText(of, locale)); },
             .number = numberText(locale),
+            .speed = [locale](double mps,
+                              int decimals) { return html(fixedSpeedText(mps, decimals, locale)); },
             .figure =
                 [&figure, width_px](const Figure& drawn) {
                     figure = drawn;

@@ -3,8 +3,12 @@
 #include "core/base/sha256.h"
 #include "core/io/export/content/export_flight.h"
 #include "core/io/export/missions/plan_wpl.h"
+#include "core/scenario/flight_weather.h"
+#include "core/scenario/utc_time.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 
 namespace berg {
 
@@ -184,6 +188,91 @@ private:
     std::vector<Watched> m_icebergs;
 };
 
+/** Reads the forecast of a flight whose scenario has one that is used. */
+class ForecastLog
+{
+public:
+    ForecastLog(const ExportContent& content, const FlightWeather& weather)
+        : m_content(content)
+        , m_weather(weather)
+        , m_scenario(content.mission->scenario())
+        , m_start(*parseUtc(m_scenario.startUtc))
+    {
+        for (const Uav& uav : m_scenario.uavs)
+            m_middle_m += uav.position_m / static_cast<double>(m_scenario.uavs.size());
+    }
+
+    [[nodiscard]] LogForecast read(const FlightLog& log) const
+    {
+        const Forecast& first = m_scenario.forecast->places.front();
+        LogForecast read{.source = first.source, .start = at(0), .end = at(log.flown_s)};
+        if (first.issued)
+            read.issued_s = std::chrono::duration<double>(*first.issued - m_start).count();
+        double takeOff_s = log.flown_s;
+        for (const LogUav& uav : log.uavs)
+            takeOff_s = std::min(takeOff_s, uav.tookOff_s.value_or(takeOff_s));
+        if (read.issued_s)
+            read.ageAtTakeOff_h = (takeOff_s - *read.issued_s) / kHour_s;
+        addGaps(read, ForecastQuantity::Wind, windUntil_s(log.flown_s));
+        addGaps(read, ForecastQuantity::Current, log.flown_s);
+        return read;
+    }
+
+private:
+    static constexpr double kHour_s = 3600;
+
+    [[nodiscard]] LogWeather at(double time_s) const
+    {
+        const auto trueOf_mps = [this](const Point& velocity_mps) {
+            return eastNorth_mps(m_content, velocity_mps, m_middle_m);
+        };
+        const bool isReported = time_s > windUntil_s(time_s);
+        const Point wind_mps = isReported ? m_content.mission->simulation().motion(0).wind_mps
+                                          : WindAhead(m_weather.wind(), time_s).at_mps(0);
+        return {.time_s = time_s,
+                .wind_mps = trueOf_mps(wind_mps),
+                .gust_mps = m_weather.gust_mps(time_s),
+                .current_mps = trueOf_mps(m_weather.forcingAt(m_middle_m, time_s).current_mps)};
+    }
+
+    /** Returns when the crew's first report replaced the wind of the forecast, at most `end_s`. */
+    [[nodiscard]] double windUntil_s(double end_s) const
+    {
+        for (const Intervention& change : m_content.mission->interventions())
+            if (change.wind_mps)
+                return std::min(end_s, change.time_s);
+        return end_s;
+    }
+
+    void addGaps(LogForecast& read, ForecastQuantity quantity, double end_s) const
+    {
+        constexpr double kGapStep_s = 60;
+        const ForecastField& field = *m_scenario.forecast;
+        const bool isGiven = std::ranges::any_of(
+            field.places, [quantity](const Forecast& place) { return gives(place, quantity); });
+        if (!isGiven)
+            return;
+        const Forecast local =
+            forecastAt(field, LocalFrame(m_scenario.origin).toGeographic(m_middle_m));
+        bool isInGap = false;
+        for (double time_s = 0; time_s <= end_s; time_s += kGapStep_s) {
+            const auto time = m_start + std::chrono::milliseconds(std::llround(1000 * time_s));
+            const bool isMissing = !gives(entryAt(local, time), quantity);
+            if (isMissing && !isInGap)
+                read.gaps.push_back({.quantity = quantity, .from_s = time_s, .to_s = end_s});
+            else if (!isMissing && isInGap)
+                read.gaps.back().to_s = time_s;
+            isInGap = isMissing;
+        }
+    }
+
+    const ExportContent& m_content;
+    const FlightWeather& m_weather;
+    const Scenario& m_scenario;
+    ForecastTime m_start;
+    Point m_middle_m = Point::Zero();
+};
+
 } // namespace
 
 FlightLog flightLog(const ExportContent& content)
@@ -214,6 +303,8 @@ FlightLog flightLog(const ExportContent& content)
         if (isDeviation(event))
             addDeviation(log.deviations, event);
     }
+    if (const auto& weather = mission.simulation().world().weather())
+        log.forecast = ForecastLog(content, *weather).read(log);
     return log;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/earth/forecast.h"
 #include "core/io/export/content/export_content.h"
 #include "core/io/figure/figure.h"
 
@@ -38,6 +39,34 @@ struct LogIceberg
     double sigma_m2 = 0;        ///< sigma at the end of the record
 };
 
+/** Weather in which the flight was flown, at one time; directions are true. */
+struct LogWeather
+{
+    double time_s = 0;
+    Point wind_mps = Point::Zero();
+    std::optional<double> gust_mps;
+    Point current_mps = Point::Zero();
+};
+
+/** Part of the flight for which the forecast lacks a quantity that it gives elsewhere. */
+struct LogGap
+{
+    ForecastQuantity quantity = ForecastQuantity::Wind; ///< wind or current
+    double from_s = 0;
+    double to_s = 0;
+};
+
+/** The forecast of a flight, at the middle of the UAVs' starts. */
+struct LogForecast
+{
+    std::string source;                   ///< empty if unknown
+    std::optional<double> issued_s;       ///< run time, negative before the start
+    std::optional<double> ageAtTakeOff_h; ///< nullopt if the time of issue is unknown
+    LogWeather start;                     ///< at the start of the run
+    LogWeather end;                       ///< at the end of the record
+    std::vector<LogGap> gaps;             ///< by quantity and time, to the minute
+};
+
 /** Log of a flight that is over, or of a flight until now. */
 struct FlightLog
 {
@@ -48,6 +77,7 @@ struct FlightLog
     std::vector<LogUav> uavs;
     std::vector<LogIceberg> icebergs;     ///< icebergs that have appeared
     std::vector<MissionEvent> deviations; ///< a drag of tau is one of them
+    std::optional<LogForecast> forecast;  ///< nullopt if the flight had none
 };
 
 /**
@@ -63,6 +93,7 @@ struct LogFormat
 
     std::string start; ///< date and time
     Text time;         ///< of an instant, s
+    Text date;         ///< of an instant, with its date
     Text duration;     ///< of s
     Text distance;     ///< of m
     Text zeta;         ///< of m² s
@@ -70,6 +101,7 @@ struct LogFormat
     Text radius;       ///< of the 95 % radius, by sigma in m²
     std::function<std::string(const PlannerSettings&)> planner;
     std::function<std::string(double value, int decimals)> number;
+    std::function<std::string(double speed_mps, int decimals)> speed;
     std::function<std::string(const Figure&)> figure;
 };
 

@@ -1,3 +1,4 @@
+#include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/version.h"
 #include "core/io/export/flight_log.h"
@@ -52,6 +53,7 @@ LogFormat fileFormat(const ExportContent& content)
     const auto tenths = [](double value) { return printedNumber(std::round(value * 10) / 10, 1); };
     return {.start = time(0),
             .time = time,
+            .date = time,
             .duration = clockOf,
             .distance = distanceOf,
             .zeta = [](double zeta_m2s) { return rounded(zeta_m2s) + " m²\u00a0s"; },
@@ -59,6 +61,11 @@ LogFormat fileFormat(const ExportContent& content)
             .radius = [tenths](double sigma_m2) { return tenths(radius95_m(sigma_m2)) + " m"; },
             .planner = plannerText,
             .number = printedNumber,
+            .speed =
+                [](double mps, int decimals) {
+                    const double scale = std::pow(10.0, decimals);
+                    return printedNumber(std::round(mps * scale) / scale, decimals) + " m/s";
+                },
             .figure = [](const Figure& figure) { return figureSvg(figure, 760, 300); }};
 }
 
@@ -177,6 +184,53 @@ public:
                     : "<ul class=\"findings\">\n" + lines + "</ul>\n");
     }
 
+    [[nodiscard]] std::string forecast() const
+    {
+        if (!m_log.forecast)
+            return {};
+        const LogForecast& forecast = *m_log.forecast;
+        const std::string unknown = m_words.html(QT_TRANSLATE_NOOP("Report", "unknown"));
+        const auto fact = [this](std::string_view english, const std::string& value) {
+            return HtmlFact{m_words.html(english), value};
+        };
+        std::string html = factsHtml(
+            {fact(QT_TRANSLATE_NOOP("Report", "Source"),
+                  forecast.source.empty() ? unknown : htmlName(forecast.source)),
+             fact(QT_TRANSLATE_NOOP("Report", "Issued"),
+                  forecast.issued_s ? m_format.date(*forecast.issued_s) : unknown),
+             fact(QT_TRANSLATE_NOOP("Report", "Age at take-off"),
+                  forecast.ageAtTakeOff_h
+                      ? m_format.number(std::round(*forecast.ageAtTakeOff_h * 10) / 10, 1) + " h"
+                      : unknown)},
+            3);
+        HtmlTable table(
+            m_words.html(QT_TRANSLATE_NOOP("Report", "Used in flight, at the middle of the starts "
+                                                     "of the UAVs.")),
+            m_words.heads({QT_TRANSLATE_NOOP("Report", "Time"),
+                           QT_TRANSLATE_NOOP("Report", "Wind, true"),
+                           QT_TRANSLATE_NOOP("Report", "Gusts"),
+                           QT_TRANSLATE_NOOP("Report", "Current, true")}));
+        for (const LogWeather* weather : {&forecast.start, &forecast.end})
+            table.addRow({m_format.time(weather->time_s), wind(weather->wind_mps),
+                          weather->gust_mps ? m_format.speed(*weather->gust_mps, 1) : "–",
+                          current(weather->current_mps)});
+        std::string gaps;
+        for (const LogGap& gap : forecast.gaps)
+            gaps += "<li>" +
+                    m_words.html(
+                        gap.quantity == ForecastQuantity::Wind
+                            ? QT_TRANSLATE_NOOP("Report", "The forecast has no wind between %1 and "
+                                                          "%2: the flight used the constant wind "
+                                                          "of the scenario.")
+                            : QT_TRANSLATE_NOOP("Report", "The forecast has no current between %1 "
+                                                          "and %2: the flight used the constant "
+                                                          "current of the scenario."),
+                        {m_format.time(gap.from_s), m_format.time(gap.to_s)}) +
+                    "</li>\n";
+        return heading(QT_TRANSLATE_NOOP("Report", "Forecast")) + html + table.html() +
+               (gaps.empty() ? gaps : "<ul class=\"findings\">\n" + gaps + "</ul>\n");
+    }
+
     [[nodiscard]] std::string hashes() const
     {
         std::string html =
@@ -193,6 +247,31 @@ private:
     [[nodiscard]] std::string heading(std::string_view english) const
     {
         return "<h2>" + m_words.html(english) + "</h2>\n";
+    }
+
+    /** Direction of a velocity as "045°". */
+    [[nodiscard]] static std::string bearing(const Point& velocity_mps)
+    {
+        const double turn_deg = degFromRad(std::atan2(velocity_mps.x(), velocity_mps.y()));
+        char text[16];
+        std::snprintf(text, sizeof text, "%03lld°", (std::llround(turn_deg) + 360) % 360);
+        return text;
+    }
+
+    [[nodiscard]] std::string wind(const Point& wind_mps) const
+    {
+        if (wind_mps.isZero(0))
+            return m_words.html(QT_TRANSLATE_NOOP("Report", "No wind"));
+        return m_words.html(QT_TRANSLATE_NOOP("Report", "%1 from %2"),
+                            {m_format.speed(wind_mps.norm(), 1), bearing(-wind_mps)});
+    }
+
+    [[nodiscard]] std::string current(const Point& current_mps) const
+    {
+        if (current_mps.isZero(0))
+            return "–";
+        return m_words.html(QT_TRANSLATE_NOOP("Report", "%1 towards %2"),
+                            {m_format.speed(current_mps.norm(), 2), bearing(current_mps)});
     }
 
     [[nodiscard]] std::string nameOf(const LogUav& uav) const
@@ -311,7 +390,7 @@ LogPage logPage(const ExportContent& content, const LogFormat& format)
                 {content.name.empty() ? std::string("Bergwatch") : content.name}),
             .summary = log.facts() + log.uavs(),
             .figure = log.figure(),
-            .details = log.sightings() + log.deviations() + log.hashes()};
+            .details = log.forecast() + log.sightings() + log.deviations() + log.hashes()};
 }
 
 std::string flightLogHtml(const ExportContent& content)

@@ -5,6 +5,7 @@
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/files/export_fixtures.h"
+#include "tests/support/flight/forecast_builder.h"
 
 #include <QTest>
 
@@ -180,6 +181,58 @@ private slots:
              {"Planned and flown", "Sightings", "Deviations", "Seed</span><br/><b>7</b>", "<svg"})
             QVERIFY2(page.find(part) != std::string::npos, part);
         QCOMPARE(flightLogHtml(runContent(mission)), page); // the same run, the same bytes
+    }
+
+    /** Wind 10 m/s from the west, freshening by 1 m/s and veering by 15 degrees an hour. */
+    void forecastIsLogged()
+    {
+        QVERIFY(!flightLog(runContent(flown(fourIcebergs()))).forecast);
+        QVERIFY(flightLogHtml(runContent(flown(fourIcebergs()))).find("<h2>Forecast") ==
+                std::string::npos);
+        Scenario scenario = fourIcebergs();
+        scenario.wind_mps = {3, 0};
+        scenario.duration_s = 3600;
+        addForecast(scenario);
+        const Mission mission = flown(scenario);
+        const FlightLog log = flightLog(runContent(mission));
+        QVERIFY(log.forecast);
+        QCOMPARE(log.forecast->source, std::string("MET Norway"));
+        QCOMPARE(log.forecast->issued_s, std::optional(-6 * 3600.0));
+        QCOMPARE(log.forecast->ageAtTakeOff_h, std::optional(6.0));
+        // The wind is constant for half a minute at a time, and 0.4 % stronger at the starts, which
+        // are 0.5 km north of the middle of the grid.
+        COMPARE_NEAR(log.forecast->start.wind_mps.norm(), 10, 0.06);
+        COMPARE_NEAR(log.forecast->end.wind_mps.norm(), 11, 0.06);
+        COMPARE_NEAR(log.forecast->end.current_mps.norm(), 0.5, 1e-9);
+        QVERIFY(log.forecast->gaps.empty());
+        const std::string page = flightLogHtml(runContent(mission));
+        QCOMPARE(xmlFault(bytes(page)), QString());
+        for (const char* part : {"<h2>Forecast</h2>", "MET Norway", "2026-05-01T06:00:00Z", "6.0 h",
+                                 "m/s from 270°", "0.50 m/s towards 037°"})
+            QVERIFY2(page.find(part) != std::string::npos, part);
+    }
+
+    void gapsOfTheForecastAreLogged()
+    {
+        Scenario scenario = fourIcebergs();
+        scenario.wind_mps = {3, 0};
+        scenario.current_mps = {0, 0.2};
+        scenario.duration_s = 1200;
+        addForecast(scenario, 12);
+        cutForecast(*scenario.forecast, 0, 12); // 12 h are too long to interpolate
+        const Mission mission = flown(scenario);
+        const FlightLog log = flightLog(runContent(mission));
+        QVERIFY(log.forecast);
+        QCOMPARE(log.forecast->gaps.size(), std::size_t{2});
+        QCOMPARE(log.forecast->gaps[0].quantity, ForecastQuantity::Wind);
+        QCOMPARE(log.forecast->gaps[0].from_s, 60.0); // the first value itself is given
+        QCOMPARE(log.forecast->gaps[0].to_s, 1200.0);
+        QCOMPARE(log.forecast->gaps[1].quantity, ForecastQuantity::Current);
+        COMPARE_NEAR(log.forecast->end.wind_mps.norm(), 3, 1e-9);
+        COMPARE_NEAR(log.forecast->end.current_mps.norm(), 0.2, 1e-9);
+        const std::string page = flightLogHtml(runContent(mission));
+        for (const char* part : {"has no wind between", "has no current between"})
+            QVERIFY2(page.find(part) != std::string::npos, part);
     }
 
     void planAloneHasNoLog()
