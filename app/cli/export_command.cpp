@@ -1,12 +1,14 @@
 #include "app/cli/options.h"
 #include "app/cli/output_gate.h"
 #include "app/cli/program.h"
+#include "core/base/stopped.h"
 #include "core/checks/validate.h"
 #include "core/io/export/export_notes.h"
 #include "core/io/files/run_json.h"
 #include "core/io/files/scenario_json.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/file_set.h"
+#include "core/io/text/stop_scope.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -197,7 +199,12 @@ int exportFile(const ExportArguments& arguments, const std::stop_token& stop)
     if (format.holds.painted && !arguments.painter)
         return handOver(arguments);
     FileSet set;
-    addFiles(set, arguments, format, stop);
+    try {
+        const StopScope scope(stop);
+        addFiles(set, arguments, format, stop);
+    } catch (const Stopped&) {
+        throw Interrupted{};
+    }
     if (stop.stop_requested())
         throw Interrupted{};
     set.write();

@@ -254,7 +254,8 @@ ExportTask MissionRunner::taskOf(const ExportRequest& request) const
 {
     return {.request = request,
             .generation = m_generation,
-            .predicted = m_predictor ? m_predictor() : std::nullopt};
+            .predicted = m_predictor ? m_predictor() : std::nullopt,
+            .stop = m_stop.get_token()};
 }
 
 void MissionRunner::requestExport(const ExportRequest& request)

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/read_budget.h"
+#include "core/io/text/stop_scope.h"
 #include "core/io/text/zip_file.h"
 #include "core/scenario/text_checks.h"
 
@@ -383,7 +384,7 @@ std::string zippedShapefiles(const Ogr2ogrRun& run, const fs::path& folder, int 
                  "OGR_GEOMETRY=" + quoted + " OR OGR_GEOMETRY='MULTI" + std::string(type) + "'",
                  "-nlt", std::string(type), file.string(), input})
             arguments.push_back(std::move(argument));
-        (void)run.output(std::move(arguments));
+        (void)run.output(std::move(arguments), StopScope::current());
         std::error_code error;
         if (const auto size = fs::file_size(file, error); error || size <= kEmptyShapefile)
             continue;
@@ -457,7 +458,7 @@ std::string gisFileOfGeoJson(std::string_view geoJson, GisFormat format, int eps
     const fs::path file = scratch.path() / driver.file;
     arguments.push_back(file.string());
     arguments.push_back(input);
-    (void)run.output(std::move(arguments));
+    (void)run.output(std::move(arguments), StopScope::current());
     return contentOf(file);
 }
 

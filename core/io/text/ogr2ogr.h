@@ -54,7 +54,7 @@ enum class GisFormat : std::uint8_t
  * Returns the file of a GeoJSON collection. A Shapefile is a zip archive with one Shapefile for
  * each of points, lines and areas, because it holds one type of geometry only. `epsg` is the
  * coordinate system of the file. Throws `Error` as `geoJsonOfGisFile`, with FileUnwritable if
- * ogr2ogr fails.
+ * ogr2ogr fails, and `Stopped` if a stop is requested in the `StopScope` of this thread.
  */
 [[nodiscard]] std::string gisFileOfGeoJson(std::string_view geoJson, GisFormat format, int epsg,
                                            const std::string& subject,

@@ -3,6 +3,7 @@
 #include "core/io/import/import_formats.h"
 #include "core/io/import/maps/import_ice_chart.h"
 #include "core/io/text/ogr2ogr.h"
+#include "core/io/text/stop_scope.h"
 #include "core/io/text/zip_file.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/files/export_fixtures.h"
@@ -241,6 +242,48 @@ private slots:
             stop.request_stop();
         });
         QVERIFY_THROWS_EXCEPTION(Stopped, (void)readImportFile(path, path, stop.get_token()));
+    }
+
+    /** Writers of exports take no token: the scope of the thread has it. */
+    void stopCancelsExports_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char* const id : {"shapefile", "gpkg"})
+            QTest::newRow(id) << id;
+    }
+    void stopCancelsExports()
+    {
+        QFETCH(QString, id);
+        const ExportFormat* format = findExportFormat(id.toStdString());
+        QVERIFY(format != nullptr && format->holds.gis);
+        const Scenario scenario = fourIcebergs();
+        const ExportSource source{.scenario = scenario, .plan = planFromStart(scenario)};
+        const GisFolder folder;
+        folder.fake("sleep 1000");
+        std::stop_source stop;
+        const StopScope scope(stop.get_token());
+        std::jthread later([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            stop.request_stop();
+        });
+        QVERIFY_THROWS_EXCEPTION(Stopped, (void)format->write(source));
+    }
+
+    /** A scope within another has its own stop, and gives the other back. */
+    void stopScopesNest()
+    {
+        std::stop_source outer;
+        {
+            const StopScope first(outer.get_token());
+            outer.request_stop();
+            QVERIFY(StopScope::current().stop_requested());
+            {
+                const StopScope second{std::stop_token()};
+                QVERIFY(!StopScope::current().stop_requested());
+            }
+            QVERIFY(StopScope::current().stop_requested());
+        }
+        QVERIFY(!StopScope::current().stop_requested());
     }
 
     void damagedFilesAreErrors_data()
