@@ -8223,6 +8223,15 @@ På kortet: %1</translation>
         <source>Weather at %1: %2.</source>
         <translation>Vejr kl. %1: %2.</translation>
     </message>
+    <message>
+        <source>Flown in gaps: constant wind %1</source>
+        <translation>Fløjet i huller: fast vind %1</translation>
+    </message>
+    <message>
+        <source>%1; in gaps the constant current of %2</source>
+        <comment>title, speed</comment>
+        <translation>%1; i huller den faste strøm på %2</translation>
+    </message>
 </context>
 <context>
     <name>WeatherWords</name>

@@ -8223,6 +8223,15 @@ Sur la carte : %1</translation>
         <source>Weather at %1: %2.</source>
         <translation>Météo à %1 : %2.</translation>
     </message>
+    <message>
+        <source>Flown in gaps: constant wind %1</source>
+        <translation>Volé dans les lacunes : vent constant %1</translation>
+    </message>
+    <message>
+        <source>%1; in gaps the constant current of %2</source>
+        <comment>title, speed</comment>
+        <translation>%1 ; dans les lacunes, le courant constant de %2</translation>
+    </message>
 </context>
 <context>
     <name>WeatherWords</name>

@@ -8223,6 +8223,15 @@ På kartet: %1</translation>
         <source>Weather at %1: %2.</source>
         <translation>Vær klokken %1: %2.</translation>
     </message>
+    <message>
+        <source>Flown in gaps: constant wind %1</source>
+        <translation>Fløyet i hull: fast vind %1</translation>
+    </message>
+    <message>
+        <source>%1; in gaps the constant current of %2</source>
+        <comment>title, speed</comment>
+        <translation>%1; i hull den faste strømmen på %2</translation>
+    </message>
 </context>
 <context>
     <name>WeatherWords</name>

@@ -89,6 +89,40 @@ void addLimits(TimeChartContent& content, const FlightRecord& record, const QLoc
     add(&WeatherLimits::gust_mps, WeatherChart::tr("Gust limit %1"));
 }
 
+/** Returns whether the forecast lacks a quantity at some time of the run. */
+bool hasGap(const WeatherCourse& course, std::optional<Point> CoursePoint::*velocity)
+{
+    return course.isForecast() && std::ranges::any_of(course.points, [&](const CoursePoint& point) {
+               return !(point.*velocity);
+           });
+}
+
+/** Shows the constant wind and current that are flown in gaps of the forecast. */
+void addGapValues(TimeChartContent& content, const WeatherCourse& course, const Scenario& scenario,
+                  const QLocale& locale)
+{
+    const double wind_mps = scenario.wind_mps.norm();
+    const double current_mps = scenario.current_mps.norm();
+    if (hasGap(course, &CoursePoint::wind_mps))
+        content.references.push_back({.value = speedUnit().fromSi(wind_mps),
+                                      .label = WeatherChart::tr("Flown in gaps: constant wind %1")
+                                                   .arg(speedText(wind_mps, locale, 3))});
+    const bool givesCurrent = std::ranges::any_of(
+        course.points, [](const CoursePoint& point) { return point.current_mps.has_value(); });
+    if (givesCurrent && hasGap(course, &CoursePoint::current_mps)) // it has an axis of its own
+        content.title = WeatherChart::tr("%1; in gaps the constant current of %2", "title, speed")
+                            .arg(content.title, speedText(current_mps, locale, 3));
+}
+
+/** Returns the weather with the scenario's constant values in gaps, as it is flown. */
+CoursePoint flownWeather(CoursePoint weather, const Scenario& scenario)
+{
+    weather.wind_mps = weather.wind_mps.value_or(scenario.wind_mps);
+    weather.gust_mps = weather.gust_mps ? weather.gust_mps : scenario.weather.gust_mps;
+    weather.current_mps = weather.current_mps.value_or(scenario.current_mps);
+    return weather;
+}
+
 QString weatherSummary(const CoursePoint& weather, const QLocale& locale)
 {
     QStringList parts;
@@ -182,10 +216,12 @@ void fillWeather(TimeChartContent& content, const FlightRecord& record, const QL
     if (std::ranges::any_of(content.lines, &TimeLine::onRightAxis))
         content.rightTitle = WeatherChart::tr("Current, %1").arg(unit);
     addLimits(content, record, locale);
+    addGapValues(content, *course, record.scenario, locale);
     content.emptyText = WeatherChart::tr("The forecast does not cover this run");
     content.summary =
         WeatherChart::tr("Weather at %1: %2.")
-            .arg(content.clock.text(now_s), weatherSummary(course->at(now_s), locale));
+            .arg(content.clock.text(now_s),
+                 weatherSummary(flownWeather(course->at(now_s), record.scenario), locale));
     if (const ForecastField* forecast = usableForecast(record.scenario))
         content.summary +=
             u' ' + forecastText(*forecast, forecastStartOf(record.scenario), locale) + u'.';

@@ -10,7 +10,8 @@ namespace berg {
 /**
  * Part of `emptyChart` for wind, gusts and current: titles, lines with their points over the whole
  * run, limits of the UAVs, directions, and the instant shown. A gap of a forecast is a gap of its
- * line. Works before take-off, too.
+ * line; a reference line and the title give the constant wind and current that are flown there.
+ * Works before take-off, too.
  */
 void fillWeather(TimeChartContent& content, const FlightRecord& record, const QLocale& locale);
 

@@ -137,6 +137,27 @@ private slots:
         QVERIFY2(rows[2].starts_with("25200,17,"), rows[2].c_str());
     }
 
+    /** In a gap the flight uses the constants of the scenario, which the chart names. */
+    void gapsShowWhatIsFlown()
+    {
+        FlightRecord record = forecastRecord();
+        record.scenario.wind_mps = {0, -6};
+        record.scenario.current_mps = {0.2, 0};
+        QVERIFY(WeatherPanel(record).chart.content().references.empty());
+        cutForecast(*record.scenario.forecast, -1, 7);
+        record.noteWeather();
+        const WeatherPanel shown(record);
+        const TimeChartContent& content = shown.chart.content();
+        QCOMPARE(content.references.size(), std::size_t{1});
+        COMPARE_NEAR(content.references[0].value, 6, 1e-9);
+        QCOMPARE(content.references[0].label, u"Flown in gaps: constant wind 6.00 m/s"_s);
+        QCOMPARE(content.title,
+                 u"Forecast of wind and current; in gaps the constant current of 0.200 m/s"_s);
+        QVERIFY2(shown.chart.accessibleDescription().contains(
+                     u"wind 6.0 m/s from 000°, current 0.20 m/s towards 090°"_s),
+                 qPrintable(shown.chart.accessibleDescription()));
+    }
+
     /** In knots the numbers and the columns are in knots. */
     void unitsAreThoseOfTheUser()
     {
