@@ -17,7 +17,7 @@
 #include "core/io/study/study_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/atomic_file.h"
-#include "core/link/nmea_log.h"
+#include "core/link/logs/nmea_log.h"
 #include "core/plan/solve/latency_problem.h"
 #include "core/presets/presets.h"
 #include "tests/fuzz/fuzz_mutator.h"
