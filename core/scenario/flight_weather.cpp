@@ -13,6 +13,7 @@ namespace berg {
 namespace {
 
 constexpr double kWeatherHour_s = 3600;
+constexpr std::size_t kLatticeNodes = 17;
 
 double secondsAfter(ForecastTime start, ForecastTime time)
 {
@@ -66,7 +67,7 @@ private:
                                                   double time_s) const override
     {
         if (!m_law)
-            return m_weather->forcingAt(place_m, time_s).current_mps;
+            return m_weather->currentAt_mps(place_m, time_s);
         if (const std::optional<double> depth_m = m_weather->depth_m(place_m);
             depth_m && *depth_m < m_draft_m)
             return std::nullopt;
@@ -92,6 +93,7 @@ FlightWeather::FlightWeather(const ScenarioWorld& scenario)
     const std::optional<ForecastTime> start = utcTimeOf(scenario.startUtc);
     require(start.has_value(), "FlightWeather: no start");
     addPlaces(*scenario.forecast, *start);
+    addLattice(*scenario.forecast);
     addWind(scenario);
 }
 
@@ -131,6 +133,36 @@ void FlightWeather::addPlaces(const ForecastField& field, ForecastTime start)
         m_easts_deg.push_back(eastOfMiddle_deg(field.places[i].place.longitude_deg));
 }
 
+/**
+ * Prepares what replaces the geodesic of each position of an iceberg. Between points of at most
+ * 20 km a straight line is wrong by less than 50 m up to 80 degrees of latitude.
+ */
+void FlightWeather::addLattice(const ForecastField& field)
+{
+    constexpr double kLongest_m = 20'000;
+    constexpr double kHighest_deg = 80;
+    if (m_places.size() == 1)
+        return;
+    Point low_m = Point::Constant(std::numeric_limits<double>::infinity());
+    Point high_m = -low_m;
+    for (const Forecast& forecast : field.places) {
+        if (std::abs(forecast.place.latitude_deg) > kHighest_deg)
+            return;
+        const Point place_m = m_frame.toPlane(forecast.place);
+        low_m = low_m.cwiseMin(place_m);
+        high_m = high_m.cwiseMax(place_m);
+    }
+    const Point step_m = (high_m - low_m) / static_cast<double>(kLatticeNodes - 1);
+    if (!(step_m.maxCoeff() <= kLongest_m) || !(step_m.minCoeff() > 0))
+        return;
+    m_lattice = {.low_m = low_m, .step_m = step_m, .nodes_deg = {}};
+    for (std::size_t row = 0; row < kLatticeNodes; ++row)
+        for (std::size_t column = 0; column < kLatticeNodes; ++column)
+            m_lattice.nodes_deg.push_back(exactDegreesOf(
+                low_m +
+                step_m.cwiseProduct(Point(static_cast<double>(column), static_cast<double>(row)))));
+}
+
 void FlightWeather::addWind(const ScenarioWorld& scenario)
 {
     Point middle_m = Point::Zero();
@@ -164,13 +196,38 @@ double FlightWeather::eastOfMiddle_deg(double longitude_deg) const
     return (turns - std::floor(turns)) * 360 - 180;
 }
 
+Point FlightWeather::exactDegreesOf(const Point& place_m) const
+{
+    const LatLon place = m_frame.toGeographic(place_m);
+    return {place.latitude_deg, eastOfMiddle_deg(place.longitude_deg)};
+}
+
+/** Returns latitude and degrees east of the middle; in the lattice they are bilinear. */
+Point FlightWeather::degreesOf(const Point& place_m) const
+{
+    if (m_lattice.nodes_deg.empty())
+        return exactDegreesOf(place_m);
+    const Point at = (place_m - m_lattice.low_m).cwiseQuotient(m_lattice.step_m);
+    constexpr double kLast = kLatticeNodes - 1;
+    if (!(at.minCoeff() >= 0) || !(at.maxCoeff() < kLast))
+        return exactDegreesOf(place_m);
+    const auto column = static_cast<std::size_t>(at.x());
+    const auto row = static_cast<std::size_t>(at.y());
+    const double east = at.x() - static_cast<double>(column);
+    const double north = at.y() - static_cast<double>(row);
+    const Point* south_deg = &m_lattice.nodes_deg[row * kLatticeNodes + column];
+    const Point* north_deg = south_deg + kLatticeNodes;
+    return (1 - north) * ((1 - east) * south_deg[0] + east * south_deg[1]) +
+           north * ((1 - east) * north_deg[0] + east * north_deg[1]);
+}
+
 FlightWeather::Cell FlightWeather::cellOf(const Point& place_m) const
 {
     if (m_places.size() == 1)
         return {};
-    const LatLon place = m_frame.toGeographic(place_m);
-    const ListNeighbours row = neighboursIn(m_latitudes_deg, place.latitude_deg);
-    const ListNeighbours column = neighboursIn(m_easts_deg, eastOfMiddle_deg(place.longitude_deg));
+    const Point place_deg = degreesOf(place_m);
+    const ListNeighbours row = neighboursIn(m_latitudes_deg, place_deg.x());
+    const ListNeighbours column = neighboursIn(m_easts_deg, place_deg.y());
     return {.south = row.first,
             .north = row.second,
             .northShare = row.share,
@@ -244,6 +301,13 @@ Forcing FlightWeather::forcingAt(const Point& place_m, double time_s) const
     };
     return {.wind_mps = valueOf(&Place::wind).value_or(m_wind_mps),
             .current_mps = valueOf(&Place::current).value_or(m_current_mps)};
+}
+
+Point FlightWeather::currentAt_mps(const Point& place_m, double time_s) const
+{
+    return between<Point>(cellOf(place_m),
+                          [&](const Place& place) { return at(place.current, time_s); })
+        .value_or(m_current_mps);
 }
 
 std::optional<double> FlightWeather::depth_m(const Point& place_m) const

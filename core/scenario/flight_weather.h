@@ -38,6 +38,8 @@ public:
 
     /** Returns wind and current at a place of the plane and a run time. */
     [[nodiscard]] Forcing forcingAt(const Point& place_m, double time_s) const;
+    /** Returns the current of `forcingAt`. */
+    [[nodiscard]] Point currentAt_mps(const Point& place_m, double time_s) const;
     /** Returns the depth of the sea at a place, or nullopt where the forecast does not give it. */
     [[nodiscard]] std::optional<double> depth_m(const Point& place_m) const;
     /** Returns the largest speeds of wind and current anywhere, those of the scenario included. */
@@ -76,13 +78,24 @@ private:
         double eastShare = 0;
     };
 
+    /** Latitudes, and degrees east of the middle, of equally spaced points of the plane. */
+    struct Lattice
+    {
+        Point low_m = Point::Zero();
+        Point step_m = Point::Zero();
+        std::vector<Point> nodes_deg; ///< `kLatticeNodes` rows of as many; empty if not used
+    };
+
     template <class Value>
     [[nodiscard]] static std::optional<Value> at(const Values<Value>& values, double time_s);
     template <class Value, class ValueOf>
     [[nodiscard]] std::optional<Value> between(const Cell& cell, const ValueOf& valueOf) const;
     [[nodiscard]] Cell cellOf(const Point& place_m) const;
+    [[nodiscard]] Point degreesOf(const Point& place_m) const;
+    [[nodiscard]] Point exactDegreesOf(const Point& place_m) const;
     [[nodiscard]] double eastOfMiddle_deg(double longitude_deg) const;
     void addPlaces(const ForecastField& field, ForecastTime start);
+    void addLattice(const ForecastField& field);
     void addWind(const ScenarioWorld& scenario);
 
     LocalFrame m_frame;
@@ -93,6 +106,7 @@ private:
     std::vector<double> m_latitudes_deg; ///< by row
     std::vector<double> m_easts_deg;     ///< by column: degrees east of `m_middle_deg`
     double m_middle_deg = 0;
+    Lattice m_lattice;
     bool m_givesWind = false;
     bool m_givesCurrent = false;
     bool m_givesDepth = false;

@@ -89,6 +89,13 @@ void SafetyGuard::weighWind()
     if (range.low_mps == range.high_mps)
         return;
     m_worst = windCorners(range, motion, motion.widestWind_mps());
+    m_longestTurn_s = 0;
+    m_slowest_mps = motion.airspeed_mps;
+    for (const Motion& worst : m_worst) {
+        m_longestTurn_s = std::max(
+            m_longestTurn_s, longestPath_s({}, Point::Zero(), worst, m_uav.clock.command_s()));
+        m_slowest_mps = std::min(m_slowest_mps, worst.airspeed_mps - worst.wind_mps.norm());
+    }
     constexpr int kCourses = 32;
     double slowest_mps = motion.airspeed_mps;
     for (int i = 0; i < kCourses; ++i) {
@@ -350,6 +357,10 @@ bool SafetyGuard::homeInTimeAfter(const DubinsState& pose, double u_radps, doubl
         if (longest_s <= after_s)
             return true;
     } else if (!m_uav.fence) {
+        const double farthest_s =
+            m_longestTurn_s + (home_m - after.position_m).norm() / m_slowest_mps;
+        if (m_slowest_mps > 0 && farthest_s + m_turnDrift_s <= after_s)
+            return true;
         double longest_s = 0;
         for (const Motion& motion : m_worst)
             longest_s =

@@ -249,6 +249,8 @@ private:
     SortieState m_sortie;
     WindAhead m_ahead;           ///< set if the wind changes
     std::vector<Motion> m_worst; ///< winds at the corners of the range; empty if it is constant
+    double m_longestTurn_s = 0;  ///< `longestPath_s` of no distance in the worst of `m_worst`
+    double m_slowest_mps = 0;    ///< least speed over ground in any of `m_worst`
     double m_slowdown = 1;       ///< largest ratio of the speed over ground to the least to come
     double m_turnDrift_s = 0;    ///< time lost by drifting during the first turn
 };
