@@ -77,8 +77,17 @@ private slots:
         const LocalFrame frame(scenario.origin);
         const Point north_m =
             frame.toPlane({scenario.origin.latitude_deg + 0.25, scenario.origin.longitude_deg});
-        COMPARE_NEAR(weather->forcingAt(north_m, 0).current_mps.x(), 0.25, 1e-6);
-        COMPARE_NEAR(weather->forcingAt(Point(0, 0), 0).current_mps.x(), 0, 1e-6);
+        constexpr double kTenMetres_deg = 1e-4;
+        COMPARE_NEAR(weather->forcingAt(north_m, 0).current_mps.x(), 0.25, kTenMetres_deg);
+        for (double x_m = -12'000; x_m < 13'000; x_m += 2700)
+            for (double y_m = -41'000; y_m < 42'000; y_m += 5300) {
+                const Point place_m(x_m, y_m);
+                const double expected_mps =
+                    frame.toGeographic(place_m).latitude_deg - scenario.origin.latitude_deg;
+                COMPARE_NEAR(weather->currentAt_mps(place_m, 0).x(), expected_mps, kTenMetres_deg);
+                QCOMPARE(weather->currentAt_mps(place_m, 0),
+                         weather->forcingAt(place_m, 0).current_mps);
+            }
         COMPARE_NEAR(weather->forcingAt(Point(0, 1e6), 0).current_mps.x(), 0.5, 1e-12);
         COMPARE_NEAR(weather->forcingAt(north_m, 0).current_mps.y(), 0.1, 1e-12);
     }
