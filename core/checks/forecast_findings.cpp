@@ -19,8 +19,8 @@ void checkForecastNumbers(const T& object, const std::string& path, Findings& fi
     for (const Field<T>& field : fieldsOf<T>())
         withField(field, object, [&]<class Value>(const Value& value) {
             constexpr bool kIsNumber = std::is_same_v<Value, double> ||
-                                      std::is_same_v<Value, std::optional<double>> ||
-                                      std::is_same_v<Value, std::optional<Point>>;
+                                       std::is_same_v<Value, std::optional<double>> ||
+                                       std::is_same_v<Value, std::optional<Point>>;
             if constexpr (kIsNumber)
                 findings.inRange(value, *field.limits, path + field.name);
         });

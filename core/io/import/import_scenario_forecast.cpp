@@ -95,7 +95,10 @@ ForecastReadOptions forecastOptions(const Scenario& scenario, const std::optiona
     };
     box.west_deg = longitude(west);
     box.east_deg = longitude(east);
-    return {.area = box, .since = run.start, .until = run.end + kForecastAfterRun, .mostEntries = kMostScenarioEntries};
+    return {.area = box,
+            .since = run.start,
+            .until = run.end + kForecastAfterRun,
+            .mostEntries = kMostScenarioEntries};
 }
 
 const Forecast& middleOf(const ForecastField& field)
