@@ -102,8 +102,13 @@ class TestOgr2ogr : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase() { m_before = leftovers(); }
-    void cleanup() { QCOMPARE(leftovers(), m_before); }
+    /** Other tests that run ogr2ogr at the same time have other folders. */
+    void initTestCase()
+    {
+        QVERIFY(m_temporary.isValid());
+        QVERIFY(qputenv("TMPDIR", QFile::encodeName(m_temporary.path())));
+    }
+    void cleanup() { QCOMPARE(leftovers(), QStringList()); }
 
     void filesOfOthersAreRead_data()
     {
@@ -387,7 +392,7 @@ private slots:
     }
 
 private:
-    QStringList m_before;
+    QTemporaryDir m_temporary;
 };
 
 QTEST_GUILESS_MAIN(TestOgr2ogr)
