@@ -49,7 +49,7 @@ QString velocityCell(const std::optional<Point>& velocity_mps, bool isFrom, int 
         return {};
     const Point shown = isFrom ? Point(-*velocity_mps) : *velocity_mps;
     const double heading_deg = std::atan2(shown.x(), shown.y()) * 180 / std::acos(-1.0);
-    const QString speed = fixedSpeedText(velocity_mps->norm(), decimals, locale);
+    QString speed = fixedSpeedText(velocity_mps->norm(), decimals, locale);
     if (velocity_mps->norm() == 0)
         return speed;
     return speed + u' ' + directionText(heading_deg < 0 ? heading_deg + 360 : heading_deg);

@@ -103,18 +103,18 @@ ForecastField readObject(const Json& value, const std::string& path, Faults& fau
 }
 
 template <>
-std::string objectText(const ForecastField& field)
+std::string objectText(const ForecastField& object)
 {
-    JsonObject object;
-    if (!field.places.empty() && !field.places.front().source.empty())
-        object.add("source", field.places.front().source);
-    if (!field.places.empty() && field.places.front().issued)
-        object.add("issued", utcText(*field.places.front().issued, 0));
-    if (field.columns != 1)
-        object.add("columns", static_cast<std::int64_t>(field.columns));
-    object.addText("places", jsonLines(textsOf(field.places, forecastPlaceText), 2));
-    object.addExtra(field.extraJson);
-    return object.inLine();
+    JsonObject json;
+    if (!object.places.empty() && !object.places.front().source.empty())
+        json.add("source", object.places.front().source);
+    if (!object.places.empty() && object.places.front().issued)
+        json.add("issued", utcText(*object.places.front().issued, 0));
+    if (object.columns != 1)
+        json.add("columns", static_cast<std::int64_t>(object.columns));
+    json.addText("places", jsonLines(textsOf(object.places, forecastPlaceText), 2));
+    json.addExtra(object.extraJson);
+    return json.inLine();
 }
 
 } // namespace berg

@@ -30,7 +30,7 @@ template <class T>
 template <>
 [[nodiscard]] ForecastField readObject(const Json& value, const std::string& path, Faults& faults);
 template <>
-[[nodiscard]] std::string objectText(const ForecastField& field);
+[[nodiscard]] std::string objectText(const ForecastField& object);
 
 /** Returns the JSON text of the scenario as an object with its braces at `indent`. */
 [[nodiscard]] std::string scenarioText(const Scenario& scenario, int indent);

@@ -404,7 +404,7 @@ std::filesystem::path ogr2ogrPath()
     const std::string folders = variable == nullptr ? "/usr/bin:/bin" : variable;
     for (std::size_t at = 0; at < folders.size();) {
         const std::size_t end = std::min(folders.find(':', at), folders.size());
-        const fs::path program = fs::path(folders.substr(at, end - at)) / "ogr2ogr";
+        fs::path program = fs::path(folders.substr(at, end - at)) / "ogr2ogr";
         at = end + 1;
         std::error_code error;
         if (program.is_absolute() && fs::is_regular_file(program, error) &&
