@@ -10,7 +10,7 @@ namespace berg {
 
 /** Distance around what a scenario holds from which a forecast is kept. */
 inline constexpr double kForecastMargin_m = 30'000;
-/** What a drift of 48 h and a scan of start times need of a forecast after the run. */
+/** Time after the run for which a forecast is kept: drift looks 48 h ahead, start times 24 h. */
 inline constexpr std::chrono::hours kForecastAfterRun{48};
 /** Most places times instants of a forecast that is put into a scenario. */
 inline constexpr std::size_t kMostScenarioEntries = 50'000;
