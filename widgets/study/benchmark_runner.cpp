@@ -48,7 +48,7 @@ void BenchmarkRunner::start(const BenchmarkSpec& spec)
 
 double BenchmarkRunner::elapsed_s() const
 {
-    return m_running ? static_cast<double>(m_sinceStart.elapsed()) / 1000 : m_measured_s;
+    return m_running ? 1e-9 * static_cast<double>(m_sinceStart.nsecsElapsed()) : m_measured_s;
 }
 
 double BenchmarkRunner::unsaved_s() const
