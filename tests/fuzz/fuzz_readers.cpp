@@ -67,7 +67,8 @@ void checkMessage(const Error& error)
     const bool isAboutAll =
         first.reason.id == IssueId::NoSightings || first.reason.id == IssueId::NoAirspace ||
         first.reason.id == IssueId::NoIceNear || first.reason.id == IssueId::ColumnsFixed ||
-        first.reason.id == IssueId::HeaderColumns || first.reason.id == IssueId::JsonDepth;
+        first.reason.id == IssueId::HeaderColumns || first.reason.id == IssueId::JsonDepth ||
+        first.reason.id == IssueId::NoQuantity;
     if (!isWhole && !isAboutAll && first.field.empty() && !first.message().starts_with("line "))
         fail(std::string("neither field nor line: ") + error.what());
     if (std::string_view(error.what()).find('\x1b') != std::string_view::npos)

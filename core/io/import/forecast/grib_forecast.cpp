@@ -26,14 +26,32 @@ using GribHandle = std::unique_ptr<codes_handle, DeleteGrib>;
 
 constexpr std::size_t kMostMessages = 100'000;
 constexpr std::size_t kHeader = 16; ///< bytes of section 0 of edition 2
+constexpr std::string_view kMessageEnd = "7777";
 
-/** Returns the length of the message of edition 2 that the bytes begin with. */
-std::size_t lengthOfMessage(std::string_view bytes)
+/** Returns the unsigned number of the bytes from `begin` on. */
+std::size_t bigEndianAt(std::string_view bytes, std::size_t begin, std::size_t size)
 {
-    std::size_t length = 0;
-    for (std::size_t i = 8; i < kHeader; ++i)
-        length = (length << 8U) | static_cast<unsigned char>(bytes[i]);
-    return length;
+    std::size_t number = 0;
+    for (const char byte : bytes.substr(begin, size))
+        number = (number << 8U) | static_cast<unsigned char>(byte);
+    return number;
+}
+
+/**
+ * Returns whether the sections of a message of edition 2 follow each other up to its end. ecCodes
+ * copies as many bytes as they say they have, wherever the message ends.
+ */
+bool holdsItsSections(std::string_view message)
+{
+    constexpr std::size_t kSmallest = 5; // length and number of a section
+    std::size_t begin = kHeader;
+    while (message.size() - begin > kMessageEnd.size()) {
+        const std::size_t length = bigEndianAt(message, begin, 4);
+        if (length < kSmallest || length > message.size() - begin - kMessageEnd.size())
+            return false;
+        begin += length;
+    }
+    return message.substr(begin) == kMessageEnd;
 }
 
 /** Values of one time, in a message or a part of it. */
@@ -95,8 +113,9 @@ public:
                 fail(name,
                      {IssueId::GribEdition,
                       {static_cast<std::int64_t>(static_cast<unsigned char>(bytes[begin + 7]))}});
-            const std::size_t length = lengthOfMessage(bytes.substr(begin));
-            if (length < kHeader + 4 || length > bytes.size() - begin)
+            const std::size_t length = bigEndianAt(bytes, begin + 8, 8);
+            if (length < kHeader + kMessageEnd.size() || length > bytes.size() - begin ||
+                !holdsItsSections(bytes.substr(begin, length)))
                 fail(name, {IssueId::Damaged});
             addMessage(begin, length, name);
             begin += length;

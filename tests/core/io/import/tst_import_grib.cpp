@@ -153,6 +153,20 @@ private slots:
         QVERIFY(empty);
     }
 
+    void sectionsStayInTheirMessage()
+    {
+        const std::string bytes = gribOf(kRegular, "regular_ll_sfc_grib2");
+        constexpr std::size_t kFirst = 16; // of section 1, with its length
+        for (const auto& [offset, value] : {std::pair{0U, 1}, {1U, 0x80}, {3U, 4}, {3U, 0}}) {
+            std::string broken = bytes;
+            broken[kFirst + offset] = static_cast<char>(value);
+            const std::optional<Error> error =
+                errorOf([&] { (void)forecastFromBytes(broken, kGrib); });
+            QVERIFY(error);
+            QCOMPARE(std::string(error->what()), kGrib + ": message 1: is damaged");
+        }
+    }
+
     void mutantsAreRejectedOrSound()
     {
         const std::string bytes = gribOf(kRegular, "regular_ll_sfc_grib2");
