@@ -152,15 +152,18 @@ void FlightWeather::addLattice(const ForecastField& field)
         low_m = low_m.cwiseMin(place_m);
         high_m = high_m.cwiseMax(place_m);
     }
-    const Point step_m = (high_m - low_m) / static_cast<double>(kLatticeNodes - 1);
-    if (!(step_m.maxCoeff() <= kLongest_m) || !(step_m.minCoeff() > 0))
+    constexpr double kSteps = kLatticeNodes - 1;
+    const double size_m = (high_m - low_m).maxCoeff();
+    if (!(size_m <= kSteps * kLongest_m) || size_m == 0)
         return;
+    // Icebergs drift out of the grid, too.
+    const double step_m = std::min(3 * size_m / kSteps, kLongest_m);
+    low_m = (low_m + high_m) / 2 - Point::Constant(step_m * kSteps / 2);
     m_lattice = {.low_m = low_m, .step_m = step_m, .nodes_deg = {}};
     for (std::size_t row = 0; row < kLatticeNodes; ++row)
         for (std::size_t column = 0; column < kLatticeNodes; ++column)
             m_lattice.nodes_deg.push_back(exactDegreesOf(
-                low_m +
-                step_m.cwiseProduct(Point(static_cast<double>(column), static_cast<double>(row)))));
+                low_m + step_m * Point(static_cast<double>(column), static_cast<double>(row))));
 }
 
 void FlightWeather::addWind(const ScenarioWorld& scenario)
@@ -207,7 +210,7 @@ Point FlightWeather::degreesOf(const Point& place_m) const
 {
     if (m_lattice.nodes_deg.empty())
         return exactDegreesOf(place_m);
-    const Point at = (place_m - m_lattice.low_m).cwiseQuotient(m_lattice.step_m);
+    const Point at = (place_m - m_lattice.low_m) / m_lattice.step_m;
     constexpr double kLast = kLatticeNodes - 1;
     if (!(at.minCoeff() >= 0) || !(at.maxCoeff() < kLast))
         return exactDegreesOf(place_m);

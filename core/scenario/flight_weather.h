@@ -78,11 +78,11 @@ private:
         double eastShare = 0;
     };
 
-    /** Latitudes, and degrees east of the middle, of equally spaced points of the plane. */
+    /** Latitudes, and degrees east of the middle, of points of the plane on and around the grid. */
     struct Lattice
     {
         Point low_m = Point::Zero();
-        Point step_m = Point::Zero();
+        double step_m = 0;
         std::vector<Point> nodes_deg; ///< `kLatticeNodes` rows of as many; empty if not used
     };
 

@@ -59,6 +59,13 @@ struct Path
 [[nodiscard]] double longestPath_s(const DubinsState& start, const Point& place_m,
                                    const Motion& motion, double command_s);
 
+/**
+ * Returns whether `pathTo` reaches a fixed place within `left_s`; quicker, because a bound or the
+ * path of one side often answers. The wind must be below the airspeed.
+ */
+[[nodiscard]] bool reachesWithin(double left_s, const DubinsState& start, const Point& place_m,
+                                 const Motion& motion, double command_s);
+
 /** Returns the turn rate, rad/s and within the limit, of the next command on the path. */
 [[nodiscard]] double turnRateOf(const Path& path, const Motion& motion, double command_s);
 

@@ -82,6 +82,7 @@ void SafetyGuard::weighWind()
     m_worst.clear();
     m_slowdown = 1;
     m_turnDrift_s = 0;
+    m_slowest_mps = 0;
     if (!m_uav.sortie)
         return;
     const Motion& motion = m_uav.motion;
@@ -219,8 +220,7 @@ std::optional<int> SafetyGuard::visitsInTime(const DubinsState& pose,
         }
         flown_s += path->time_s;
         at = path->end;
-        const std::optional<double> home_s = timeHome_s(at);
-        if (!home_s || flown_s + *home_s > left_s)
+        if (!isHomeWithin(left_s - flown_s, at))
             break;
         ++visits;
     }
@@ -345,31 +345,33 @@ std::optional<double> SafetyGuard::timeHome_s(const DubinsState& from) const
     return longest_s + m_turnDrift_s;
 }
 
+bool SafetyGuard::isHomeWithin(double left_s, const DubinsState& from) const
+{
+    const Point& home_m = m_uav.sortie->home_m;
+    const double command_s = m_uav.clock.command_s();
+    if (m_uav.fence) {
+        if (m_worst.empty() && m_uav.fence->longestPath_s(from, home_m, command_s) <= left_s)
+            return true;
+        const std::optional<double> home_s = timeHome_s(from);
+        return home_s && *home_s <= left_s;
+    }
+    if (m_uav.motion.wind_mps.norm() >= m_uav.motion.airspeed_mps)
+        return false;
+    const double path_s = left_s - m_turnDrift_s;
+    const double away_m = (home_m - from.position_m).norm();
+    if (m_slowest_mps > 0 && m_longestTurn_s + away_m / m_slowest_mps <= path_s)
+        return true;
+    const auto reaches = [&](const Motion& motion) {
+        return motion.wind_mps.norm() < motion.airspeed_mps &&
+               reachesWithin(path_s, from, home_m, motion, command_s);
+    };
+    return reaches(m_uav.motion) && std::ranges::all_of(m_worst, reaches);
+}
+
 bool SafetyGuard::homeInTimeAfter(const DubinsState& pose, double u_radps, double left_s) const
 {
-    const DubinsState after = heldFor(pose, u_radps, m_uav.clock.steps);
-    const double after_s = left_s - m_uav.clock.command_s() - kHomeReserve_s;
-    const Point& home_m = m_uav.sortie->home_m;
-    if (m_worst.empty()) {
-        const double longest_s =
-            m_uav.fence ? m_uav.fence->longestPath_s(after, home_m, m_uav.clock.command_s())
-                        : longestPath_s(after, home_m, m_uav.motion, m_uav.clock.command_s());
-        if (longest_s <= after_s)
-            return true;
-    } else if (!m_uav.fence) {
-        const double farthest_s =
-            m_longestTurn_s + (home_m - after.position_m).norm() / m_slowest_mps;
-        if (m_slowest_mps > 0 && farthest_s + m_turnDrift_s <= after_s)
-            return true;
-        double longest_s = 0;
-        for (const Motion& motion : m_worst)
-            longest_s =
-                std::max(longest_s, longestPath_s(after, home_m, motion, m_uav.clock.command_s()));
-        if (longest_s + m_turnDrift_s <= after_s)
-            return true;
-    }
-    const std::optional<double> home_s = timeHome_s(after);
-    return home_s && *home_s <= after_s;
+    return isHomeWithin(left_s - m_uav.clock.command_s() - kHomeReserve_s,
+                        heldFor(pose, u_radps, m_uav.clock.steps));
 }
 
 double SafetyGuard::homeRate_radps(const DubinsState& pose) const

@@ -169,6 +169,11 @@ public:
      */
     [[nodiscard]] std::optional<double> timeHome_s(const DubinsState& from) const;
     /**
+     * Returns whether `timeHome_s` is at most `left_s`; quicker, because bounds of the paths often
+     * answer. Requires a sortie.
+     */
+    [[nodiscard]] bool isHomeWithin(double left_s, const DubinsState& from) const;
+    /**
      * Returns whether the UAV can be home within `left_s` from now, with `kHomeReserve_s` to spare,
      * if it first flies one command at this rate, whose duration counts. With a fence the time
      * includes one circle (`timeHome_s`). Requires a sortie.
@@ -250,7 +255,7 @@ private:
     WindAhead m_ahead;           ///< set if the wind changes
     std::vector<Motion> m_worst; ///< winds at the corners of the range; empty if it is constant
     double m_longestTurn_s = 0;  ///< `longestPath_s` of no distance in the worst of `m_worst`
-    double m_slowest_mps = 0;    ///< least speed over ground in any of `m_worst`
+    double m_slowest_mps = 0;    ///< least speed over ground in any of `m_worst`, 0 if it is empty
     double m_slowdown = 1;       ///< largest ratio of the speed over ground to the least to come
     double m_turnDrift_s = 0;    ///< time lost by drifting during the first turn
 };

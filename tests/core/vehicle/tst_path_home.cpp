@@ -82,6 +82,22 @@ private slots:
         }
     }
 
+    void pathsAreReachedWithinTheirTime()
+    {
+        Random random(12);
+        for (int i = 0; i < 20000; ++i) {
+            const Motion motion = inWind(random.uniform(0, 21), random.uniform(-kPi, kPi));
+            const double command_s = random.uniform(0.1, 2);
+            const DubinsState start = anywhere(random, 4000);
+            const std::optional<Path> path = pathTo(start, {}, motion, command_s);
+            QVERIFY(path);
+            const Point home_m = Point::Zero();
+            QVERIFY(path->time_s <= longestPath_s(start, home_m, motion, command_s));
+            QVERIFY(reachesWithin(path->time_s + 1e-9, start, home_m, motion, command_s));
+            QVERIFY(!reachesWithin(path->time_s - 1e-6, start, home_m, motion, command_s));
+        }
+    }
+
     void aheadIsFlownStraight()
     {
         const DubinsState start{.position_m = {-2200, 0}, .psi_rad = 0};
