@@ -241,6 +241,8 @@ WeatherVerdict weatherAlong(const ScenarioWorld& scenario,
 
 WeatherVerdict weatherOfArea(const ScenarioWorld& scenario)
 {
+    if (!hasWeatherLimits(scenario))
+        return {.uavs = std::vector<UavWeather>(scenario.uavs.size())};
     const ScenarioWeather weather(scenario);
     const std::size_t icebergs = std::min(scenario.icebergs.size(), kMostWeatherPlaces);
     std::vector<Point> places_m;
