@@ -193,7 +193,9 @@ QVariant CellModel::headerData(int section, Qt::Orientation orientation, int rol
         return {};
     const CellColumn& column = columnAt(section);
     if (role == Qt::TextAlignmentRole)
-        return QVariant((column.isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return QVariant(Qt::AlignVCenter | (column.isMark     ? Qt::AlignHCenter
+                                            : column.isNumber ? Qt::AlignRight
+                                                              : Qt::AlignLeft));
     if (role == Qt::ToolTipRole || (role == Qt::AccessibleTextRole && m_sheet.speaksTips))
         return column.tip;
     return role == Qt::DisplayRole ? column.title : QVariant();

@@ -31,6 +31,7 @@ struct CellColumn
     std::function<QString(int row)> text;
     std::function<CellKey(int row)> key{}; ///< sort key; null sorts by `text`
     bool isNumber = false;                 ///< aligned to the right
+    bool isMark = false;                   ///< centred
     /** Sets the cell and returns whether it did; null if the column cannot be edited. */
     std::function<bool(int row, const QVariant& value)> edit{};
     std::function<QVariant(int row)> value{}; ///< value in the editor; null for `text`

@@ -8,7 +8,7 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QTableWidget>
+#include <QTableView>
 #include <QTimer>
 
 using namespace berg;
@@ -20,7 +20,7 @@ namespace {
 /** One run in the list of the comparison, which has the focus; an iceberg is selected. */
 struct ListWindow : WindowFixture
 {
-    QTableWidget* runs = nullptr;
+    QTableView* runs = nullptr;
 
     ListWindow() : WindowFixture(test::MapFixture::shortRun())
     {
@@ -31,7 +31,7 @@ struct ListWindow : WindowFixture
         if (!untilReady())
             qFatal("not planned");
         test::child<QDockWidget>(window(), u"comparisonDock"_s).raise();
-        runs = &test::child<QTableWidget>(window(), u"comparedRuns"_s);
+        runs = &test::child<QTableView>(window(), u"comparedRuns"_s);
         workspace.selection().set({"berg-2"});
         runs->setFocus();
     }
@@ -78,7 +78,7 @@ private slots:
                                       {.policy = PolicyKind::Nearest});
         QVERIFY(w.until([&] { return w.workspace.runs().comparison().has_value(); }));
         const RunPointer other = w.workspace.runs().other();
-        w.runs->setCurrentCell(1, 0);
+        w.runs->setCurrentIndex(w.runs->model()->index(1, 0));
         QTest::keyClick(w.runs, Qt::Key_A);
         QVERIFY(w.workspace.runs().reference() == other);
         QTest::keyClick(w.runs, Qt::Key_B);

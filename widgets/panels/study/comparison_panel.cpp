@@ -60,7 +60,8 @@ ComparisonPanel::ComparisonPanel(RunList& list, QWidget* parent) : QWidget(paren
 void ComparisonPanel::addTables()
 {
     m_runs = new RunTable(m_list);
-    connect(m_runs, &QTableWidget::currentCellChanged, this, &ComparisonPanel::updateEnabled);
+    connect(m_runs->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &ComparisonPanel::updateEnabled);
     m_figures = new ComparisonTable(u"comparedFigures"_s, tr("Figures of the comparison"));
     m_unseen = new ComparisonTable(u"comparedIcebergs"_s, tr("Longest time unseen"));
     m_tabs = new QTabWidget;
@@ -69,7 +70,7 @@ void ComparisonPanel::addTables()
     m_tabs->addTab(m_figures, tr("Figures"));
     m_tabs->addTab(m_unseen, tr("Unseen"));
     m_tabs->setTabToolTip(1, tr("Longest time for which each iceberg was out of view."));
-    for (QTableWidget* table : std::initializer_list<QTableWidget*>{m_runs, m_figures, m_unseen})
+    for (QTableView* table : std::initializer_list<QTableView*>{m_runs, m_figures, m_unseen})
         table->setMinimumHeight(kLowestTable_px);
     m_content = new QBoxLayout(QBoxLayout::TopToBottom);
     m_content->setSpacing(kGap_px);
@@ -272,7 +273,7 @@ void ComparisonPanel::updateEnabled()
     m_tau->setEnabled(hasWorld);
     m_fly->setEnabled(hasWorld);
     m_open->setEnabled(!flying);
-    m_remove->setEnabled(m_runs->currentRow() >= 0);
+    m_remove->setEnabled(m_runs->currentIndex().isValid());
 }
 
 /** Arranges side by side or on tabs in a low dock, one below the other in a narrow one. */

@@ -1,6 +1,7 @@
 #include "widgets/panels/study/comparison_tables.h"
 
 #include "widgets/panels/fields/panel_labels.h"
+#include "widgets/tables/cell_model.h"
 #include "widgets/tables/dock_table.h"
 #include "widgets/theme/quantity_text.h"
 #include "widgets/words/object_names.h"
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -25,8 +28,7 @@ enum Column
     FigureName,
     FigureOfReference,
     FigureOfOther,
-    FigureDifference,
-    FigureColumnCount
+    FigureDifference
 };
 
 struct ComparisonText
@@ -194,7 +196,7 @@ std::vector<ComparisonRow> unseenRows(const ComparedRun& reference, const Compar
     return maker.rows;
 }
 
-void setUpComparisonTable(QTableWidget& table, const QString& name, const QString& title)
+void setUpComparisonTable(QTableView& table, const QString& name, const QString& title)
 {
     table.setObjectName(name);
     table.setAccessibleName(title);
@@ -206,15 +208,25 @@ void setUpComparisonTable(QTableWidget& table, const QString& name, const QStrin
     header->setMinimumSectionSize(1);
 }
 
-ComparisonTable::ComparisonTable(const QString& name, const QString& title, QWidget* parent)
-    : QTableWidget(0, FigureColumnCount, parent)
+int widestText_px(const QTableView& table, int column, const QFont& font, const QString& least)
 {
+    const QFontMetrics metrics(font);
+    const QAbstractItemModel& model = *table.model();
+    int widest_px = metrics.horizontalAdvance(least);
+    for (int row = 0; row < model.rowCount(); ++row)
+        widest_px = std::max(widest_px,
+                             metrics.horizontalAdvance(model.index(row, column).data().toString()));
+    return widest_px;
+}
+
+ComparisonTable::ComparisonTable(const QString& name, const QString& title, QWidget* parent)
+    : QTableView(parent), m_model(new CellModel(this))
+{
+    setModel(m_model);
+    showRows({}); // the columns, which setting up needs
     setUpComparisonTable(*this, name, title);
     setSelectionMode(QAbstractItemView::NoSelection);
     setFocusPolicy(Qt::TabFocus);
-    setHorizontalHeaderLabels({QString(), tr("A"), tr("B"), tr("B − A")});
-    for (const int column : {FigureOfReference, FigureOfOther, FigureDifference})
-        horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     horizontalHeader()->setSectionResizeMode(FigureName, QHeaderView::Stretch);
 }
 
@@ -224,30 +236,33 @@ void ComparisonTable::setTheme(const Theme& theme)
     setColumnWidths();
 }
 
-void ComparisonTable::showRows(const std::vector<ComparisonRow>& rows)
+void ComparisonTable::showRows(std::vector<ComparisonRow> rows)
 {
-    setRowCount(static_cast<int>(rows.size()));
-    for (int r = 0; r < rowCount(); ++r) {
-        const ComparisonRow& row = rows[static_cast<std::size_t>(r)];
-        const auto put = [&](int column, const QString& text, bool bold) {
-            QTableWidgetItem* cell = item(r, column);
-            if (cell == nullptr) {
-                cell = new QTableWidgetItem;
-                setItem(r, column, cell);
-                if (column != FigureName)
-                    cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            }
-            QFont cellFont = font();
-            cellFont.setBold(bold);
-            cell->setFont(cellFont);
-            cell->setText(text);
-            cell->setToolTip(row.toolTip);
-        };
-        put(FigureName, row.label, false);
-        put(FigureOfReference, row.reference, row.better == Better::Reference);
-        put(FigureOfOther, row.other, row.better == Better::Other);
-        put(FigureDifference, row.difference, false);
-    }
+    const auto shown = std::make_shared<const std::vector<ComparisonRow>>(std::move(rows));
+    const auto rowOf = [shown](int row) -> const ComparisonRow& {
+        return (*shown)[static_cast<std::size_t>(row)];
+    };
+    const auto column = [&](const QString& title, QString ComparisonRow::*text) {
+        return CellColumn{.title = title, .text = [=](int row) { return rowOf(row).*text; }};
+    };
+    CellSheet sheet{.columns = withNumbers({column({}, &ComparisonRow::label),
+                                            column(tr("A"), &ComparisonRow::reference),
+                                            column(tr("B"), &ComparisonRow::other),
+                                            column(tr("B − A"), &ComparisonRow::difference)}),
+                    .rows = static_cast<int>(shown->size()),
+                    .toolTip = [=](int row, int /*column*/) { return rowOf(row).toolTip; },
+                    .other = [=, this](int row, int column, int role) -> QVariant {
+                        const Better better = rowOf(row).better;
+                        const bool isBetter =
+                            (column == FigureOfReference && better == Better::Reference) ||
+                            (column == FigureOfOther && better == Better::Other);
+                        if (role != Qt::FontRole || !isBetter)
+                            return {};
+                        QFont bold = font();
+                        bold.setBold(true);
+                        return bold;
+                    }};
+    m_model->setSheet(std::move(sheet));
     setColumnWidths();
 }
 
@@ -256,20 +271,16 @@ void ComparisonTable::setColumnWidths()
 {
     QFont bold = font();
     bold.setBold(true);
-    const QFontMetrics metrics(bold);
     const int most_px = viewport()->width() / 4;
-    for (const int column : {FigureOfReference, FigureOfOther, FigureDifference}) {
-        int widest_px = metrics.horizontalAdvance(u"00:00"_s);
-        for (int r = 0; r < rowCount(); ++r)
-            if (const QTableWidgetItem* cell = item(r, column))
-                widest_px = std::max(widest_px, metrics.horizontalAdvance(cell->text()));
-        setColumnWidth(column, std::min(widest_px + kCellMargins_px, most_px));
-    }
+    for (const int column : {FigureOfReference, FigureOfOther, FigureDifference})
+        setColumnWidth(
+            column,
+            std::min(widestText_px(*this, column, bold, u"00:00"_s) + kCellMargins_px, most_px));
 }
 
 void ComparisonTable::resizeEvent(QResizeEvent* event)
 {
-    QTableWidget::resizeEvent(event);
+    QTableView::resizeEvent(event);
     setColumnWidths();
 }
 

@@ -4,11 +4,13 @@
 #include "widgets/theme/theme.h"
 
 #include <QLocale>
-#include <QTableWidget>
+#include <QTableView>
 
 #include <vector>
 
 namespace berg {
+
+class CellModel;
 
 /** Which of the two runs has the better value. */
 enum class Better
@@ -46,23 +48,28 @@ unseenRows(const ComparedRun& reference, const ComparedRun* other, const QLocale
  * Table with a quantity a row, columns for the two runs and their difference; the better value is
  * bold.
  */
-class ComparisonTable : public QTableWidget
+class ComparisonTable : public QTableView
 {
     Q_OBJECT
 
 public:
     explicit ComparisonTable(const QString& name, const QString& title, QWidget* parent = nullptr);
     void setTheme(const Theme& theme);
-    void showRows(const std::vector<ComparisonRow>& rows);
+    void showRows(std::vector<ComparisonRow> rows);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     void setColumnWidths();
+
+    CellModel* m_model;
 };
 
-/** Applies the settings common to all tables of the panel. */
-void setUpComparisonTable(QTableWidget& table, const QString& name, const QString& title);
+/** Applies the settings common to all tables of the panel, which must have their model. */
+void setUpComparisonTable(QTableView& table, const QString& name, const QString& title);
+/** Returns the width, px, of the longest text of a column, and at least that of `least`. */
+[[nodiscard]] int widestText_px(const QTableView& table, int column, const QFont& font,
+                                const QString& least);
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #include "widgets/panels/study/run_table.h"
 
 #include "widgets/panels/study/comparison_tables.h"
+#include "widgets/tables/cell_model.h"
 #include "widgets/tables/dock_table.h"
 #include "widgets/theme/quantity_text.h"
 
@@ -13,6 +14,9 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -40,11 +44,112 @@ bool scenariosDiffer(const std::vector<RunPointer>& runs)
     });
 }
 
+/** A run in the list, as texts. */
+struct RunRow
+{
+    QString name;
+    QString zeta;
+    QString difference;
+    QString toolTip;
+    bool isComparable = false;
+    std::array<RunMark, 2> marks{}; ///< as reference and as other
+};
+
+RunRow runRowOf(const RunPointer& run, const RunList& list, const QLocale& locale)
+{
+    const RunPointer& reference = list.reference();
+    const bool isComparable = reference && berg::isComparable(*run, *reference);
+    const bool isReference = run == reference;
+    const bool isOther = reference && run == list.other();
+    RunRow row{.name = runName(*run, locale),
+               .zeta = significantText(run->metrics.zeta_m2s, 4, locale),
+               .isComparable = isComparable,
+               .marks = {isReference ? RunMark::Chosen : RunMark::Choice,
+                         isOther                        ? RunMark::Chosen
+                         : isComparable && !isReference ? RunMark::Choice
+                                                        : RunMark::None}};
+    if (run->name.isEmpty() && fleetsDiffer(list.runs()))
+        row.name +=
+            u", "_s + RunTable::tr("%n UAVs", nullptr, static_cast<int>(run->scenario.uavs.size()));
+    const QString scenario = QString::fromStdString(run->scenario.name);
+    if (run->name.isEmpty() && scenariosDiffer(list.runs()))
+        row.name += u" \u2013 "_s + scenario;
+    row.toolTip = row.name + u'\n' + scenario;
+    if (!run->file.isEmpty())
+        row.toolTip += u'\n' + QFileInfo(run->file).fileName();
+    if (reference && !isComparable)
+        row.toolTip +=
+            u'\n' + RunTable::tr("Its scenario differs from that of A: they cannot be compared.");
+    if (isComparable && !isReference) {
+        const double until_s = std::min(run->flown_s, reference->flown_s);
+        row.difference = percentText(figuresAt(*run, until_s).zeta_m2s,
+                                     figuresAt(*reference, until_s).zeta_m2s, locale);
+    }
+    return row;
+}
+
+/** Returns what choosing a run by its circle does. */
+QString choiceText(int column)
+{
+    return column == RunReference ? RunTable::tr("Make this run the reference A")
+                                  : RunTable::tr("Compare this run with A");
+}
+
+/** Returns the sheet of the runs; `rename` is called with a row and a new name. */
+CellSheet sheetOfRuns(std::vector<RunRow> runs, const QColor& muted,
+                      const std::function<void(int row, const QString& name)>& rename)
+{
+    const auto rows = std::make_shared<const std::vector<RunRow>>(std::move(runs));
+    const auto row = [rows](int index) -> const RunRow& {
+        return (*rows)[static_cast<std::size_t>(index)];
+    };
+    const auto noText = [](int /*row*/) { return QString(); };
+    return {.columns = {{.title = RunTable::tr("A"),
+                         .tip = RunTable::tr("The reference: click a circle, or press A."),
+                         .text = noText,
+                         .isMark = true},
+                        {.title = RunTable::tr("B"),
+                         .tip = RunTable::tr("Compared with it: click a circle, or press B."),
+                         .text = noText,
+                         .isMark = true},
+                        {.title = RunTable::tr("Run"),
+                         .text = [=](int index) { return row(index).name; },
+                         .edit =
+                             [=](int index, const QVariant& value) {
+                                 if (value.toString() == row(index).name)
+                                     return false;
+                                 rename(index, value.toString());
+                                 return true;
+                             }},
+                        {.title = RunTable::tr("ζ, m² s"),
+                         .text = [=](int index) { return row(index).zeta; },
+                         .isNumber = true},
+                        {.title = RunTable::tr("vs A"),
+                         .tip = RunTable::tr(
+                             "Zeta compared with that of A at the time both have flown."),
+                         .text = [=](int index) { return row(index).difference; },
+                         .isNumber = true}},
+            .rows = static_cast<int>(rows->size()),
+            .toolTip =
+                [=](int index, int column) {
+                    return column < RunName ? choiceText(column) : row(index).toolTip;
+                },
+            .other = [=](int index, int column, int role) -> QVariant {
+                if (role == Qt::ForegroundRole && !row(index).isComparable)
+                    return QBrush(muted);
+                if (role == Qt::UserRole && column < RunName)
+                    return static_cast<int>(row(index).marks[static_cast<std::size_t>(column)]);
+                return {};
+            }};
+}
+
 } // namespace
 
 RunTable::RunTable(RunList& list, QWidget* parent)
-    : QTableWidget(0, RunColumnCount, parent), m_list(list), m_theme(Theme::light())
+    : QTableView(parent), m_list(list), m_theme(Theme::light()), m_model(new CellModel(this))
 {
+    setModel(m_model);
+    m_model->setSheet(sheetOfRuns({}, {}, {}));
     setUpComparisonTable(*this, u"comparedRuns"_s, tr("Runs"));
     keepKeys(*this, [this](const QKeyEvent& key) {
         return currentRow() >= 0 && key.modifiers() == Qt::NoModifier &&
@@ -53,21 +158,13 @@ RunTable::RunTable(RunList& list, QWidget* parent)
     });
     m_marks = new RunMarkDelegate(this);
     setItemDelegate(m_marks);
-    setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("ζ, m² s"), tr("vs A")});
-    horizontalHeaderItem(RunReference)
-        ->setToolTip(tr("The reference: click a circle, or press A."));
-    horizontalHeaderItem(RunOther)->setToolTip(tr("Compared with it: click a circle, or press B."));
-    horizontalHeaderItem(RunDifference)
-        ->setToolTip(tr("Zeta compared with that of A at the time both have flown."));
-    horizontalHeaderItem(RunName)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    for (const int number : {RunZeta, RunDifference})
-        horizontalHeaderItem(number)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     horizontalHeader()->setSectionResizeMode(RunName, QHeaderView::Stretch);
     setTextElideMode(Qt::ElideMiddle); // runs may differ at the end: "..., to 05:00"
-    connect(this, &QTableWidget::cellClicked, this, &RunTable::choose);
-    connect(this, &QTableWidget::cellDoubleClicked, this, [this](int row, int column) {
-        if (column >= RunName) // the first click has already chosen a circle
-            choose(row, RunOther);
+    connect(this, &QTableView::clicked, this,
+            [this](const QModelIndex& at) { choose(at.row(), at.column()); });
+    connect(this, &QTableView::doubleClicked, this, [this](const QModelIndex& at) {
+        if (at.column() >= RunName) // the first click has already chosen a circle
+            choose(at.row(), RunOther);
     });
 
     m_empty = newTableNote(*this, u"comparisonEmpty"_s, kCellMargins_px);
@@ -85,81 +182,34 @@ void RunTable::setTheme(const Theme& theme)
 void RunTable::showRuns()
 {
     const int before = currentRow();
-    const int count = static_cast<int>(m_list.runs().size());
-    const bool isNew = count > rowCount();
-    setRowCount(count);
-    for (int row = 0; row < count; ++row)
-        showRun(row);
+    std::vector<RunRow> rows;
+    for (const RunPointer& run : m_list.runs())
+        rows.push_back(runRowOf(run, m_list, locale()));
+    const int count = static_cast<int>(rows.size());
+    const bool isNew = count > m_model->rowCount();
+    m_model->updateSheet(sheetOfRuns(std::move(rows), m_theme.mutedText,
+                                     [this](int row, const QString& name) {
+                                         m_list.rename(static_cast<std::size_t>(row), name);
+                                     }),
+                         [](int /*row*/) { return false; });
     m_empty->setVisible(count == 0);
     if (count > 0)
-        setCurrentCell(isNew || before < 0 ? count - 1 : std::min(before, count - 1), RunName);
+        goTo(isNew || before < 0 ? count - 1 : std::min(before, count - 1));
 }
 
-void RunTable::showRun(int row)
+void RunTable::goTo(int row)
 {
-    const RunPointer& run = m_list.runs()[static_cast<std::size_t>(row)];
-    const RunPointer& reference = m_list.reference();
-    const bool comparable = reference && isComparable(*run, *reference);
-    const auto put = [&](int column, const QString& text, const QString& toolTip) {
-        QTableWidgetItem* cell = item(row, column);
-        if (cell == nullptr) {
-            cell = new QTableWidgetItem;
-            setItem(row, column, cell);
-            if (column > RunName)
-                cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        }
-        cell->setText(text);
-        cell->setToolTip(toolTip);
-        cell->setForeground(comparable ? QBrush() : QBrush(m_theme.mutedText));
-        return cell;
-    };
-    QString name = runName(*run, locale());
-    const bool isNamed = !run->name.isEmpty();
-    if (!isNamed && fleetsDiffer(m_list.runs())) {
-        const int uavs = static_cast<int>(run->scenario.uavs.size());
-        name += u", "_s + tr("%n UAVs", nullptr, uavs);
-    }
-    if (!isNamed && scenariosDiffer(m_list.runs()))
-        name += u" \u2013 "_s + QString::fromStdString(run->scenario.name);
-    QString toolTip = u"%1\n%2"_s.arg(name, QString::fromStdString(run->scenario.name));
-    if (!run->file.isEmpty())
-        toolTip += u'\n' + QFileInfo(run->file).fileName();
-    if (reference && !comparable)
-        toolTip += u'\n' + tr("Its scenario differs from that of A: they cannot be compared.");
-    const auto mark = [](bool chosen, bool can) {
-        return static_cast<int>(chosen ? RunMark::Chosen : can ? RunMark::Choice : RunMark::None);
-    };
-    put(RunReference, {}, tr("Make this run the reference A"))
-        ->setData(Qt::UserRole, mark(run == reference, true));
-    put(RunOther, {}, tr("Compare this run with A"))
-        ->setData(Qt::UserRole,
-                  mark(reference && run == m_list.other(), comparable && run != reference));
-    put(RunName, name, toolTip);
-    put(RunZeta, significantText(run->metrics.zeta_m2s, 4, locale()), toolTip);
-    QString difference;
-    if (comparable && run != reference) {
-        const double until_s = std::min(run->flown_s, reference->flown_s);
-        difference = percentText(figuresAt(*run, until_s).zeta_m2s,
-                                 figuresAt(*reference, until_s).zeta_m2s, locale());
-    }
-    put(RunDifference, difference, toolTip);
+    setCurrentIndex(m_model->index(row, RunName));
 }
 
 void RunTable::arrange(int width_px)
 {
     setColumnHidden(RunZeta, width_px < kZetaFrom_px);
-    const QFontMetrics metrics(font());
-    const auto setWidth = [&](int column, const QString& least) {
-        int widest_px = metrics.horizontalAdvance(least);
-        for (int row = 0; row < rowCount(); ++row)
-            if (const QTableWidgetItem* cell = item(row, column))
-                widest_px = std::max(widest_px, metrics.horizontalAdvance(cell->text()));
-        setColumnWidth(column, widest_px + kCellMargins_px);
-    };
     setColumnWidth(RunReference, kMarkColumn_px);
     setColumnWidth(RunOther, kMarkColumn_px);
-    setWidth(RunZeta, u"ζ, m² s"_s);
-    setWidth(RunDifference, u"−0.0 %"_s);
+    for (const auto& [column, least] :
+         {std::pair{RunZeta, u"ζ, m² s"_s}, {RunDifference, u"−0.0 %"_s}})
+        setColumnWidth(column, widestText_px(*this, column, font(), least) + kCellMargins_px);
 }
 
 void RunTable::choose(int row, int column)
@@ -181,29 +231,15 @@ void RunTable::removeCurrent()
 
 void RunTable::renameCurrent()
 {
-    if (currentRow() < 0)
-        return;
-    setCurrentCell(currentRow(), RunName);
-    editItem(currentItem());
-}
-
-void RunTable::commitData(QWidget* editor)
-{
-    // The current row may have changed during typing, so the row is found by the editor's position.
-    const QTableWidgetItem* cell = itemAt(editor->geometry().center());
-    if (cell == nullptr)
-        return;
-    const QString before = cell->text();
-    QTableWidget::commitData(editor);
-    if (const QString name = cell->text(); name != before)
-        m_list.rename(static_cast<std::size_t>(cell->row()), name);
+    if (currentRow() >= 0)
+        edit(m_model->index(currentRow(), RunName));
 }
 
 void RunTable::contextMenuEvent(QContextMenuEvent* event)
 {
     if (const int row = rowAt(event->pos().y());
         row >= 0 && event->reason() == QContextMenuEvent::Mouse)
-        setCurrentCell(row, RunName);
+        goTo(row);
     const int row = currentRow();
     if (row < 0)
         return;
@@ -211,9 +247,9 @@ void RunTable::contextMenuEvent(QContextMenuEvent* event)
     menu->setObjectName(u"runMenu"_s);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const auto add = [&](RunColumn column) {
-        menu->addAction(item(row, column)->toolTip(), this,
-                        [this, row, column] { choose(row, column); })
-            ->setEnabled(item(row, column)->data(Qt::UserRole) == int(RunMark::Choice));
+        const QVariant mark = m_model->index(row, column).data(Qt::UserRole);
+        menu->addAction(choiceText(column), this, [this, row, column] { choose(row, column); })
+            ->setEnabled(mark == int(RunMark::Choice));
     };
     add(RunReference);
     add(RunOther);
@@ -226,7 +262,7 @@ void RunTable::contextMenuEvent(QContextMenuEvent* event)
 void RunTable::keyPressEvent(QKeyEvent* event)
 {
     if (state() == EditingState) // Return ends editing
-        return QTableWidget::keyPressEvent(event);
+        return QTableView::keyPressEvent(event);
     switch (event->key()) {
     case Qt::Key_Delete:
         removeCurrent();
@@ -243,7 +279,7 @@ void RunTable::keyPressEvent(QKeyEvent* event)
         choose(currentRow(), RunOther);
         break;
     default:
-        QTableWidget::keyPressEvent(event);
+        QTableView::keyPressEvent(event);
     }
 }
 

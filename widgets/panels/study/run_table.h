@@ -4,11 +4,13 @@
 #include "widgets/theme/theme.h"
 
 #include <QStyledItemDelegate>
-#include <QTableWidget>
+#include <QTableView>
 
 class QLabel;
 
 namespace berg {
+
+class CellModel;
 
 /** Columns of the list of runs. */
 enum RunColumn
@@ -48,7 +50,7 @@ private:
  * List of runs, with circles that choose A and B; keys A, B and Delete do the same, F2 renames.
  * Shows and controls a list that it borrows.
  */
-class RunTable : public QTableWidget
+class RunTable : public QTableView
 {
     Q_OBJECT
 
@@ -64,15 +66,16 @@ public:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
-    void commitData(QWidget* editor) override;
 
 private:
+    [[nodiscard]] int currentRow() const { return currentIndex().row(); }
+    void goTo(int row);
     void renameCurrent();
-    void showRun(int row);
     void choose(int row, int column);
 
     RunList& m_list;
     Theme m_theme;
+    CellModel* m_model;
     RunMarkDelegate* m_marks = nullptr;
     QLabel* m_empty = nullptr;
 };

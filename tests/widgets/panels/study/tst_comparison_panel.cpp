@@ -29,9 +29,9 @@ struct ComparisonPanelFixture
 {
     RunList list;
     ComparisonPanel panel{list};
-    QTableWidget& runs = test::child<QTableWidget>(panel, u"comparedRuns"_s);
-    QTableWidget& figures = test::child<QTableWidget>(panel, u"comparedFigures"_s);
-    QTableWidget& unseen = test::child<QTableWidget>(panel, u"comparedIcebergs"_s);
+    QTableView& runs = test::child<QTableView>(panel, u"comparedRuns"_s);
+    QTableView& figures = test::child<QTableView>(panel, u"comparedFigures"_s);
+    QTableView& unseen = test::child<QTableView>(panel, u"comparedIcebergs"_s);
     QPushButton& tour = test::child<QPushButton>(panel, u"compareTour"_s);
     QPushButton& cancel = test::child<QPushButton>(panel, u"cancelComparison"_s);
     QProgressBar& bar = test::child<QProgressBar>(panel, u"comparisonProgress"_s);
@@ -52,13 +52,26 @@ struct ComparisonPanelFixture
     {
         list.add(test::flownRecord(test::shortScenario(seed), policy(kind), until_s));
     }
+    [[nodiscard]] static QModelIndex at(const QTableView& table, int row, int column)
+    {
+        return table.model()->index(row, column);
+    }
+    [[nodiscard]] static QString text(const QTableView& table, int row, int column)
+    {
+        return at(table, row, column).data().toString();
+    }
+    [[nodiscard]] bool isBold(int row, int column) const
+    {
+        return at(figures, row, column).data(Qt::FontRole).value<QFont>().bold();
+    }
+    [[nodiscard]] int count() const { return runs.model()->rowCount(); }
     [[nodiscard]] RunMark mark(int row, int column) const
     {
-        return static_cast<RunMark>(runs.item(row, column)->data(Qt::UserRole).toInt());
+        return static_cast<RunMark>(at(runs, row, column).data(Qt::UserRole).toInt());
     }
     void click(int row, int column)
     {
-        const QRect cell = runs.visualItemRect(runs.item(row, column));
+        const QRect cell = runs.visualRect(at(runs, row, column));
         QTest::mouseClick(runs.viewport(), Qt::LeftButton, {}, cell.center());
     }
     [[nodiscard]] bool ends() { return !finished.isEmpty() || finished.wait(kPatience_ms); }
@@ -102,16 +115,16 @@ private slots:
         QVERIFY(f.bar.isVisible() && f.cancel.isVisible() && !f.tour.isVisible());
         QVERIFY(f.ends());
         QVERIFY(f.tour.isVisible() && !f.bar.isVisible());
-        QCOMPARE(f.runs.rowCount(), 2);
+        QCOMPARE(f.count(), 2);
         QVERIFY(f.list.other()->metrics == expected.now.metrics);
         QVERIFY(f.mark(0, RunReference) == RunMark::Chosen);
         QVERIFY(f.mark(0, RunOther) == RunMark::None);
         QVERIFY(f.mark(1, RunReference) == RunMark::Choice);
         QVERIFY(f.mark(1, RunOther) == RunMark::Chosen);
         QCOMPARE(
-            f.runs.item(1, RunDifference)->text(),
+            f.text(f.runs, 1, RunDifference),
             percentText(expected.now.metrics.zeta_m2s, first.now.metrics.zeta_m2s, QLocale::c()));
-        QVERIFY(f.runs.item(0, RunDifference)->text().isEmpty());
+        QVERIFY(f.text(f.runs, 0, RunDifference).isEmpty());
     }
 
     /** Without a run of this scenario both runs are flown. */
@@ -124,11 +137,11 @@ private slots:
         f.panel.setScenario(scenario);
         f.tour.click();
         QVERIFY(f.ends());
-        QCOMPARE(f.runs.rowCount(), 3);
+        QCOMPARE(f.count(), 3);
         QCOMPARE(f.list.reference()->planner.policy, PolicyKind::Uncertainty);
         QCOMPARE(f.list.other()->planner.policy, PolicyKind::Tour);
         QVERIFY(f.mark(0, RunOther) == RunMark::None);
-        QVERIFY(f.runs.item(0, RunDifference)->text().isEmpty());
+        QVERIFY(f.text(f.runs, 0, RunDifference).isEmpty());
     }
 
     void anyTauIsFlown()
@@ -166,7 +179,7 @@ private slots:
         QVERIFY(f.ends());
         QVERIFY(f.tour.isVisible() && f.tour.isEnabled());
         QVERIFY(f.state.isHidden());
-        QCOMPARE(f.runs.rowCount(), 0);
+        QCOMPARE(f.count(), 0);
     }
 
     void failuresAreReported()
@@ -187,11 +200,11 @@ private slots:
     {
         ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest, 60);
-        QCOMPARE(f.runs.item(0, RunName)->text(), u"Nearest first, to 01:00"_s);
+        QCOMPARE(f.text(f.runs, 0, RunName), u"Nearest first, to 01:00"_s);
         f.list.add(test::flownRecord(test::withUavs(test::shortScenario(), 2),
                                      policy(PolicyKind::Nearest), 60));
-        QCOMPARE(f.runs.item(0, RunName)->text(), u"Nearest first, to 01:00, one UAV"_s);
-        QCOMPARE(f.runs.item(1, RunName)->text(), u"Nearest first, to 01:00, 2 UAVs"_s);
+        QCOMPARE(f.text(f.runs, 0, RunName), u"Nearest first, to 01:00, one UAV"_s);
+        QCOMPARE(f.text(f.runs, 1, RunName), u"Nearest first, to 01:00, 2 UAVs"_s);
     }
 
     void namesSayOfWhichScenarioTheyAre()
@@ -201,7 +214,7 @@ private slots:
         Scenario other = test::shortScenario(4);
         other.name = "Elsewhere";
         f.list.add(test::flownRecord(other, policy(PolicyKind::Nearest), 60));
-        QCOMPARE(f.runs.item(1, RunName)->text(), u"Nearest first, to 01:00 \u2013 Elsewhere"_s);
+        QCOMPARE(f.text(f.runs, 1, RunName), u"Nearest first, to 01:00 \u2013 Elsewhere"_s);
     }
 
     /** Runs may differ only at the end of their names; the tool tip has the whole name. */
@@ -209,9 +222,9 @@ private slots:
     {
         ComparisonPanelFixture f({260, 300});
         f.add(PolicyKind::Latency, 60);
-        const QTableWidgetItem& cell = *f.runs.item(0, RunName);
-        QVERIFY(cell.text().endsWith(u"to 01:00"_s));
-        QVERIFY(cell.toolTip().startsWith(cell.text()));
+        const QString name = f.text(f.runs, 0, RunName);
+        QVERIFY(name.endsWith(u"to 01:00"_s));
+        QVERIFY(f.at(f.runs, 0, RunName).data(Qt::ToolTipRole).toString().startsWith(name));
         QCOMPARE(f.runs.textElideMode(), Qt::ElideMiddle);
     }
 
@@ -233,10 +246,10 @@ private slots:
         QVERIFY(f.list.reference() == f.list.runs()[2] && f.list.other() == f.list.runs()[0]);
         f.click(1, RunName);
         QTest::keyClick(&f.runs, Qt::Key_Delete);
-        QCOMPARE(f.runs.rowCount(), 2);
+        QCOMPARE(f.count(), 2);
         f.remove.click();
         f.remove.click();
-        QCOMPARE(f.runs.rowCount(), 0);
+        QCOMPARE(f.count(), 0);
         QVERIFY(!f.remove.isEnabled() && f.empty.isVisible());
     }
 
@@ -244,24 +257,24 @@ private slots:
     {
         ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest);
-        QVERIFY(f.figures.item(0, 2)->text().isEmpty()); // nothing to compare with
+        QVERIFY(f.text(f.figures, 0, 2).isEmpty()); // nothing to compare with
         f.add(PolicyKind::Uncertainty, 200);
         f.list.setReference(0);
         const RunComparison comparison = *f.list.comparison();
         QCOMPARE(comparison.until_s, 200.0);
         const RunFigures a = figuresAt(*comparison.reference, 200);
         const RunFigures b = figuresAt(*comparison.other, 200);
-        QCOMPARE(f.figures.item(2, 1)->text(), QString::number(a.visits));
-        QCOMPARE(f.figures.item(2, 2)->text(), QString::number(b.visits));
-        QCOMPARE(f.figures.item(0, 3)->text(), percentText(b.zeta_m2s, a.zeta_m2s, QLocale::c()));
+        QCOMPARE(f.text(f.figures, 2, 1), QString::number(a.visits));
+        QCOMPARE(f.text(f.figures, 2, 2), QString::number(b.visits));
+        QCOMPARE(f.text(f.figures, 0, 3), percentText(b.zeta_m2s, a.zeta_m2s, QLocale::c()));
         const int better = a.zeta_m2s < b.zeta_m2s ? 1 : 2;
-        QVERIFY(f.figures.item(0, better)->font().bold());
-        QVERIFY(!f.figures.item(0, 3 - better)->font().bold());
+        QVERIFY(f.isBold(0, better));
+        QVERIFY(!f.isBold(0, 3 - better));
         const std::size_t longest = a.longestUnseen.value();
-        QCOMPARE(f.figures.item(6, 1)->text(),
+        QCOMPARE(f.text(f.figures, 6, 1),
                  QString::fromStdString(comparison.reference->icebergs[longest].id));
-        QCOMPARE(f.unseen.rowCount(), static_cast<int>(a.unseen.size()));
-        QCOMPARE(f.unseen.item(static_cast<int>(longest), 1)->text(), f.figures.item(5, 1)->text());
+        QCOMPARE(f.unseen.model()->rowCount(), static_cast<int>(a.unseen.size()));
+        QCOMPARE(f.text(f.unseen, static_cast<int>(longest), 1), f.text(f.figures, 5, 1));
     }
 
     void percentTextIsRelative_data()
@@ -291,7 +304,7 @@ private slots:
         f.add(PolicyKind::Uncertainty, 60);
         f.add(PolicyKind::Path, 60);
         const auto menuAt = [&](int row) {
-            const QPoint at = f.runs.visualItemRect(f.runs.item(row, RunName)).center();
+            const QPoint at = f.runs.visualRect(f.at(f.runs, row, RunName)).center();
             QContextMenuEvent event(QContextMenuEvent::Mouse, at, f.runs.mapToGlobal(at));
             QCoreApplication::sendEvent(f.runs.viewport(), &event);
             return f.runs.findChild<QMenu*>(u"runMenu"_s);
@@ -307,14 +320,14 @@ private slots:
         QVERIFY(editor != nullptr);
         test::enter(*editor, u" First  try "_s);
         QTRY_COMPARE(f.list.runs()[0]->name, u"First try"_s); // queued by Qt
-        QCOMPARE(f.runs.item(0, RunName)->text(), u"First try"_s);
+        QCOMPARE(f.text(f.runs, 0, RunName), u"First try"_s);
         QVERIFY(f.list.reference() == f.list.runs()[0]); // still the same run
         QCOMPARE(runName(*f.list.comparison()->reference, QLocale::c()), u"First try"_s);
         f.list.rename(0, {});
-        QCOMPARE(f.runs.item(0, RunName)->text(), u"Nearest first, to 01:00"_s);
+        QCOMPARE(f.text(f.runs, 0, RunName), u"Nearest first, to 01:00"_s);
         menu = menuAt(2);
         menu->actions().last()->trigger();
-        QCOMPARE(f.runs.rowCount(), 2);
+        QCOMPARE(f.count(), 2);
     }
 
     void openAsksTheOwner()
@@ -368,9 +381,9 @@ private slots:
         ComparisonPanelFixture f;
         f.add(PolicyKind::Nearest, 60);
         f.panel.setTheme(Theme::dark());
-        const QRect cell = f.runs.visualItemRect(f.runs.item(0, RunReference));
+        const QRect cell = f.runs.visualRect(f.at(f.runs, 0, RunReference));
         f.runs.clearSelection();
-        f.runs.setCurrentItem(nullptr);
+        f.runs.setCurrentIndex({});
         const QImage image = f.runs.viewport()->grab(cell).toImage();
         bool marked = false;
         for (int x = 0; x < image.width(); ++x)
