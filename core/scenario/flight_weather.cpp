@@ -82,6 +82,21 @@ private:
 
 } // namespace
 
+Point flightPlace_m(const ScenarioWorld& scenario)
+{
+    Point middle_m = Point::Zero();
+    for (const Uav& uav : scenario.uavs)
+        middle_m += uav.position_m / static_cast<double>(scenario.uavs.size());
+    return middle_m;
+}
+
+const ForecastField* usableForecast(const ScenarioWorld& scenario)
+{
+    const bool isUsable = scenario.forecast && isGrid(*scenario.forecast) &&
+                          isUtcTime(scenario.startUtc) && std::isfinite(scenario.duration_s);
+    return isUsable ? &*scenario.forecast : nullptr;
+}
+
 FlightWeather::FlightWeather(const ScenarioWorld& scenario)
     : m_frame(scenario.origin)
     , m_wind_mps(scenario.wind_mps)
@@ -121,6 +136,7 @@ void FlightWeather::addPlaces(const ForecastField& field, ForecastTime start)
             wind_mps = std::max(wind_mps, speed_mps(entry.wind_mps));
             current_mps = std::max(current_mps, speed_mps(entry.current_mps));
             m_givesWind = m_givesWind || entry.wind_mps;
+            m_givesGust = m_givesGust || entry.gust_mps;
             m_givesCurrent = m_givesCurrent || entry.current_mps;
         }
     }
@@ -168,10 +184,7 @@ void FlightWeather::addLattice(const ForecastField& field)
 
 void FlightWeather::addWind(const ScenarioWorld& scenario)
 {
-    Point middle_m = Point::Zero();
-    for (const Uav& uav : scenario.uavs)
-        middle_m += uav.position_m / static_cast<double>(scenario.uavs.size());
-    m_flight = cellOf(middle_m);
+    m_flight = cellOf(flightPlace_m(scenario));
     WindSeries series;
     const auto steps = static_cast<std::int64_t>(std::ceil(scenario.duration_s / kWindStep_s));
     const auto windOf = [this](double time_s) {
@@ -296,6 +309,18 @@ std::optional<double> FlightWeather::gust_mps(double time_s) const
     return gust_mps ? gust_mps : m_gust_mps;
 }
 
+ForecastWeather FlightWeather::forecastAt(double time_s) const
+{
+    const auto velocity_mps = [&](const Values<Point> Place::*values) {
+        return between<Point>(m_flight,
+                              [&](const Place& place) { return at(place.*values, time_s); });
+    };
+    return {.wind_mps = velocity_mps(&Place::wind),
+            .gust_mps = between<double>(m_flight,
+                                        [&](const Place& place) { return at(place.gust, time_s); }),
+            .current_mps = velocity_mps(&Place::current)};
+}
+
 Forcing FlightWeather::forcingAt(const Point& place_m, double time_s) const
 {
     const Cell cell = cellOf(place_m);
@@ -322,9 +347,7 @@ std::optional<double> FlightWeather::depth_m(const Point& place_m) const
 
 std::shared_ptr<const FlightWeather> weatherOf(const ScenarioWorld& scenario)
 {
-    const bool isUsable = scenario.forecast && isGrid(*scenario.forecast) &&
-                          isUtcTime(scenario.startUtc) && std::isfinite(scenario.duration_s);
-    return isUsable ? std::make_shared<const FlightWeather>(scenario) : nullptr;
+    return usableForecast(scenario) ? std::make_shared<const FlightWeather>(scenario) : nullptr;
 }
 
 Point windAtStart_mps(const ScenarioWorld& scenario)

@@ -10,6 +10,23 @@
 
 namespace berg {
 
+/** Weather of a flight at one time as the forecast gives it; nullopt where it does not. */
+struct ForecastWeather
+{
+    std::optional<Point> wind_mps;
+    std::optional<double> gust_mps;
+    std::optional<Point> current_mps;
+};
+
+/** Returns the place whose weather is that of the flight: the middle of the UAVs' starts. */
+[[nodiscard]] Point flightPlace_m(const ScenarioWorld& scenario);
+
+/**
+ * Returns the forecast of a scenario, or null if it has none that can be used: it needs a complete
+ * grid, the start of the run and a finite duration.
+ */
+[[nodiscard]] const ForecastField* usableForecast(const ScenarioWorld& scenario);
+
 /**
  * Wind, gusts and current of a run whose scenario has a forecast. Where and when the forecast does
  * not give a quantity (outside its series, in a gap, in a place without it), the scenario's
@@ -26,7 +43,7 @@ public:
     /** Time for which the wind of the flight is constant. */
     static constexpr double kWindStep_s = 30;
 
-    /** Requires a forecast that `isGrid`, and a `startUtc` that is a time. */
+    /** Requires a `usableForecast`. */
     explicit FlightWeather(const ScenarioWorld& scenario);
 
     /** Returns the wind of the flight from the start to the end of the run; never null. */
@@ -35,6 +52,8 @@ public:
     [[nodiscard]] double strongestWind_mps() const { return m_strongest_mps; }
     /** Returns the gusts of the flight at a run time, or nullopt if they are unknown. */
     [[nodiscard]] std::optional<double> gust_mps(double time_s) const;
+    /** Returns the forecast at the place of the flight, without the scenario's constants. */
+    [[nodiscard]] ForecastWeather forecastAt(double time_s) const;
 
     /** Returns wind and current at a place of the plane and a run time. */
     [[nodiscard]] Forcing forcingAt(const Point& place_m, double time_s) const;
@@ -46,6 +65,7 @@ public:
     [[nodiscard]] const Forcing& fastest() const { return m_fastest; }
 
     [[nodiscard]] bool givesWind() const { return m_givesWind; }
+    [[nodiscard]] bool givesGust() const { return m_givesGust; }
     [[nodiscard]] bool givesCurrent() const { return m_givesCurrent; }
     [[nodiscard]] bool givesDepth() const { return m_givesDepth; }
     /** Returns the latitude of the origin, whose sign decides to which side the wind turns ice. */
@@ -108,6 +128,7 @@ private:
     double m_middle_deg = 0;
     Lattice m_lattice;
     bool m_givesWind = false;
+    bool m_givesGust = false;
     bool m_givesCurrent = false;
     bool m_givesDepth = false;
     Forcing m_fastest; ///< speeds, as vectors to the east

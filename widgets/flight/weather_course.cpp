@@ -1,7 +1,7 @@
 #include "widgets/flight/weather_course.h"
 
 #include "core/base/error.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +19,6 @@ double runTime_s(ForecastTime start, ForecastTime time)
     return std::chrono::duration<double>(time - start).count();
 }
 
-ForecastTime timeAt(ForecastTime start, double time_s)
-{
-    return start + std::chrono::milliseconds(std::llround(1000 * time_s));
-}
-
 template <class Value>
 std::optional<Value> courseBetween(const std::optional<Value>& from, const std::optional<Value>& to,
                                    double share)
@@ -35,7 +30,7 @@ std::optional<Value> courseBetween(const std::optional<Value>& from, const std::
     return from && to ? std::optional<Value>(*from + share * (*to - *from)) : std::nullopt;
 }
 
-std::vector<double> courseTimes_s(const Scenario& scenario, const Forecast& forecast,
+std::vector<double> courseTimes_s(const Scenario& scenario, const ForecastField& field,
                                   ForecastTime start)
 {
     const double end_s = scenario.duration_s;
@@ -43,7 +38,7 @@ std::vector<double> courseTimes_s(const Scenario& scenario, const Forecast& fore
     const double step_s = std::max(kFinestStep_s, end_s / kCoursePoints);
     for (double time_s = step_s; time_s < end_s; time_s += step_s)
         times_s.push_back(time_s);
-    for (const ForecastEntry& entry : forecast.series)
+    for (const ForecastEntry& entry : field.places.front().series)
         if (const double time_s = runTime_s(start, entry.time); time_s > 0 && time_s < end_s)
             times_s.push_back(time_s);
     std::ranges::sort(times_s);
@@ -51,33 +46,22 @@ std::vector<double> courseTimes_s(const Scenario& scenario, const Forecast& fore
     return times_s;
 }
 
-/** Returns whether the forecast gives a quantity at some place and time. */
-bool givesAnywhere(const ForecastField& field, ForecastQuantity quantity)
-{
-    return std::ranges::any_of(
-        field.places, [quantity](const Forecast& place) { return gives(place, quantity); });
-}
-
 void addForecast(WeatherCourse& course, const Scenario& scenario, const ForecastField& field)
 {
     const ForecastTime start = forecastStartOf(scenario);
-    const LocalFrame frame(scenario.origin);
-    const Forecast local = forecastAt(field, frame.toGeographic(flightPlace_m(scenario)));
     course.source = sourceOf(field);
     if (const auto& issued = field.places.front().issued)
         course.issued_s = runTime_s(start, *issued);
-    const bool givesWind = givesAnywhere(field, ForecastQuantity::Wind);
-    const bool givesGust = givesAnywhere(field, ForecastQuantity::Gust);
-    const bool givesCurrent = givesAnywhere(field, ForecastQuantity::Current);
+    const FlightWeather weather(scenario);
     const CoursePoint constant = course.points.front();
     course.points.clear();
-    for (const double time_s : courseTimes_s(scenario, local, start)) {
-        const ForecastEntry entry = entryAt(local, timeAt(start, time_s));
+    for (const double time_s : courseTimes_s(scenario, field, start)) {
+        const ForecastWeather now = weather.forecastAt(time_s);
         course.points.push_back(
             {.time_s = time_s,
-             .wind_mps = givesWind ? entry.wind_mps : constant.wind_mps,
-             .gust_mps = givesGust ? entry.gust_mps : constant.gust_mps,
-             .current_mps = givesCurrent ? entry.current_mps : constant.current_mps});
+             .wind_mps = weather.givesWind() ? now.wind_mps : constant.wind_mps,
+             .gust_mps = weather.givesGust() ? now.gust_mps : constant.gust_mps,
+             .current_mps = weather.givesCurrent() ? now.current_mps : constant.current_mps});
     }
 }
 
@@ -122,13 +106,6 @@ CoursePoint WeatherCourse::at(double time_s) const
     return found;
 }
 
-const ForecastField* usableForecast(const Scenario& scenario)
-{
-    const bool isUsable =
-        scenario.forecast && isGrid(*scenario.forecast) && parseUtc(scenario.startUtc).has_value();
-    return isUsable ? &*scenario.forecast : nullptr;
-}
-
 ForecastTime forecastStartOf(const Scenario& scenario)
 {
     const std::optional<UtcTime> start = parseUtc(scenario.startUtc);
@@ -140,14 +117,6 @@ std::string sourceOf(const ForecastField& forecast)
 {
     const std::string& source = forecast.places.front().source;
     return source.empty() ? "?" : source;
-}
-
-Point flightPlace_m(const Scenario& scenario)
-{
-    Point middle_m = Point::Zero();
-    for (const Uav& uav : scenario.uavs)
-        middle_m += uav.position_m / static_cast<double>(scenario.uavs.size());
-    return middle_m;
 }
 
 WeatherCourse courseOf(const Scenario& scenario, std::span<const Intervention> changes)
@@ -170,14 +139,12 @@ CoursePoint weatherAtStart(const Scenario& scenario)
     CoursePoint weather{.wind_mps = scenario.wind_mps,
                         .gust_mps = scenario.weather.gust_mps,
                         .current_mps = scenario.current_mps};
-    const ForecastField* field = usableForecast(scenario);
-    if (field == nullptr)
+    if (usableForecast(scenario) == nullptr)
         return weather;
-    const LatLon place = LocalFrame(scenario.origin).toGeographic(flightPlace_m(scenario));
-    const ForecastEntry entry = entryAt(*field, place, forecastStartOf(scenario));
-    weather.wind_mps = entry.wind_mps ? entry.wind_mps : weather.wind_mps;
-    weather.gust_mps = entry.gust_mps ? entry.gust_mps : weather.gust_mps;
-    weather.current_mps = entry.current_mps ? entry.current_mps : weather.current_mps;
+    const ForecastWeather start = FlightWeather(scenario).forecastAt(0);
+    weather.wind_mps = start.wind_mps ? start.wind_mps : weather.wind_mps;
+    weather.gust_mps = start.gust_mps ? start.gust_mps : weather.gust_mps;
+    weather.current_mps = start.current_mps ? start.current_mps : weather.current_mps;
     return weather;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scenario/scenario.h"
+#include "core/scenario/flight_weather.h"
 #include "core/sim/intervention.h"
 
 #include <optional>
@@ -35,24 +35,16 @@ struct WeatherCourse
     [[nodiscard]] CoursePoint at(double time_s) const;
 };
 
-/**
- * Returns the forecast of a scenario, or null if it has none that can be used: it needs a complete
- * grid and the start of the run.
- */
-[[nodiscard]] const ForecastField* usableForecast(const Scenario& scenario);
 /** Returns the start of a run with a usable forecast. */
 [[nodiscard]] ForecastTime forecastStartOf(const Scenario& scenario);
 /** Returns the source of a forecast, or "?" if it is not named. */
 [[nodiscard]] std::string sourceOf(const ForecastField& forecast);
 
-/** Returns the place whose weather is that of the flight: the middle of the UAVs' starts. */
-[[nodiscard]] Point flightPlace_m(const Scenario& scenario);
-
 /**
- * Returns the weather of the flight. A quantity that the forecast gives somewhere is that of the
- * forecast, and nullopt where it has a gap; any other quantity is the scenario's. From a report of
- * the crew among `changes` on, the wind is the reported one. Without a forecast, calm water is
- * nullopt. Cost: linear in the forecast.
+ * Returns the weather of the flight (`FlightWeather`). A quantity that the forecast gives somewhere
+ * is that of the forecast, and nullopt where it has a gap; any other quantity is the scenario's.
+ * From a report of the crew among `changes` on, the wind is the reported one. Without a forecast,
+ * calm water is nullopt. Cost: linear in the forecast.
  */
 [[nodiscard]] WeatherCourse courseOf(const Scenario& scenario,
                                      std::span<const Intervention> changes = {});

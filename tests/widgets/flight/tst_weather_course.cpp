@@ -61,6 +61,41 @@ private slots:
         QVERIFY((*course.at(1.5 * kHour_s).wind_mps - half_mps).norm() < 1e-2);
     }
 
+    /** In steps and gaps alike, it is what the grid gives at the middle of the UAVs' starts. */
+    void courseIsThatOfTheGrid_data()
+    {
+        QTest::addColumn<bool>("hasGap");
+        QTest::newRow("whole") << false;
+        QTest::newRow("gap") << true;
+    }
+    void courseIsThatOfTheGrid()
+    {
+        QFETCH(const bool, hasGap);
+        Scenario scenario = forecastSea();
+        scenario.uavs.front().position_m = {4000, -7000};
+        if (hasGap)
+            cutForecast(*scenario.forecast, 0, 7);
+        const LatLon place = LocalFrame(scenario.origin).toGeographic(flightPlace_m(scenario));
+        const WeatherCourse course = courseOf(scenario);
+        QVERIFY(course.points.size() > 100);
+        for (const CoursePoint& point : course.points) {
+            const auto time_ms = std::chrono::milliseconds(std::llround(1000 * point.time_s));
+            const ForecastEntry entry =
+                entryAt(*scenario.forecast, place, kForecastStartTime + time_ms);
+            QCOMPARE(point.wind_mps.has_value(), entry.wind_mps.has_value());
+            QCOMPARE(point.gust_mps.has_value(), entry.gust_mps.has_value());
+            QCOMPARE(point.current_mps.has_value(), entry.current_mps.has_value());
+            constexpr double kFiftyMetres_mps =
+                0.01; // in the gradient of this wind, 8 m/s a degree
+            if (point.wind_mps)
+                QVERIFY((*point.wind_mps - *entry.wind_mps).norm() < kFiftyMetres_mps);
+            if (point.gust_mps)
+                COMPARE_NEAR(*point.gust_mps, *entry.gust_mps, kFiftyMetres_mps);
+            if (point.current_mps)
+                QVERIFY((*point.current_mps - *entry.current_mps).norm() < 1e-9);
+        }
+    }
+
     void startAndGridAreNeeded()
     {
         Scenario scenario = forecastSea();
