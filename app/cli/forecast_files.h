@@ -3,7 +3,7 @@
 #include "core/earth/forecast.h"
 #include "core/io/import/import_forecast_file.h"
 #include "core/io/results/forecast_result.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <optional>
 #include <string>

@@ -7,11 +7,11 @@
 #include "core/io/results/result_csv.h"
 #include "core/io/text/atomic_file.h"
 #include "core/io/text/read_budget.h"
-#include "core/io/text/utc_time.h"
 #include "core/link/link_session.h"
 #include "core/link/logs/nmea_log.h"
 #include "core/link/logs/recorded_flight.h"
 #include "core/link/tracker_list.h"
+#include "core/scenario/utc_time.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

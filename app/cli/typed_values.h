@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/earth/geodesy.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "app/dialogs/forecast_dialog.h"
 
 #include "core/io/import/import_forecast_file.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 #include "widgets/tables/dock_table.h"
 #include "widgets/theme/quantity_text.h"
 

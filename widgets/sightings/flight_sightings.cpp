@@ -1,7 +1,7 @@
 #include "widgets/sightings/flight_sightings.h"
 
 #include "core/base/find_by_id.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 #include "core/tracking/position_error.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "widgets/words/forecast_text.h"
 
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 #include "widgets/theme/quantity_text.h"
 
 #include <QCoreApplication>

@@ -5,8 +5,8 @@
 #include "core/io/results/result_json.h"
 #include "core/io/study/study_report.h"
 #include "core/io/text/system_info.h"
-#include "core/io/text/utc_time.h"
 #include "core/plan/policy/policy.h"
+#include "core/scenario/utc_time.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

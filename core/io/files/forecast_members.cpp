@@ -1,7 +1,7 @@
 // Reads and writes the forecast of a scenario file.
 
 #include "core/io/files/members.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 namespace berg {
 

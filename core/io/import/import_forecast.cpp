@@ -2,7 +2,7 @@
 
 #include "core/io/import/fields/json_members.h"
 #include "core/io/text/atomic_file.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 #include "core/tracking/wind_drift.h"
 
 #include <array>

@@ -5,7 +5,7 @@
 #include "core/earth/forecast_merge.h"
 #include "core/earth/geodesy.h"
 #include "core/io/text/json_writer.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <algorithm>
 #include <cmath>

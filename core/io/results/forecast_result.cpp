@@ -2,7 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/io/text/json_writer.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 #include "core/tracking/wind_drift.h"
 
 #include <algorithm>

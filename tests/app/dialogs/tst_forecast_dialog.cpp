@@ -1,5 +1,5 @@
 #include "app/dialogs/forecast_dialog.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <QCheckBox>
 #include <QLabel>

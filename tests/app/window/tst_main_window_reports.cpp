@@ -1,4 +1,4 @@
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 #include "tests/support/window/import_dialog_test.h"
 #include "tests/support/window/map_fixture.h"
 #include "tests/support/window/window_fixture.h"

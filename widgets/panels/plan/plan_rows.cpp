@@ -2,9 +2,9 @@
 
 #include "core/base/angles.h"
 #include "core/checks/drift_advice.h"
-#include "core/io/text/utc_time.h"
 #include "core/mission/planned_visits.h"
 #include "core/permit/daylight.h"
+#include "core/scenario/utc_time.h"
 #include "core/sim/leg_flight.h"
 #include "widgets/theme/declination.h"
 #include "widgets/words/object_names.h"

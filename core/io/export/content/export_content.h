@@ -3,12 +3,12 @@
 #include "core/io/export/content/geo_shapes.h"
 #include "core/io/export/content/track_points.h"
 #include "core/io/results/result_csv.h"
-#include "core/io/text/utc_time.h"
 #include "core/io/words/report_words.h"
 #include "core/mission/mission.h"
 #include "core/mission/visits.h"
 #include "core/permit/operation.h"
 #include "core/plan/solve/names.h"
+#include "core/scenario/utc_time.h"
 #include "core/study/zeta_prediction.h"
 
 #include <array>

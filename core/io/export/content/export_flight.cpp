@@ -1,8 +1,8 @@
 #include "core/io/export/content/export_flight.h"
 
 #include "core/base/angles.h"
-#include "core/io/text/utc_time.h"
 #include "core/mission/policy_forecast.h"
+#include "core/scenario/utc_time.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/text/byte_order_mark.h"
 #include "core/io/text/text_lines.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <algorithm>
 #include <array>

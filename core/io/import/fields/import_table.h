@@ -4,8 +4,8 @@
 #include "core/geometry/geometry.h"
 #include "core/io/import/fields/import_scene.h"
 #include "core/io/import/fields/import_time.h"
-#include "core/io/text/utc_time.h"
 #include "core/plan/solve/names.h"
+#include "core/scenario/utc_time.h"
 
 #include <array>
 #include <cstddef>

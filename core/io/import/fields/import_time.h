@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <chrono>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/io/import/forecast/grid_sampling.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/base/stopped.h"
 #include "core/io/import/import_forecast.h"
 #include "core/io/text/atomic_file.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 #include "core/tracking/wind_drift.h"
 #include "tests/fuzz/fuzz_mutator.h"
 #include "tests/support/approx.h"

@@ -1,7 +1,7 @@
 #include "core/base/stopped.h"
 #include "core/io/import/import_forecast_file.h"
 #include "core/io/text/atomic_file.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 #include "tests/fuzz/fuzz_mutator.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"

@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/io/import/import_scenario_forecast.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 #include "tests/support/approx.h"
 #include "tests/support/expect_error.h"
 

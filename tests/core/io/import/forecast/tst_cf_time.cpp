@@ -1,5 +1,5 @@
 #include "core/io/import/forecast/cf_time.h"
-#include "core/io/text/utc_time.h"
+#include "core/scenario/utc_time.h"
 
 #include <QTest>
 
