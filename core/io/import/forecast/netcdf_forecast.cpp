@@ -4,6 +4,7 @@
 #include "core/io/import/forecast/cf_names.h"
 #include "core/io/import/forecast/grid_resampling.h"
 #include "core/io/import/forecast/netcdf_axes.h"
+#include "core/io/import/forecast/netcdf_bands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +39,14 @@ struct PackedValues
     }
 };
 
+/** A variable that holds a number of a forecast at one time. */
+struct NetcdfBand
+{
+    const NetcdfVariable* variable = nullptr;
+    GribBand content;
+    PackedValues packed;
+};
+
 /** A variable that holds a number of a forecast. */
 struct NetcdfCandidate
 {
@@ -45,6 +54,8 @@ struct NetcdfCandidate
     NetcdfAxes axes;
     PackedValues packed;
     bool byStandardName = false;
+    /** If not empty, the variables of its times in place of `variable`, which is one of them. */
+    std::map<ForecastTime, NetcdfBand> bands;
 };
 
 /** Returns true if the first describes the number better. */
@@ -84,8 +95,26 @@ public:
                                            std::size_t count, const GridWindow& window) override
     {
         const NetcdfCandidate& from = m_candidates.at(layer.number);
-        const NetcdfAxes& axes = from.axes;
-        std::vector<std::size_t> start(from.variable->dimensions.size());
+        if (from.bands.empty())
+            return readOne(*from.variable, from.axes, from.packed, layer.times.empty() ? 0 : first,
+                           count, window);
+        std::vector<double> values;
+        for (std::size_t t = first; t < first + count; ++t) {
+            const NetcdfBand& band = from.bands.at(layer.times.at(t));
+            const std::vector<double> now =
+                readOne(*band.variable, from.axes, band.packed, 0, 1, window);
+            values.insert(values.end(), now.begin(), now.end());
+        }
+        return values;
+    }
+
+private:
+    [[nodiscard]] std::vector<double> readOne(const NetcdfVariable& variable,
+                                              const NetcdfAxes& axes, const PackedValues& packed,
+                                              std::size_t first, std::size_t count,
+                                              const GridWindow& window) const
+    {
+        std::vector<std::size_t> start(variable.dimensions.size());
         std::vector<std::size_t> sizes(start.size(), 1);
         for (const NetcdfLevel& level : axes.levels)
             start[level.dimension] = level.index;
@@ -96,10 +125,10 @@ public:
             start[*at] = begin;
             sizes[*at] = size;
         };
-        set(axes.instant, layer.times.empty() ? 0 : first, count);
+        set(axes.instant, first, count);
         set(axes.row, window.firstRow, window.rows);
         set(axes.column, window.firstColumn, window.columns);
-        const std::vector<double> raw = m_file.read(*from.variable, start, sizes);
+        const std::vector<double> raw = m_file.read(variable, start, sizes);
         // Dimensions may be in any order.
         const auto stepOf = [&](const std::optional<std::size_t>& at) {
             std::size_t step = at ? 1 : 0;
@@ -116,16 +145,19 @@ public:
             for (std::size_t r = 0; r < window.rows; ++r)
                 for (std::size_t c = 0; c < window.columns; ++c)
                     values.push_back(
-                        from.packed.unpacked(raw[t * byInstant + r * byRow + c * byColumn]));
+                        packed.unpacked(raw[t * byInstant + r * byRow + c * byColumn]));
         return values;
     }
 
-private:
     void consider(const NetcdfVariable& variable)
     {
         m_budget.throwIfStopped();
         if (!variable.isNumeric)
             return;
+        if (isBand(m_file, variable)) {
+            considerBand(variable);
+            return;
+        }
         const std::string standard = m_axes.attribute(variable, "standard_name");
         std::optional<GridNumber> number = numberOfStandardName(standard);
         const bool byStandardName = number.has_value();
@@ -147,6 +179,29 @@ private:
             known->second = candidate;
     }
 
+    /** Adds a band, of one time and level the nearer one; all bands of a number share one grid. */
+    void considerBand(const NetcdfVariable& variable)
+    {
+        const std::optional<GribBand> band = gribBandOf(m_file, variable);
+        if (!band)
+            return;
+        const std::optional<NetcdfAxes> axes = m_axes.axesOf(variable, wantedLevel_m(band->number));
+        // In other projections it is not known whether the components are along the grid.
+        if (!axes || axes->latitude->dimensions.size() != 1)
+            return;
+        const auto [known, isFirst] = m_candidates.try_emplace(
+            band->number, NetcdfCandidate{.variable = &variable, .axes = *axes, .packed = {}});
+        NetcdfCandidate& candidate = known->second;
+        if ((!isFirst && candidate.bands.empty()) || candidate.axes.latitude != axes->latitude ||
+            candidate.axes.longitude != axes->longitude)
+            return;
+        const auto [at, isNew] = candidate.bands.try_emplace(band->time);
+        if (isNew || band->levelOffset_m < at->second.content.levelOffset_m)
+            at->second = {.variable = &variable, .content = *band, .packed = {}};
+        if (band->issued && (!m_issued || *band->issued < *m_issued))
+            m_issued = band->issued;
+    }
+
     /** The names of ROMS's velocities are too short to be anybody's. */
     [[nodiscard]] std::optional<GridNumber> numberOfRoms(const NetcdfVariable& variable) const
     {
@@ -160,13 +215,19 @@ private:
     void addLayer(GridNumber number, const NetcdfCandidate& candidate)
     {
         NetcdfCandidate& kept = m_candidates.at(number);
-        kept.packed = packedOf(number, *candidate.variable);
+        if (candidate.bands.empty())
+            kept.packed = packedOf(number, *candidate.variable,
+                                   m_axes.attribute(*candidate.variable, "units"));
+        for (auto& [time, band] : kept.bands)
+            band.packed = packedOf(number, *band.variable, band.content.unit);
         GridLayer layer{.number = number,
                         .grid = gridNumberOf(candidate),
                         .name = candidate.variable->name,
                         .times = {}};
         const bool isConstant = number == GridNumber::Depth || number == GridNumber::AngleOfX;
-        if (!isConstant && candidate.axes.time != nullptr)
+        for (const auto& [time, band] : candidate.bands)
+            layer.times.push_back(time);
+        if (!isConstant && candidate.bands.empty() && candidate.axes.time != nullptr)
             layer.times = timesOf(*candidate.axes.time);
         if (isConstant || !layer.times.empty())
             m_layers.push_back(std::move(layer));
@@ -190,10 +251,10 @@ private:
                                       : m_times.emplace(&time, m_axes.timesOf(time)).first->second;
     }
 
-    [[nodiscard]] PackedValues packedOf(GridNumber number, const NetcdfVariable& variable) const
+    [[nodiscard]] PackedValues packedOf(GridNumber number, const NetcdfVariable& variable,
+                                        const std::string& text) const
     {
         PackedValues packed;
-        const std::string text = m_axes.attribute(variable, "units");
         const std::optional<UnitScale> unit = unitScale(number, text);
         if (!unit)
             throw Error(ErrorCode::InvalidInput, m_file.subject(),

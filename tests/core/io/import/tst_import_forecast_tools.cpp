@@ -69,6 +69,9 @@ private slots:
         QTest::newRow("gdal_translate, GRIB 2")
             << QStringList{grib, "gdal_translate -q -of GRIB winds.grib out.grib"} << "out.grib"
             << "GRIB";
+        QTest::newRow("gdal_translate, GRIB 2 to netCDF")
+            << QStringList{grib, "gdal_translate -q -of netCDF winds.grib out.nc"} << "out.nc"
+            << "NetCDF";
 #endif
     }
 

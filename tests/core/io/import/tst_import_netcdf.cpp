@@ -77,6 +77,37 @@ data:
   forecast_reference_time = 1777572000 ;
 })";
 
+/** Wind at two times, one of them at two heights, and temperature, as gdal_translate writes GRIB.
+ */
+const QString kBands = R"(netcdf bands {
+dimensions: lat = 2 ; lon = 2 ;
+variables:
+  double lat(lat) ; lat:units = "degrees_north" ;
+  double lon(lon) ; lon:units = "degrees_east" ;
+  double Band1(lat, lon) ; Band1:long_name = "GDAL Band Number 1" ; Band1:GRIB_ELEMENT = "UGRD" ;
+    Band1:GRIB_SHORT_NAME = "10-HTGL" ; Band1:GRIB_UNIT = "[m/s]" ;
+    Band1:GRIB_REF_TIME = 1777615200 ; Band1:GRIB_VALID_TIME = 1777618800 ;
+  double Band2(lat, lon) ; Band2:long_name = "GDAL Band Number 2" ; Band2:GRIB_ELEMENT = "VGRD" ;
+    Band2:GRIB_SHORT_NAME = "10-HTGL" ; Band2:GRIB_UNIT = "[m/s]" ;
+    Band2:GRIB_REF_TIME = "  1777615200 sec UTC" ; Band2:GRIB_VALID_TIME = "  1777618800 sec UTC" ;
+  double Band3(lat, lon) ; Band3:long_name = "GDAL Band Number 3" ; Band3:GRIB_ELEMENT = "UGRD" ;
+    Band3:GRIB_SHORT_NAME = "10-HTGL" ; Band3:GRIB_UNIT = "[m/s]" ;
+    Band3:GRIB_REF_TIME = 1777615200 ; Band3:GRIB_VALID_TIME = 1777615200 ;
+  double Band4(lat, lon) ; Band4:long_name = "GDAL Band Number 4" ; Band4:GRIB_ELEMENT = "VGRD" ;
+    Band4:GRIB_SHORT_NAME = "10-HTGL" ; Band4:GRIB_UNIT = "[m/s]" ;
+    Band4:GRIB_REF_TIME = 1777615200 ; Band4:GRIB_VALID_TIME = 1777615200 ;
+  double Band5(lat, lon) ; Band5:long_name = "GDAL Band Number 5" ; Band5:GRIB_ELEMENT = "UGRD" ;
+    Band5:GRIB_SHORT_NAME = "85000-ISBL" ; Band5:GRIB_UNIT = "[m/s]" ;
+    Band5:GRIB_REF_TIME = 1777615200 ; Band5:GRIB_VALID_TIME = 1777615200 ;
+  double Band6(lat, lon) ; Band6:long_name = "GDAL Band Number 6" ; Band6:GRIB_ELEMENT = "TMP" ;
+    Band6:GRIB_SHORT_NAME = "2-HTGL" ; Band6:GRIB_UNIT = "[C]" ;
+    Band6:GRIB_REF_TIME = 1777615200 ; Band6:GRIB_VALID_TIME = 1777615200 ;
+data:
+  lat = 60, 61 ; lon = -2, -1 ;
+  Band1 = 5, 6, 7, 8 ; Band2 = -5, -6, -7, -8 ; Band3 = 1, 2, 3, 4 ; Band4 = -1, -2, -3, -4 ;
+  Band5 = 50, 50, 50, 50 ; Band6 = -2, -2, -2, -2 ;
+})";
+
 /** A grid whose x axis points to `turn` (degrees from east), with along-grid winds and currents. */
 QString turnedModel(const QString& extra = {}, const QString& data = {})
 {
@@ -268,6 +299,35 @@ private slots:
         QVERIFY2(QString(error->what()).startsWith(QString::fromStdString(kNetcdf) + ": ") &&
                      QString(error->what()).contains(message),
                  error->what());
+    }
+
+    void bandsOfGribAreRead()
+    {
+        const ForecastReading reading = readNetcdf(netcdfOf(kBands));
+        QCOMPARE(reading.field.places.size(), std::size_t{4});
+        const Forecast& last = reading.field.places[3];
+        QCOMPARE(last.issued, parseUtc("2026-05-01T06:00:00Z"));
+        QCOMPARE(last.series.size(), std::size_t{2});
+        QCOMPARE(last.series[0].time, *parseUtc("2026-05-01T06:00:00Z"));
+        QCOMPARE(*last.series[0].wind_mps, Point(4, -4));
+        QCOMPARE(*last.series[0].airTemperature_degC, -2.0);
+        QCOMPARE(last.series[1].time, *parseUtc("2026-05-01T07:00:00Z"));
+        QCOMPARE(*last.series[1].wind_mps, Point(8, -8));
+        QVERIFY(!last.series[1].airTemperature_degC);
+    }
+
+    /** A band that does not tell its quantity, level or time. */
+    void incompleteBandsAreRejected()
+    {
+        for (const char* const attribute : {"GRIB_ELEMENT", "GRIB_SHORT_NAME", "GRIB_VALID_TIME"}) {
+            QString text = kBands;
+            const std::string bytes =
+                netcdfOf(text.replace(QString("Band2:%1").arg(attribute), "Band2:OTHER"));
+            const auto error = errorOf([&] { static_cast<void>(readNetcdf(bytes)); });
+            QVERIFY(error);
+            QVERIFY2(QString(error->what()).contains(QString("Band2:%1").arg(attribute)),
+                     error->what());
+        }
     }
 
     void filesWithoutAForecastAreRejected()
