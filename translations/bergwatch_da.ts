@@ -1399,28 +1399,28 @@
         <translation>Tabel over flyvningens observationer i kolonnerne fra International Ice Patrol.</translation>
     </message>
     <message>
-        <source>ArcGIS and other GIS, through ogr2ogr</source>
-        <translation>ArcGIS og andre GIS, gennem ogr2ogr</translation>
+        <source>ArcGIS and other GIS</source>
+        <translation>ArcGIS og andre GIS</translation>
     </message>
     <message>
         <source>Everything on the map as zipped Shapefiles of points, lines and areas. Needs ogr2ogr (package gdal-bin).</source>
         <translation>Alt på kortet som pakkede Shapefiler med punkter, linjer og områder. Kræver ogr2ogr (pakken gdal-bin).</translation>
     </message>
     <message>
-        <source>QGIS and other GIS, through ogr2ogr</source>
-        <translation>QGIS og andre GIS, gennem ogr2ogr</translation>
+        <source>QGIS and other GIS</source>
+        <translation>QGIS og andre GIS</translation>
     </message>
     <message>
         <source>Everything on the map in one layer. Needs ogr2ogr (package gdal-bin).</source>
         <translation>Alt på kortet i ét lag. Kræver ogr2ogr (pakken gdal-bin).</translation>
     </message>
     <message>
-        <source>Other GIS, through ogr2ogr</source>
-        <translation>Andre GIS, gennem ogr2ogr</translation>
+        <source>Other GIS</source>
+        <translation>Andre GIS</translation>
     </message>
     <message>
-        <source>CAD programs, through ogr2ogr</source>
-        <translation>CAD-programmer, gennem ogr2ogr</translation>
+        <source>CAD programs</source>
+        <translation>CAD-programmer</translation>
     </message>
     <message>
         <source>A drawing in metres: places, lines and outlines in layers, without names and numbers. Needs ogr2ogr (package gdal-bin).</source>

@@ -1399,28 +1399,28 @@
         <translation>Tableau des observations du vol, dans les colonnes de l&apos;International Ice Patrol.</translation>
     </message>
     <message>
-        <source>ArcGIS and other GIS, through ogr2ogr</source>
-        <translation>ArcGIS et autres SIG, par ogr2ogr</translation>
+        <source>ArcGIS and other GIS</source>
+        <translation>ArcGIS et autres SIG</translation>
     </message>
     <message>
         <source>Everything on the map as zipped Shapefiles of points, lines and areas. Needs ogr2ogr (package gdal-bin).</source>
         <translation>Tout ce qui est sur la carte, en Shapefiles compressés de points, de lignes et de zones. Nécessite ogr2ogr (paquet gdal-bin).</translation>
     </message>
     <message>
-        <source>QGIS and other GIS, through ogr2ogr</source>
-        <translation>QGIS et autres SIG, par ogr2ogr</translation>
+        <source>QGIS and other GIS</source>
+        <translation>QGIS et autres SIG</translation>
     </message>
     <message>
         <source>Everything on the map in one layer. Needs ogr2ogr (package gdal-bin).</source>
         <translation>Tout ce qui est sur la carte, en une couche. Nécessite ogr2ogr (paquet gdal-bin).</translation>
     </message>
     <message>
-        <source>Other GIS, through ogr2ogr</source>
-        <translation>Autres SIG, par ogr2ogr</translation>
+        <source>Other GIS</source>
+        <translation>Autres SIG</translation>
     </message>
     <message>
-        <source>CAD programs, through ogr2ogr</source>
-        <translation>Logiciels de CAO, par ogr2ogr</translation>
+        <source>CAD programs</source>
+        <translation>Logiciels de CAO</translation>
     </message>
     <message>
         <source>A drawing in metres: places, lines and outlines in layers, without names and numbers. Needs ogr2ogr (package gdal-bin).</source>

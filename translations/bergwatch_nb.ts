@@ -1399,28 +1399,28 @@
         <translation>Tabell over observasjonene i flygingen, i kolonnene til International Ice Patrol.</translation>
     </message>
     <message>
-        <source>ArcGIS and other GIS, through ogr2ogr</source>
-        <translation>ArcGIS og andre GIS, gjennom ogr2ogr</translation>
+        <source>ArcGIS and other GIS</source>
+        <translation>ArcGIS og andre GIS</translation>
     </message>
     <message>
         <source>Everything on the map as zipped Shapefiles of points, lines and areas. Needs ogr2ogr (package gdal-bin).</source>
         <translation>Alt på kartet som pakkede Shapefiler med punkter, linjer og områder. Trenger ogr2ogr (pakken gdal-bin).</translation>
     </message>
     <message>
-        <source>QGIS and other GIS, through ogr2ogr</source>
-        <translation>QGIS og andre GIS, gjennom ogr2ogr</translation>
+        <source>QGIS and other GIS</source>
+        <translation>QGIS og andre GIS</translation>
     </message>
     <message>
         <source>Everything on the map in one layer. Needs ogr2ogr (package gdal-bin).</source>
         <translation>Alt på kartet i ett lag. Trenger ogr2ogr (pakken gdal-bin).</translation>
     </message>
     <message>
-        <source>Other GIS, through ogr2ogr</source>
-        <translation>Andre GIS, gjennom ogr2ogr</translation>
+        <source>Other GIS</source>
+        <translation>Andre GIS</translation>
     </message>
     <message>
-        <source>CAD programs, through ogr2ogr</source>
-        <translation>CAD-programmer, gjennom ogr2ogr</translation>
+        <source>CAD programs</source>
+        <translation>CAD-programmer</translation>
     </message>
     <message>
         <source>A drawing in metres: places, lines and outlines in layers, without names and numbers. Needs ogr2ogr (package gdal-bin).</source>
