@@ -31,6 +31,7 @@ struct ReadoutFlag
     QString unit{};        ///< unit of the value
     QString key{};         ///< key of the line
     bool isStrong = false; ///< emphasised, or nearest to the pointer
+    bool isDashed = false; ///< whether the line is dashed
 };
 
 /** Values of all lines at one instant. */

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kFlagHeight_px = 17;
 constexpr double kFlagSpacing_px = 19;
+constexpr int kWeatherDecimals = 2;     // no forecast is finer
 constexpr double kFlagGap_px = 10;      // distance of the flags from the hover line
 constexpr double kFlagEdge_px = 4;      // distance of the flags from the plot's edge
 constexpr double kFarthestJoin_px = 60; // largest length of the line from a value to its flag
@@ -131,7 +132,10 @@ QString TimeChart::valueText(const TimeLine& line, double value) const
     const ShownUnit unit = unitOf(line);
     value = unit.fromSi(value);
     const double finest = unit.fromSi(axis.to - axis.from) / 1000;
-    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 0, 6);
+    const bool isWeather = line.role == LineRole::Wind || line.role == LineRole::Gust ||
+                           line.role == LineRole::Current;
+    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 0,
+                                    isWeather ? kWeatherDecimals : 6);
     if (decimals == 0)
         return significantText(value, 4, locale());
     const double step = std::pow(10.0, -decimals);
@@ -147,7 +151,8 @@ ReadoutFlag TimeChart::flagOf(std::size_t index, const QPointF& value, double mi
                      .colour = colourOf(line),
                      .name = line.shownName(),
                      .value = valueText(line, value.y()),
-                     .key = line.key};
+                     .key = line.key,
+                     .isDashed = isDashed(line.role)};
     if (line.role == LineRole::Sigma)
         flag.colour = inkColour(sigmaInk(value.y(), m_content.sigmaFull_m2), m_theme);
     flag.text = flag.name + u' ' + flag.value;

@@ -8,6 +8,7 @@
 #include "widgets/theme/unit_settings.h"
 
 #include <QMenu>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -96,6 +97,26 @@ private slots:
         QVERIFY(shown.chart.accessibleDescription().contains(u"MET Norway"_s));
     }
 
+    /** Wind and gusts share a colour; no forecast has thousandths. */
+    void valuesBesideTheChartAreMarkedAndShort()
+    {
+        const WeatherPanel shown(forecastRecord(), {900, 260});
+        const std::vector<ReadoutFlag> flags = shown.chart.readout().flags;
+        QCOMPARE(flags.size(), std::size_t{3});
+        QVERIFY(!flags[0].isDashed && flags[1].isDashed && !flags[2].isDashed);
+        for (const ReadoutFlag& flag : flags)
+            QVERIFY2(flag.value.section(u'.', 1).size() <= 2, qPrintable(flag.value));
+        QCOMPARE(flags[2].value, u"0.50"_s);
+        const auto* table = shown.panel.findChild<QTableView*>();
+        const auto mark = [&](int row) {
+            return table->model()->index(row, 0).data(Qt::DecorationRole);
+        };
+        QVERIFY(mark(0).canConvert<QColor>() && mark(1).canConvert<QPixmap>());
+        const QImage gusts = mark(1).value<QPixmap>().toImage();
+        QCOMPARE(gusts.pixelColor(0, 4), mark(0).value<QColor>());
+        QCOMPARE(gusts.pixelColor(gusts.width() / 2, 4).alpha(), 0);
+    }
+
     void constantWindIsOneLine()
     {
         FlightRecord record = forecastRecord();
@@ -133,8 +154,15 @@ private slots:
         const std::vector<std::string> rows = test::linesOf(readFile(path.toStdString()));
         QCOMPARE(rows[0], std::string("time_s,wind_mps,wind_from_deg,gust_mps,current_mps,"
                                       "current_towards_deg"));
-        QVERIFY2(rows[1].starts_with("0,10,270,14,0.5,36.9"), rows[1].c_str());
-        QVERIFY2(rows[2].starts_with("25200,17,"), rows[2].c_str());
+        // The place in the grid, and with it the wind, is as exact as in flight.
+        const auto rowOf = [&rows](std::size_t row) {
+            return QByteArray::fromStdString(rows[row]).split(',');
+        };
+        const std::array start{0.0, 10.0, 270.0, 14.0, 0.5, 36.9};
+        for (std::size_t i = 0; i < start.size(); ++i)
+            COMPARE_NEAR(rowOf(1).at(static_cast<qsizetype>(i)).toDouble(), start[i], 1e-6);
+        QCOMPARE(rowOf(2).at(0), QByteArray("25200"));
+        COMPARE_NEAR(rowOf(2).at(1).toDouble(), 17, 1e-6);
     }
 
     /** In a gap the flight uses the constants of the scenario, which the chart names. */

@@ -16,6 +16,8 @@
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QMenu>
+#include <QPainter>
+#include <QPixmap>
 #include <QScrollBar>
 #include <QTableView>
 #include <QToolButton>
@@ -38,6 +40,21 @@ constexpr double kMostShare = 0.4; // largest share of the width for the table
 DecimationWindow viewOf(const TimeWindow& window, int columns)
 {
     return {.from = window.from_s, .to = window.to_s, .columns = columns};
+}
+
+/** Returns the mark of a line: a square in its colour, which is broken if the line is dashed. */
+QVariant markOf(const ReadoutFlag& flag, double pixelRatio)
+{
+    if (!flag.isDashed)
+        return flag.colour;
+    constexpr double kDash_px = 3;
+    QPixmap mark(QSize(kMark_px, kMark_px) * pixelRatio);
+    mark.setDevicePixelRatio(pixelRatio);
+    mark.fill(Qt::transparent);
+    QPainter painter(&mark);
+    painter.fillRect(QRectF(0, 0, kDash_px, kMark_px), flag.colour);
+    painter.fillRect(QRectF(kMark_px - kDash_px, 0, kDash_px, kMark_px), flag.colour);
+    return mark;
 }
 
 } // namespace
@@ -178,9 +195,9 @@ void ChartPanel::showLineValues()
                        return (flagAt(row).value + u' ' + flagAt(row).unit).trimmed();
                    }}}),
          .rows = static_cast<int>(flags->size()),
-         .other = [flagAt, bold](int row, int column, int role) -> QVariant {
+         .other = [this, flagAt, bold](int row, int column, int role) -> QVariant {
              if (role == Qt::DecorationRole && column == 0)
-                 return flagAt(row).colour;
+                 return markOf(flagAt(row), m_lineTable->devicePixelRatioF());
              return role == Qt::FontRole && flagAt(row).isStrong ? QVariant(bold) : QVariant();
          }});
     fitLineTable();
