@@ -11,6 +11,7 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace berg {
@@ -30,13 +31,39 @@ void drawRing(QPainter& painter, const QPointF& centre, double radius_px, double
     painter.drawEllipse(centre, radius_px, radius_px);
 }
 
-/** Draws a label to the right of a symbol. */
-void drawLiveLabel(const MapPaint& p, const QPointF& at, const QString& text, const QColor& colour)
+constexpr double kLabelGap_px = 4; // between a symbol and its label
+constexpr double kTrafficSymbol_px = 12;
+constexpr double kContactSymbol_px = 6;
+constexpr double kAircraftSymbol_px = 19;
+
+/** A text beside a live object. */
+struct LiveLabel
+{
+    LabelDisk anchor;
+    QString text;
+    QColor colour;
+};
+
+/** Draws the labels where they do not cover each other, earlier ones first beside their object. */
+void drawLiveLabels(const MapPaint& p, const std::vector<LiveLabel>& labels)
 {
     p.painter.setFont(p.theme.small());
-    const QSizeF size(QFontMetricsF(p.theme.small()).size(Qt::TextSingleLine, text));
-    const QRectF box(at + QPointF(16, -size.height() / 2), size);
-    drawHaloText(p.painter, box, Qt::AlignCenter, text, colour, p.theme.sea);
+    const QFontMetricsF metrics(p.theme.small());
+    std::vector<LabelRequest> requests;
+    for (const LiveLabel& label : labels)
+        requests.push_back({.anchor = label.anchor,
+                            .size_px = metrics.size(Qt::TextSingleLine, label.text),
+                            .previous = {}});
+    LabelSurroundings surroundings{.area = p.layout.rect,
+                                   .solids = p.layout.uavLabels,
+                                   .disks = p.layout.icebergs,
+                                   .lines = {}};
+    for (const PlacedLabel& name : p.layout.labels)
+        surroundings.solids.push_back(name.rect);
+    const std::vector<QRectF> places = placesBeside(requests, surroundings);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        drawHaloText(p.painter, places[i], Qt::AlignCenter, labels[i].text, labels[i].colour,
+                     p.theme.sea);
 }
 
 /** Leaves out places that are hardly apart on the screen, because tracks become long. */
@@ -52,7 +79,7 @@ QPolygonF liveTrack(const MapPaint& p, const std::vector<Point>& track_m)
     return track;
 }
 
-void paintAircraft(const MapPaint& p, const MapAircraft& aircraft)
+void paintAircraft(const MapPaint& p, const MapAircraft& aircraft, std::vector<LiveLabel>& labels)
 {
     const QColor colour = uavColour(p.theme, aircraft.place);
     const QPointF at = p.layout.view.toPixel(aircraft.position_m);
@@ -63,18 +90,18 @@ void paintAircraft(const MapPaint& p, const MapAircraft& aircraft)
     if (aircraft.contact_m) {
         const QPointF contact = p.layout.view.toPixel(*aircraft.contact_m);
         p.painter.setPen(QPen(colour, 1.6));
-        p.painter.drawEllipse(contact, 6, 6);
+        p.painter.drawEllipse(contact, kContactSymbol_px, kContactSymbol_px);
         p.painter.drawEllipse(contact, 2, 2);
-        drawLiveLabel(p, contact, aircraft.contactLabel, p.theme.text);
+        labels.push_back({{contact, kContactSymbol_px}, aircraft.contactLabel, p.theme.text});
     }
     if (aircraft.isFlown && !aircraft.isGhost)
         return;
     drawUav(p.painter, at, aircraft.psi_rad, aircraft.isGhost ? p.theme.sea : colour, p.theme);
     if (aircraft.isGhost) { // a dashed ring, so that the shape shows it, too
         p.painter.setPen(QPen(colour, 1.6, Qt::DashLine));
-        p.painter.drawEllipse(at, 19, 19);
+        p.painter.drawEllipse(at, kAircraftSymbol_px, kAircraftSymbol_px);
     }
-    drawLiveLabel(p, at + QPointF(6, 0), aircraft.label, p.theme.text);
+    labels.push_back({{at, kAircraftSymbol_px}, aircraft.label, p.theme.text});
 }
 
 /** Ships are hulls, ice is a triangle, aircraft are crosses with a tail. */
@@ -82,7 +109,6 @@ void paintTraffic(const MapPaint& p, const MapTraffic& traffic)
 {
     const PainterState saved(p.painter);
     const QPointF at = p.layout.view.toPixel(traffic.position_m);
-    drawLiveLabel(p, at, traffic.label, p.theme.mutedText);
     p.painter.translate(at);
     if (traffic.isIce) {
         p.painter.setPen(QPen(p.theme.ink, 1.4));
@@ -109,8 +135,49 @@ void paintLive(const MapPaint& p)
     const PainterState saved(p.painter);
     for (const MapTraffic& traffic : p.picture.live.traffic)
         paintTraffic(p, traffic);
+    std::vector<LiveLabel> labels;
     for (const MapAircraft& aircraft : p.picture.live.aircraft)
-        paintAircraft(p, aircraft);
+        paintAircraft(p, aircraft, labels);
+    for (const MapTraffic& traffic : p.picture.live.traffic)
+        labels.push_back({{p.layout.view.toPixel(traffic.position_m), kTrafficSymbol_px},
+                          traffic.label,
+                          p.theme.mutedText});
+    drawLiveLabels(p, labels);
+}
+
+std::vector<QRectF> placesBeside(std::span<const LabelRequest> requests,
+                                 const LabelSurroundings& surroundings)
+{
+    constexpr std::array<QPoint, 8> kSides{QPoint(1, 0),  QPoint(-1, 0), QPoint(0, 1),
+                                           QPoint(0, -1), QPoint(1, 1),  QPoint(1, -1),
+                                           QPoint(-1, 1), QPoint(-1, -1)};
+    std::vector<QRectF> places;
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        const LabelRequest& request = requests[i];
+        const QSizeF half = request.size_px / 2;
+        const double away_px = request.anchor.radius_px + kLabelGap_px;
+        const auto placeAt = [&](const QPoint& side) {
+            const QPointF offset((away_px + half.width()) * side.x(),
+                                 (side.x() == 0 ? away_px + half.height() : away_px) * side.y());
+            return QRectF(request.anchor.centre_px + offset - QPointF(half.width(), half.height()),
+                          request.size_px);
+        };
+        const auto isFree = [&](const QPoint& side) {
+            const QRectF place = placeAt(side);
+            const auto touches = [&](const QRectF& other) { return place.intersects(other); };
+            const auto covers = [&](const LabelDisk& disk) { return overlaps(place, disk); };
+            const auto coversOther = [&](const LabelRequest& other) {
+                return &other != &request && overlaps(place, other.anchor);
+            };
+            return std::ranges::none_of(surroundings.solids, touches) &&
+                   std::ranges::none_of(places, touches) &&
+                   std::ranges::none_of(surroundings.disks, covers) &&
+                   std::ranges::none_of(requests, coversOther);
+        };
+        const auto* const found = std::ranges::find_if(kSides, isFree);
+        places.push_back(placeAt(found == kSides.end() ? kSides.front() : *found));
+    }
+    return places;
 }
 
 void paintSelectionMark(QPainter& painter, const LabelDisk& symbol, const Theme& theme)

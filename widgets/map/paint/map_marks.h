@@ -44,6 +44,14 @@ void paintTag(QPainter& painter, const QPointF& centre, const QString& text, con
 void paintBubble(QPainter& painter, const QPointF& at, const QString& text, const QRectF& area,
                  const Theme& theme);
 
+/**
+ * Returns the places of labels, in order: to the right of their anchor, else to the left, below,
+ * above or beside a corner of it, the first that touches no solid, no disk, no other anchor and no
+ * earlier label. If there is no such place, it is to the right.
+ */
+[[nodiscard]] std::vector<QRectF> placesBeside(std::span<const LabelRequest> requests,
+                                               const LabelSurroundings& surroundings);
+
 /** Draws aircraft, traffic and expected contacts of the live link, with their tracks. */
 void paintLive(const MapPaint& p);
 

@@ -1,5 +1,6 @@
 #include "tests/support/window/map_builder.h"
 #include "tests/support/window/map_layouts.h"
+#include "widgets/map/paint/map_marks.h"
 #include "widgets/map/paint/map_painter.h"
 
 #include <QtTest>
@@ -64,6 +65,32 @@ private slots:
         QVERIFY(differNear(with, mapImage(heard, style, kSize_px, 1), pixel(ghost.position_m)));
         // Its UAV's symbol shows it already.
         QVERIFY(!differNear(with, without, pixel(flown.position_m)));
+    }
+
+    /** Two aircraft side by side, below them one whose label has no room on either side. */
+    void labelsDoNotCoverEachOther()
+    {
+        const auto at = [](double x, double y, double width = 60) {
+            return LabelRequest{.anchor = {.centre_px = {x, y}, .radius_px = 19},
+                                .size_px = {width, 14},
+                                .previous = {}};
+        };
+        const std::vector<LabelRequest> requests{at(100, 100), at(150, 100), at(150, 108),
+                                                 at(400, 400)};
+        const QRectF taken(200, 90, 50, 50);
+        const LabelDisk disk{.centre_px = {450, 400}, .radius_px = 20};
+        LabelSurroundings surroundings{.area = {}, .solids = {taken}, .disks = {disk}, .lines = {}};
+        const std::vector<QRectF> places = placesBeside(requests, surroundings);
+        QCOMPARE(places.size(), requests.size());
+        QVERIFY(places[0].right() < 100 - 19);         // the other aircraft is on the right
+        QCOMPARE(places[3], QRectF(317, 393, 60, 14)); // the disk is on the right
+        for (std::size_t i = 0; i < 2; ++i) {
+            QVERIFY(!places[i].intersects(taken));
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(!places[i].intersects(places[j]));
+        }
+        surroundings.solids = {QRectF(0, 0, 1000, 1000)};
+        QCOMPARE(placesBeside(requests, surroundings)[3], QRectF(423, 393, 60, 14));
     }
 };
 
