@@ -59,6 +59,21 @@ void drawFieldOutline(const QStyleOption& option, QPainter& painter)
                             kRadius_px);
 }
 
+/** Marks a button that is switched on, which Fusion only draws a little darker. */
+void drawSwitchedOn(const QStyleOption& option, QPainter& painter)
+{
+    constexpr double kRadius_px = 2;
+    constexpr float kFill = 0.25F;
+    const PainterState saved(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor fill = option.palette.color(QPalette::Highlight);
+    painter.setPen(QPen(fill, 1));
+    fill.setAlphaF(kFill);
+    painter.setBrush(fill);
+    painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), kRadius_px,
+                            kRadius_px);
+}
+
 /** Redraws an image in shades of one colour. */
 QPixmap inShadesOf(const QColor& colour, const QPixmap& pixmap)
 {
@@ -140,6 +155,8 @@ void ContrastStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
     if (element == PE_IndicatorDockWidgetResizeHandle)
         return drawGrip(*option, *painter);
     QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element == PE_PanelButtonCommand && option->state.testFlag(State_On))
+        return drawSwitchedOn(*option, *painter);
     const bool isField = element == PE_FrameLineEdit ||
                          (element == PE_Frame && qobject_cast<const QPlainTextEdit*>(widget));
     if (isField && lacksOutline(*option))

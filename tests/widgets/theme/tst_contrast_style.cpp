@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QRadioButton>
 #include <QSlider>
 #include <QStyleOptionDockWidget>
@@ -93,6 +94,27 @@ private slots:
             const double edge = contrastIn(*field, {field->width() / 3, 0, 10, 1});
             QVERIFY2(edge >= 2.9, field->metaObject()->className()); // antialiased
         }
+    }
+
+    void switchedOnIsSeen_data() { uncheckedIsSeen_data(); }
+
+    /** A button like "Listen" shows by its edge whether it is on. */
+    void switchedOnIsSeen()
+    {
+        QFETCH(bool, isDark);
+        ContrastStyle style(QStringLiteral("fusion"));
+        QPushButton button;
+        button.setCheckable(true);
+        dress(button, isDark ? Theme::dark() : Theme::light(), style);
+        const auto middleOfEdge = [&] {
+            return button.grab().toImage().pixelColor(button.width() / 2, 0);
+        };
+        const QColor off = middleOfEdge();
+        button.setChecked(true);
+        const QColor on = middleOfEdge();
+        const QColor highlight = button.palette().color(QPalette::Highlight);
+        QVERIFY(contrastRatio(on, off) > 1.5);
+        QVERIFY(contrastRatio(on, highlight) < 1.5); // antialiased
     }
 
     /** Nothing blue or white is in it. */
