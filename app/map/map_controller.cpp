@@ -25,10 +25,22 @@ namespace {
 constexpr const char* kPanelsKey = "view/mapPanels";
 constexpr const char* kLayersKey = "view/layers";
 constexpr double kTrackStep_s = 1800; // a smooth line through a turn of the tide
+constexpr int kDriftPause_ms = 300;
 constexpr const char* kTrackMarkKey = "view/trackMark";
 constexpr const char* kFormerSweptKey = "view/swept"; // before it was one of the layers
 constexpr const char* kOverviewKey = "view/overview";
 constexpr const char* kHiddenColumnsKey = "icebergs/hiddenColumns";
+
+DriftInstant driftInstantOf(const MissionSnapshot& shown)
+{
+    DriftInstant instant{.time_s = shown.time_s, .icebergs = shown.icebergs, .tracks = {}};
+    for (std::size_t i = 0; i < shown.icebergs.size(); ++i) {
+        const Track& track = shown.world.tracks[i];
+        const bool isShown = shown.active[i] && !track.left;
+        instant.tracks.push_back(isShown ? std::optional<Track>(track) : std::nullopt);
+    }
+    return instant;
+}
 
 } // namespace
 
@@ -47,6 +59,11 @@ MapController::MapController(WindowContext& context, const Docks& docks) : Windo
     connect(&m_drift, &DriftTrackRunner::updated, this, &MapController::showDriftTracks);
     connect(&workspace().document(), &ScenarioDocument::scenarioChanged, this,
             &MapController::predictDrift);
+    m_driftPause.setSingleShot(true);
+    m_driftPause.setInterval(kDriftPause_ms);
+    connect(&m_driftPause, &QTimer::timeout, this, &MapController::predictDrift);
+    connect(&workspace(), &Workspace::flightChanged, this, &MapController::predictDriftInFlight);
+    connect(&workspace(), &Workspace::inFlightChanged, this, &MapController::predictDrift);
     predictDrift();
     connectMap(docks);
     connectTables();
@@ -54,11 +71,19 @@ MapController::MapController(WindowContext& context, const Docks& docks) : Windo
 
 void MapController::predictDrift()
 {
-    const MapLayers& layers = panels().layers->layers();
-    if (layers.shows(MapLayer::Tracks))
-        m_drift.setScenario(workspace().document().scenario(), kTrackStep_s);
-    else
+    const FlightRecord& record = workspace().record();
+    if (!layerIsShown(MapLayer::Tracks))
         m_drift.clear();
+    else if (record.inFlight())
+        m_drift.setInstant(record.scenario, driftInstantOf(record.shown()), kTrackStep_s);
+    else
+        m_drift.setScenario(workspace().document().scenario(), kTrackStep_s);
+}
+
+void MapController::predictDriftInFlight()
+{
+    if (workspace().record().inFlight() && !m_driftPause.isActive())
+        m_driftPause.start();
 }
 
 void MapController::showDriftTracks()

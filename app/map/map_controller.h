@@ -5,6 +5,8 @@
 #include "widgets/map/paint/map_layers.h"
 #include "widgets/map/paint/map_overlays.h"
 
+#include <QTimer>
+
 namespace berg {
 
 class Docks;
@@ -38,12 +40,16 @@ private:
     void savePanels();
     [[nodiscard]] MapLayers savedLayers() const;
     void showLayers(const MapLayers& layers);
-    /** Predicts the drift of the icebergs if its layer is shown. */
+    /** Predicts the drift of the icebergs, in flight from the instant shown, if its layer is shown.
+     */
     void predictDrift();
+    /** Predicts it a moment later, because a flight changes many times a second. */
+    void predictDriftInFlight();
     void showDriftTracks();
     [[nodiscard]] MapPanelStates savedPanels() const;
 
     DriftTrackRunner m_drift;
+    QTimer m_driftPause;
 };
 
 } // namespace berg

@@ -21,20 +21,54 @@ std::optional<double> distanceFrom_m(const RecordedTrack& track, double time_s,
     return (track.at(time_s) - position_m).norm();
 }
 
+/** Start of a prediction. */
+struct TrackStart
+{
+    DriftingIceberg from;
+    Track known; ///< with the variances of that time
+};
+
+TrackStart startOf(const Iceberg& iceberg)
+{
+    return {.from = {.position_m = iceberg.position_m, .own_mps = iceberg.velocity_mps},
+            .known = initialTrack(iceberg, ObserverModel::Kalman)};
+}
+
+/** Returns the track with the variances of a Kalman filter, whatever the observer. */
+Track knownTrack(const Iceberg& iceberg, const Track& track, ObserverModel model, double time_s)
+{
+    if (model == ObserverModel::Kalman)
+        return track;
+    Track known = initialTrack(iceberg, ObserverModel::Kalman);
+    const double before_s = std::max(0.0, track.seen_s - iceberg.appears_s);
+    DriftVariances variances = grown(known.variances(), known.process(), before_s);
+    if (before_s > 0)
+        variances = {.velocity_m2ps2 = variances.velocity_m2ps2};
+    known.setVariances(grown(variances, known.process(), std::max(0.0, time_s - track.seen_s)));
+    return known;
+}
+
+TrackStart startAt(const Iceberg& iceberg, const Track& track, ObserverModel model, double time_s)
+{
+    return {.from = {.time_s = time_s,
+                     .position_m = track.estimate_m(time_s),
+                     .own_mps = track.velocity_mps - track.mean_mps},
+            .known = knownTrack(iceberg, track, model, time_s)};
+}
+
 /** Predicts one iceberg. */
-DriftTrack trackOf(const Scenario& scenario, const ScenarioWeather& weather, std::size_t index,
-                   const DriftTrackSpec& spec, const std::stop_token& stop)
+DriftTrack trackOf(const ScenarioWeather& weather, const Iceberg& iceberg, std::size_t index,
+                   const TrackStart& start, const DriftTrackSpec& spec, const std::stop_token& stop)
 {
     constexpr double kRounding = 1e-9;
-    const Iceberg& iceberg = scenario.icebergs[index];
-    const Track start = initialTrack(iceberg, ObserverModel::Kalman);
-    const LocalFrame frame(scenario.origin);
-    IcebergDrift drift(weather, iceberg, spec.drag);
+    const LocalFrame frame(weather.origin());
+    IcebergDrift drift(weather, iceberg, spec.drag, start.from);
     DriftTrack track{.iceberg = index};
     const double intervals = std::floor(spec.duration_s / spec.every_s + kRounding);
     for (double k = 0; k <= intervals; ++k) {
         throwIfStopped(stop);
-        const double time_s = k * spec.every_s;
+        const double after_s = k * spec.every_s;
+        const double time_s = start.from.time_s + after_s;
         const bool isKnown = drift.advance(time_s);
         const std::optional<Point> velocity_mps = isKnown ? drift.velocity_mps() : std::nullopt;
         if (!velocity_mps) {
@@ -46,7 +80,7 @@ DriftTrack trackOf(const Scenario& scenario, const ScenarioWeather& weather, std
                                 .position_m = now.position_m,
                                 .place = frame.toGeographic(now.position_m),
                                 .velocity_mps = *velocity_mps,
-                                .sd_m = std::sqrt(start.sigmaAfter_m2(time_s)),
+                                .sd_m = std::sqrt(start.known.sigmaAfter_m2(after_s)),
                                 .isAground = now.grounded_s.has_value(),
                                 .error_m = distanceFrom_m(iceberg.track, time_s, now.position_m)});
     }
@@ -74,6 +108,18 @@ IcebergDrift::IcebergDrift(const ScenarioWeather& weather, const Iceberg& iceber
     , m_fade_s(fades ? iceberg.velocityTime_s : 0)
     , m_frame(weather.origin())
     , m_now{.position_m = iceberg.position_m, .own_mps = iceberg.velocity_mps}
+{
+    checkDepth();
+}
+
+IcebergDrift::IcebergDrift(const ScenarioWeather& weather, const Iceberg& iceberg,
+                           const DragCoefficients& drag, const DriftingIceberg& from)
+    : m_weather(weather)
+    , m_iceberg(iceberg)
+    , m_law(lawOf(iceberg, drag))
+    , m_fade_s(iceberg.velocityTime_s)
+    , m_frame(weather.origin())
+    , m_now(from)
 {
     checkDepth();
 }
@@ -132,7 +178,8 @@ DriftTrack driftTrack(const Scenario& scenario, std::size_t iceberg, const Drift
 {
     require(spec.every_s > 0 && spec.duration_s >= 0 && iceberg < scenario.icebergs.size(),
             "driftTrack: spec or iceberg");
-    return trackOf(scenario, ScenarioWeather(scenario), iceberg, spec, stop);
+    const Iceberg& only = scenario.icebergs[iceberg];
+    return trackOf(ScenarioWeather(scenario), only, iceberg, startOf(only), spec, stop);
 }
 
 std::vector<DriftTrack> driftTracks(const Scenario& scenario, const DriftTrackSpec& spec,
@@ -142,7 +189,27 @@ std::vector<DriftTrack> driftTracks(const Scenario& scenario, const DriftTrackSp
     const ScenarioWeather weather(scenario);
     std::vector<DriftTrack> tracks;
     for (std::size_t i = 0; i < scenario.icebergs.size(); ++i)
-        tracks.push_back(trackOf(scenario, weather, i, spec, stop));
+        tracks.push_back(
+            trackOf(weather, scenario.icebergs[i], i, startOf(scenario.icebergs[i]), spec, stop));
+    return tracks;
+}
+
+std::vector<DriftTrack> driftTracks(const Scenario& scenario, const DriftInstant& instant,
+                                    const DriftTrackSpec& spec, const std::stop_token& stop)
+{
+    require(spec.every_s > 0 && spec.duration_s >= 0, "driftTracks: duration or interval");
+    require(instant.tracks.size() == instant.icebergs.size(), "driftTracks: instant");
+    const ScenarioWeather weather(scenario);
+    std::vector<DriftTrack> tracks;
+    for (std::size_t i = 0; i < instant.icebergs.size(); ++i) {
+        const Iceberg& iceberg = instant.icebergs[i];
+        if (const std::optional<Track>& known = instant.tracks[i])
+            tracks.push_back(trackOf(
+                weather, iceberg, i,
+                startAt(iceberg, *known, scenario.observer.model, instant.time_s), spec, stop));
+        else
+            tracks.push_back({.iceberg = i});
+    }
     return tracks;
 }
 

@@ -82,6 +82,10 @@ public:
     IcebergDrift(const ScenarioWeather& weather, const Iceberg& iceberg,
                  const DragCoefficients& drag, bool fades = true);
 
+    /** Drifts from another position, velocity and time than the estimate at run time 0. */
+    IcebergDrift(const ScenarioWeather& weather, const Iceberg& iceberg,
+                 const DragCoefficients& drag, const DriftingIceberg& from);
+
     [[nodiscard]] const DriftingIceberg& now() const { return m_now; }
     /** Returns the velocity now, or nullopt if wind or current is unknown. */
     [[nodiscard]] std::optional<Point> velocity_mps() const;
@@ -109,6 +113,27 @@ private:
  * requested.
  */
 [[nodiscard]] std::vector<DriftTrack> driftTracks(const Scenario& scenario,
+                                                  const DriftTrackSpec& spec = {},
+                                                  const std::stop_token& stop = {});
+
+/** What is known of the icebergs of a flight at one time. */
+struct DriftInstant
+{
+    double time_s = 0;             ///< run time
+    std::vector<Iceberg> icebergs; ///< those of the scenario first
+    /** By iceberg, with the variances of `time_s`; nullopt if it is not followed. */
+    std::vector<std::optional<Track>> tracks;
+    bool operator==(const DriftInstant&) const = default;
+};
+
+/**
+ * Predicts the drift of the icebergs from an instant of a flight of the scenario, as `driftTracks`
+ * does from its start: from their estimates, with a point at that time and then each `every_s`. The
+ * spread is that of the Kalman track; with the simple observer it grows from the last sighting, or
+ * from the start, as a Kalman track does. An iceberg without a track has no points.
+ */
+[[nodiscard]] std::vector<DriftTrack> driftTracks(const Scenario& scenario,
+                                                  const DriftInstant& instant,
                                                   const DriftTrackSpec& spec = {},
                                                   const std::stop_token& stop = {});
 

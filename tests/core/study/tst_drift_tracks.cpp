@@ -1,3 +1,4 @@
+#include "core/scenario/initial_truth.h"
 #include "core/study/drift_tracks.h"
 #include "tests/support/approx.h"
 
@@ -159,6 +160,47 @@ private slots:
         QVERIFY(track.grounded_s);
         // (60 - 46.8) / 20 of 5575 m at 0.295 m/s, to a step of 15 min
         COMPARE_NEAR(*track.grounded_s, 0.66 * 5575 / 0.29492, 900);
+    }
+
+    /** Without a sighting, a prediction made later continues the first one. */
+    void laterPredictionContinuesTheFirst()
+    {
+        Scenario scenario = sixHours(std::nullopt);
+        scenario.observer.model = ObserverModel::Kalman;
+        Iceberg& iceberg = scenario.icebergs[0];
+        iceberg.velocity_mps = {0.1, -0.2};
+        iceberg.velocitySd_mps = 0.05;
+        iceberg.velocitySpread_mps = 0.1;
+        iceberg.velocityTime_s = 36'000;
+        const DriftTrackSpec spec{.every_s = kHour_s, .duration_s = 2 * kHour_s};
+        const DriftTrack whole = trackOf(scenario, {.every_s = kHour_s, .duration_s = 4 * kHour_s});
+        const auto weather = weatherOf(scenario);
+        Track track = trackAtStart(scenario, iceberg, weather);
+        const double now_s = 2 * kHour_s;
+        growUnseen(track, forcingOf(weather, iceberg).get(), 0, now_s);
+        DriftInstant instant{
+            .time_s = now_s, .icebergs = {iceberg, iceberg}, .tracks = {track, std::nullopt}};
+        const std::vector<DriftTrack> later = driftTracks(scenario, instant, spec);
+        QCOMPARE(later.size(), std::size_t{2});
+        QVERIFY(later[1].points.empty());
+        QCOMPARE(later[0].points.size(), std::size_t{3});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const DriftTrackPoint& point = later[0].points[i];
+            const DriftTrackPoint& same = whole.points[i + 2];
+            COMPARE_NEAR(point.time_s, same.time_s, 1e-9);
+            QVERIFY((point.position_m - same.position_m).norm() < 0.1); // steps of 60 s and 15 min
+            QVERIFY((point.velocity_mps - same.velocity_mps).norm() < 1e-6);
+            COMPARE_NEAR(point.sd_m, same.sd_m, 1e-6 * same.sd_m);
+        }
+        // The simple observer takes the velocity as known; the spread on the map does not.
+        scenario.observer.model = ObserverModel::Simple;
+        COMPARE_NEAR(driftTracks(scenario, instant, spec)[0].points[1].sd_m, whole.points[3].sd_m,
+                     1e-6 * whole.points[3].sd_m);
+        instant.tracks[0]->seen(Point(500, 600), now_s);
+        const DriftTrack seen = driftTracks(scenario, instant, spec)[0];
+        QCOMPARE(seen.points[0].position_m, Point(500, 600));
+        QCOMPARE(seen.points[0].sd_m, 0.0);
+        QVERIFY(seen.points[1].sd_m > 0 && seen.points[1].sd_m < whole.points[3].sd_m);
     }
 
     void recordedTracksAreCompared()

@@ -58,6 +58,29 @@ private slots:
         runner.clear();
         QVERIFY(!runner.tracks());
     }
+
+    /** The map shows something at all times of a flight, and the newest instant in the end. */
+    void tracksStayUntilThoseOfTheNewestInstantAreKnown()
+    {
+        const Scenario scenario = randomScenario(2, {.icebergs = 3});
+        DriftTrackRunner runner;
+        runner.setScenario(scenario, kEvery_s);
+        QVERIFY(isKnown(runner));
+        DriftInstant instant{.icebergs = scenario.icebergs, .tracks = {}};
+        for (const Iceberg& iceberg : scenario.icebergs)
+            instant.tracks.emplace_back(initialTrack(iceberg, scenario.observer.model));
+        for (const double time_s : {10.0, 20.0, 30.0, 40.0}) {
+            instant.time_s = time_s;
+            runner.setInstant(scenario, instant, kEvery_s);
+            QVERIFY(runner.tracks());
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(runner.tracks()->front().points.front().time_s, 40.0,
+                                  kPatience_ms);
+        runner.setScenario(scenario, kEvery_s);
+        QVERIFY(!runner.tracks());
+        QVERIFY(isKnown(runner));
+        QCOMPARE(runner.tracks()->front().points.front().time_s, 0.0);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestDriftTrackRunner)

@@ -36,11 +36,17 @@ QColor faint(QColor colour, double alpha)
     return colour;
 }
 
-bool isMark(const MapPaint& p, const DriftTrackPoint& point)
+/** Returns the time from the start of the track, which in flight is the time shown. */
+double ahead_s(const DriftTrack& track, const DriftTrackPoint& point)
+{
+    return point.time_s - track.points.front().time_s;
+}
+
+bool isMark(const MapPaint& p, double ahead_s)
 {
     constexpr double kRounding_s = 1;
-    return point.time_s > 0 &&
-           std::abs(std::remainder(point.time_s, p.style.layers.trackMark_s)) < kRounding_s;
+    return ahead_s > 0 &&
+           std::abs(std::remainder(ahead_s, p.style.layers.trackMark_s)) < kRounding_s;
 }
 
 void paintSpread(const MapPaint& p, const DriftTrack& track)
@@ -49,7 +55,8 @@ void paintSpread(const MapPaint& p, const DriftTrack& track)
     constexpr double kInside = 0.07;
     for (const DriftTrackPoint& point : track.points) {
         const double radius_px = point.sd_m * p.layout.view.scale_pxpm();
-        if (!isMark(p, point) || radius_px < kLeastCircle_px || radius_px > kLargestCircle_px)
+        if (!isMark(p, ahead_s(track, point)) || radius_px < kLeastCircle_px ||
+            radius_px > kLargestCircle_px)
             continue;
         p.painter.setPen(QPen(faint(p.theme.comparison, kRim), 1));
         p.painter.setBrush(faint(p.theme.comparison, kInside));
@@ -67,12 +74,12 @@ void paintTrackLine(const MapPaint& p, const DriftTrack& track)
     p.painter.drawPolyline(line);
 }
 
-void paintHours(const MapPaint& p, const QPointF& at, double time_s)
+void paintHours(const MapPaint& p, const QPointF& at, double ahead_s)
 {
     constexpr double kHour_s = 3600;
     constexpr double kBeside_px = 6;
     const QString text =
-        DriftTracksText::tr("+%1 h").arg(p.style.locale.toString(time_s / kHour_s, 'g', 3));
+        DriftTracksText::tr("+%1 h").arg(p.style.locale.toString(ahead_s / kHour_s, 'g', 3));
     p.painter.setFont(p.theme.small());
     const QFontMetricsF metrics(p.theme.small());
     const QRectF box(at + QPointF(kBeside_px, -metrics.height() / 2),
@@ -84,7 +91,7 @@ void paintTrackMarks(const MapPaint& p, const DriftTrack& track)
 {
     QPointF labelled = p.layout.view.toPixel(track.points.front().position_m);
     for (const DriftTrackPoint& point : track.points) {
-        if (!isMark(p, point))
+        if (!isMark(p, ahead_s(track, point)))
             continue;
         const QPointF at = p.layout.view.toPixel(point.position_m);
         p.painter.setPen(QPen(p.theme.sea, 1));
@@ -95,7 +102,7 @@ void paintTrackMarks(const MapPaint& p, const DriftTrack& track)
             p.painter.drawEllipse(at, kTrackMark_px, kTrackMark_px);
         if (QLineF(labelled, at).length() < kLabelRoom_px)
             continue;
-        paintHours(p, at, point.time_s);
+        paintHours(p, at, ahead_s(track, point));
         labelled = at;
         if (point.isAground)
             break;
