@@ -12325,6 +12325,10 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Imp&amp;ortér iskort...</translation>
     </message>
     <message>
+        <source>Ice chart</source>
+        <translation>Iskort</translation>
+    </message>
+    <message>
         <source>Forecast wind</source>
         <translation>Vind i prognosen</translation>
     </message>

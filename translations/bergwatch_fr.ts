@@ -12325,6 +12325,10 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Importer une carte des &amp;glaces…</translation>
     </message>
     <message>
+        <source>Ice chart</source>
+        <translation>Carte des glaces</translation>
+    </message>
+    <message>
         <source>Forecast wind</source>
         <translation>Vent prévu</translation>
     </message>

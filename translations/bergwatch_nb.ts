@@ -12325,6 +12325,10 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Im&amp;porter iskart …</translation>
     </message>
     <message>
+        <source>Ice chart</source>
+        <translation>Iskart</translation>
+    </message>
+    <message>
         <source>Forecast wind</source>
         <translation>Varslet vind</translation>
     </message>

@@ -167,7 +167,8 @@ bool MapController::layerIsShown(MapLayer layer) const
 void MapController::setLayerShown(MapLayer layer, bool shown)
 {
     MapLayers layers = panels().layers->layers();
-    layers.set(layer, shown ? 1 : 0);
+    const double usual = MapLayers().opacity(layer);
+    layers.set(layer, !shown ? 0 : usual > 0 ? usual : 1);
     panels().layers->showLayers(layers);
     showLayers(layers);
 }

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] bool panelIsShown(MapPanel panel) const;
     void setPanelShown(MapPanel panel, bool shown);
     [[nodiscard]] bool layerIsShown(MapLayer layer) const;
-    /** Wholly or not at all. */
+    /** Shows it with the opacity that it has by default, or hides it. */
     void setLayerShown(MapLayer layer, bool shown);
     /** The widget below the map; may be null. */
     void setBackdrop(const BackdropPointer& backdrop);

@@ -156,6 +156,7 @@ std::vector<Command> Menus::mapCommands()
         {"backdropAction", tr("&Background map…"), [&p] { p.backdrop.choose(); }},
         {"sweptAction", tr("Swept ar&ea"), layer(MapLayer::Swept)},
         {"placesAction", tr("Place names"), layer(MapLayer::Places)},
+        {"iceChartLayerAction", tr("Ice chart"), layer(MapLayer::IceChart)},
         {"windLayerAction", tr("Forecast wind"), layer(MapLayer::Wind)},
         {"currentLayerAction", tr("Forecast current"), layer(MapLayer::Current)},
         {"driftTracksAction", tr("Predicted drift"), layer(MapLayer::Tracks)},

@@ -33,7 +33,7 @@ double largestOffset_m(WindowFixture& w)
 
 } // namespace
 
-/** Predicted drift on the map. */
+/** Predicted drift and other layers of the map. */
 class TestMainWindowTracks : public QObject
 {
     Q_OBJECT
@@ -60,6 +60,22 @@ private slots:
         QVERIFY(largestOffset_m(w) < kRounding);
         w.workspace.reset();
         QVERIFY(tracksBeginAt(w, 0));
+    }
+
+    /** The ice chart is faint by default; the tracks are hidden. */
+    void layersComeBackWithTheirUsualStrength()
+    {
+        WindowFixture w(test::MapFixture::fourIcebergs());
+        const auto opacity = [&](MapLayer layer) { return w.map().layers().opacity(layer); };
+        const double usual = opacity(MapLayer::IceChart);
+        QVERIFY(usual > 0 && usual < 1);
+        QVERIFY(w.action(u"iceChartLayerAction"_s).isChecked());
+        w.trigger(u"iceChartLayerAction"_s);
+        QCOMPARE(opacity(MapLayer::IceChart), 0.0);
+        w.trigger(u"iceChartLayerAction"_s);
+        QCOMPARE(opacity(MapLayer::IceChart), usual);
+        w.trigger(u"driftTracksAction"_s);
+        QCOMPARE(opacity(MapLayer::Tracks), 1.0);
     }
 };
 
