@@ -67,6 +67,8 @@ void PoseTracks::restore(std::span<const PoseFix> fixes)
 std::vector<std::optional<ExternalPose>> PoseTracks::posesAt(double time_s, double step_s) const
 {
     std::vector<std::optional<ExternalPose>> poses;
+    if (std::ranges::all_of(m_tracks, &std::vector<PoseFix>::empty))
+        return poses; // as in most flights, in every step
     for (std::size_t uav = 0; uav < m_tracks.size(); ++uav)
         if (const std::optional<ExternalPose> pose = poseAt(m_tracks[uav], time_s)) {
             poses.resize(m_tracks.size());
