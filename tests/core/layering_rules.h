@@ -81,7 +81,7 @@ inline const std::vector<Module> kRooms{
     {"core/io/import/receivers", {"core/io/text", "core/io/import/fields"}},
     {"core/io/import/scenario", {"core/io/text", "core/io/import/fields"}},
     {"core/io/import/airspace",
-     {"core/io/text", "core/io/import/fields", "core/io/import/scenario"}},
+     {"core/io/text", "core/io/import/fields", "core/io/import/maps", "core/io/import/scenario"}},
     {"core/io/import/forecast", {"core/io/text", "core/io/import/scenario"}},
     {"core/io/import",
      {"core/io/text", "core/io/import/fields", "core/io/import/tables", "core/io/import/maps",

@@ -122,7 +122,7 @@ private:
 
     void add(const MapFeature& feature, const MapOutline& outline)
     {
-        const FeatureStyle style = styleOf(feature);
+        const FeatureKind style = styleOf(feature);
         Json corners = Json::array();
         for (const Point& corner_m : outline.corners_m)
             append(corners, corner_m, 0);

@@ -32,7 +32,7 @@ std::string styleId(const MapFeature& feature)
 
 std::string styleElement(const MapFeature& feature)
 {
-    const FeatureStyle style = styleOf(feature);
+    const FeatureKind style = styleOf(feature);
     const std::string colour = colourElement("ff", style.colour);
     std::string text = "<Style id=\"" + styleId(feature) + "\">";
     if (!std::holds_alternative<MapOutline>(feature.geometry))

@@ -295,13 +295,14 @@ Rgb uavColour(std::size_t row)
     return kColours[row % kColours.size()];
 }
 
-FeatureStyle styleOf(const MapFeature& feature)
+FeatureKind styleOf(const MapFeature& feature)
 {
+    const FeatureKind* const kind = findKind(feature.kind);
+    require(kind != nullptr, "a kind with a style");
+    FeatureKind style = *kind;
     if (feature.uav)
-        return {.kind = feature.kind, .colour = uavColour(*feature.uav)};
-    const auto* const style = std::ranges::find(kFeatureStyles, feature.kind, &FeatureStyle::kind);
-    require(style != kFeatureStyles.end(), "a kind with a style");
-    return *style;
+        style.colour = uavColour(*feature.uav);
+    return style;
 }
 
 } // namespace berg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/export/content/export_content.h"
+#include "core/io/export/content/feature_kinds.h"
 
 #include <array>
 #include <cstddef>
@@ -37,13 +38,7 @@ struct MapOutline
 /** An object of a map. */
 struct MapFeature
 {
-    /**
-     * "uav" (start of its path), "home", "iceberg" (now; for scope `Track` its true position, else
-     * the estimate), "visit" (place of a visit, in order), "plan", "path" or "track" (the line
-     * flown), "area", "no-fly", "stand-off", "airspace", "asset", or a part of the operation volume
-     * (`kVolumePartIds`).
-     */
-    std::string kind;
+    std::string kind;        ///< id of one of `kFeatureKinds`
     std::string key = {};    ///< distinguishes it from others of its kind; empty if there are none
     std::string title = {};  ///< for people
     std::string about = {};  ///< a line for people; may be empty
@@ -70,38 +65,12 @@ struct MapFeature
  */
 [[nodiscard]] std::vector<MapProperty> flatProperties(const MapFeature& feature);
 
-/** A colour of 8 bits per channel. */
-struct Rgb
-{
-    std::uint8_t red = 0;
-    std::uint8_t green = 0;
-    std::uint8_t blue = 0;
-};
-
-/** Appearance of the features of a kind. */
-struct FeatureStyle
-{
-    std::string_view kind;
-    Rgb colour;
-    bool isFilled = false; ///< polygons are filled and not only outlined
-};
-/** Styles of the kinds of features; those of a UAV have the colour of `uavColour`. */
-inline constexpr std::array<FeatureStyle, 10> kFeatureStyles{{{"iceberg", {120, 200, 240}},
-                                                              {"asset", {220, 60, 60}},
-                                                              {"area", {128, 128, 128}},
-                                                              {"airspace", {48, 120, 200}},
-                                                              {kVolumePartIds[0], {40, 160, 80}},
-                                                              {kVolumePartIds[1], {240, 160, 30}},
-                                                              {kVolumePartIds[2], {200, 40, 40}},
-                                                              {kVolumePartIds[3], {120, 120, 120}},
-                                                              {"no-fly", {200, 40, 40}, true},
-                                                              {"stand-off", {200, 40, 40}, true}}};
 /**
  * Returns the colour of UAV `row` in files: the palette of Okabe and Ito, distinguishable with
  * colour blindness, used cyclically.
  */
 [[nodiscard]] Rgb uavColour(std::size_t row);
-/** Returns the style of a feature. */
-[[nodiscard]] FeatureStyle styleOf(const MapFeature& feature);
+/** Returns the appearance of a feature. */
+[[nodiscard]] FeatureKind styleOf(const MapFeature& feature);
 
 } // namespace berg

@@ -5,11 +5,8 @@
 #include "core/geometry/covering_outline.h"
 #include "core/geometry/outline.h"
 #include "core/io/import/fields/area_outline.h"
-#include "core/io/import/fields/feature_scene.h"
-#include "core/io/import/fields/geojson_places.h"
 #include "core/io/import/fields/import_fields.h"
-#include "core/io/import/fields/import_source.h"
-#include "core/io/import/fields/json_members.h"
+#include "core/io/import/maps/feature_parsers.h"
 #include "core/io/import/scenario/import_icebergs.h"
 #include "core/io/text/byte_order_mark.h"
 #include "core/io/text/json_writer.h"
@@ -61,7 +58,7 @@ constexpr std::array kCeilings = {"ceiling", "upper", "upperLimit", "UPPER"};
 /** Whether a height is a number without a unit, so that it may be in metres or feet. */
 bool lacksUnit(const Json* properties, const char* metres, std::span<const char* const> names)
 {
-    return !numberAt(properties, metres) && std::ranges::any_of(names, [&](const char* name) {
+    return !numberIn(memberOf(properties, metres)) && std::ranges::any_of(names, [&](const char* name) {
         const Json* value = memberOf(properties, name);
         const Json* number = memberOf(value, "value");
         return (value != nullptr && value->is_number() && value->get<double>() != 0) ||
@@ -72,7 +69,7 @@ bool lacksUnit(const Json* properties, const char* metres, std::span<const char*
 std::optional<double> heightAt(const Json* properties, const char* metres,
                                std::span<const char* const> names, HeightLimit limit)
 {
-    if (const std::optional<double> height_m = numberAt(properties, metres))
+    if (const std::optional<double> height_m = numberIn(memberOf(properties, metres)))
         return height_m;
     for (const char* name : names)
         if (const Json* value = memberOf(properties, name))
@@ -87,14 +84,18 @@ std::string timeAt(const Json* properties, const char* name)
     return isUtcTime(text) ? text : std::string();
 }
 
-FileAirspace describedBy(const Json* properties)
+FileAirspace describedBy(const FileFeature& feature)
 {
+    const Json* const properties = feature.properties;
     FileAirspace area{
         .name = textAt(properties, {"name", "NAME", "title"}, kLongestName),
         .kind = textAt(properties, {"class", "CLASS", "type", "TYPE", "kind"}, kLongestId),
         .rings = {},
         .fromUtc = timeAt(properties, "from_utc"),
-        .untilUtc = timeAt(properties, "until_utc")};
+        .untilUtc = timeAt(properties, "until_utc"),
+        .line = feature.line};
+    if (area.name.empty() && memberOf(properties, "name") == nullptr) // else it says there is none
+        area.name = cleanText(feature.name, kLongestName);
     const double floor_m = heightAt(properties, "floor_m", kFloors, HeightLimit::Floor).value_or(0);
     area.floor_m = std::clamp(floor_m, 0.0, kLargestLength_m);
     area.ceiling_m = heightAt(properties, "ceiling_m", kCeilings, HeightLimit::Ceiling);
@@ -109,31 +110,27 @@ FileAirspace describedBy(const Json* properties)
  * Adds one area for each polygon, because those of a MultiPolygon may be apart. Holes count as
  * airspace.
  */
-void addFeature(const Json& feature, std::size_t number, AirspaceTable& table, ReadBudget& budget)
+void addFeature(const FileFeature& feature, AirspaceTable& table, ReadBudget& budget)
 {
-    const Json* properties = memberOf(&feature, "properties");
-    FileAirspace area = describedBy(properties);
-    area.line = number;
-    const bool isClear = !lacksUnit(properties, "floor_m", kFloors) &&
-                         !lacksUnit(properties, "ceiling_m", kCeilings);
-    const auto reject = [&](IssueId fault) {
-        table.rejected.add({.line = number, .fault = fault, .detail = cleanText(area.name, 60)});
-    };
-    const GeometryParts parts = geometryParts(memberOf(&feature, "geometry"));
-    for (const Json* polygon : parts.polygons) {
-        const Json& rings = listOf(*polygon);
+    const FileAirspace area = describedBy(feature);
+    const bool isClear = !lacksUnit(feature.properties, "floor_m", kFloors) &&
+                         !lacksUnit(feature.properties, "ceiling_m", kCeilings);
+    for (const FileShape& shape : feature.shapes()) {
+        if (shape.kind != FileShape::Kind::Area)
+            continue;
         std::optional<std::vector<LatLon>> ring =
-            rings.empty() ? std::nullopt : placesOf(&rings.front(), AxisOrder::LongitudeFirst);
+            shape.parts == 0 ? std::nullopt : shape.placesOf(0);
         if (!ring || !isClear) {
-            reject(ring ? IssueId::AirspaceUnit : IssueId::AirspaceUnreadable);
+            table.rejected.add(
+                {.line = feature.line,
+                 .fault = ring ? IssueId::AirspaceUnit : IssueId::AirspaceUnreadable,
+                 .detail = cleanText(area.name, 60)});
             continue;
         }
         budget.takeRow(sizeof area + area.name.size() + ring->size() * sizeof(LatLon));
         table.areas.push_back(area);
         table.areas.back().rings.push_back(std::move(*ring));
     }
-    for (std::size_t i = 0; i < parts.brokenAreas; ++i)
-        reject(IssueId::AirspaceUnreadable);
 }
 
 /** Returns the corners in the plane, without those that were inserted for a map if `isOfMap`. */
@@ -185,29 +182,19 @@ bool isFar(const std::vector<Point>& ring_m, const Point& place_m)
 }
 
 /**
- * Reads the polygons of a GeoJSON text with these properties, if present: `name`; `class`, `type`,
- * `kind`; `floor_m`, `ceiling_m`, or `floor`, `ceiling`, `lower`, `upper`, `lowerLimit`,
- * `upperLimit` with a height as in OpenAir or `{value, unit}` (0 m, 1 ft, 6 FL), but not a plain
- * number; `from_utc`, `until_utc`. Of a Bergwatch export only airspace is read.
+ * Reads the areas of a map with these properties, if present: `name`; `class`, `type`, `kind`;
+ * `floor_m`, `ceiling_m`, or `floor`, `ceiling`, `lower`, `upper`, `lowerLimit`, `upperLimit` with
+ * a height as in OpenAir or `{value, unit}` (0 m, 1 ft, 6 FL), but not a plain number; `from_utc`,
+ * `until_utc`. Of a Bergwatch export only airspace is read.
  */
-AirspaceTable readAirspaceGeoJson(std::string_view text, ReadBudget& budget)
+AirspaceTable readMapAirspace(std::string_view text, MapFormat format, ReadBudget& budget)
 {
-    ParsedJson file = parseJson(text, budget);
-    const Json* features = arrayOf(&file.root, "features");
     AirspaceTable table;
-    table.rejected.place = "feature";
-    if (features == nullptr) {
-        addFeature(file.root, 1, table, budget);
-        return table;
-    }
-    const bool isOwn = isOwnExport(text);
-    std::size_t number = 0;
-    for (const Json& feature : *features) {
-        budget.throwIfStopped();
-        ++number;
-        if (!isOwn || textOf(memberOf(memberOf(&feature, "properties"), "kind")) == "airspace")
-            addFeature(feature, number, table, budget);
-    }
+    table.rejected.place = placeIn(format);
+    readMapFeatures(text, format, budget, [&](const FileFeature& feature) {
+        if (!feature.isOwn || feature.kind == "airspace")
+            addFeature(feature, table, budget);
+    });
     return table;
 }
 
@@ -306,17 +293,18 @@ AirspaceResult importAirspace(const Scenario& base, std::string_view bytes,
                               const std::string& subject, const std::stop_token& stop)
 {
     ReadBudget budget(subject, bytes.size(), stop);
-    const std::string decoded = textOfBytes(bytes, subject);
+    const std::string decoded = textOfMap(bytes, budget);
     const std::string_view text =
         withoutByteOrderMark(decoded.empty() ? bytes : std::string_view(decoded));
-    const bool isJson = trimmed(text).starts_with('{');
-    if (!isJson && !isOpenAir(text))
+    const std::optional<MapFormat> map =
+        trimmed(text).starts_with('{') ? MapFormat::GeoJson : mapFormatOf(text);
+    if (!map && !isOpenAir(text))
         throw Error(ErrorCode::WrongFormat, subject, {IssueId::NotAirspace});
     const AirspaceTable table =
-        isJson ? readAirspaceGeoJson(text, budget) : readOpenAir(text, budget);
+        map ? readMapAirspace(text, *map, budget) : readOpenAir(text, budget);
     if (table.areas.empty() && table.rejected.count == 0)
         throw Error(ErrorCode::InvalidInput, subject, {IssueId::NoAirspace});
-    AirspaceImport import(base, table, isJson);
+    AirspaceImport import(base, table, map.has_value());
     for (const FileAirspace& area : table.areas) {
         throwIfStopped(stop);
         import.add(area);

@@ -2,7 +2,6 @@
 
 #include "core/base/find_by_id.h"
 #include "core/io/import/fields/import_fields.h"
-#include "core/permit/operation.h"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +10,37 @@ namespace berg {
 
 namespace {
 
-void addUav(FileScene& scene, const SceneFeature& feature)
+/** Geometries of a feature; areas are all read or none. */
+struct SceneGeometry
 {
-    const FeatureData& data = feature.data;
-    const std::optional<LatLon>& place = feature.geometry.place;
+    explicit SceneGeometry(const FileFeature& feature)
+    {
+        bool isWhole = true;
+        for (const FileShape& shape : feature.shapes()) {
+            const bool isArea = shape.kind == FileShape::Kind::Area;
+            if (!isArea && (shape.kind != FileShape::Kind::Places || place || shape.parts == 0))
+                continue;
+            std::optional<std::vector<LatLon>> places =
+                shape.parts == 0 ? std::nullopt : shape.placesOf(0);
+            if (isArea)
+                holes += shape.parts > 1 ? shape.parts - 1 : 0;
+            isWhole = isWhole && (!isArea || places);
+            if (isArea && places)
+                rings.push_back(std::move(*places));
+            else if (places && !places->empty())
+                place = places->front();
+        }
+        if (!isWhole)
+            rings.clear();
+    }
+
+    std::optional<LatLon> place;
+    std::vector<std::vector<LatLon>> rings; ///< exterior; empty if they cannot be read
+    std::size_t holes = 0;
+};
+
+void addUav(FileScene& scene, const FeatureData& data, const std::optional<LatLon>& place)
+{
     const std::string id = cleanText(valueOf(data, "uav"), kLongestId);
     if (SceneUav* known = data.contains("uav") ? findById(scene.uavs, id) : nullptr) {
         if (place)
@@ -38,35 +64,35 @@ void addUav(FileScene& scene, const SceneFeature& feature)
     uav->altitude_m = numberOf(data, "altitude_m");
 }
 
-void addArea(FileScene& scene, const SceneFeature& feature)
+void addArea(FileScene& scene, const FeatureData& data, SceneGeometry geometry, bool isNoFly)
 {
-    for (std::size_t i = 0; i < feature.geometry.holes; ++i)
+    for (std::size_t i = 0; i < geometry.holes; ++i)
         addFinding(scene.findings, SceneNote::AreaHoles);
-    if (feature.geometry.rings.empty()) {
+    if (geometry.rings.empty()) {
         addFinding(scene.findings, SceneNote::AreaUnreadable);
         return;
     }
-    scene.addArea({.rings = feature.geometry.rings,
-                   .geofence = trimmed(valueOf(feature.data, "geofence")) == "true",
-                   .isNoFly = feature.kind == "no-fly",
-                   .name = cleanText(valueOf(feature.data, "name"), kLongestName),
-                   .floor_m = numberOf(feature.data, "floor_m"),
-                   .ceiling_m = numberOf(feature.data, "ceiling_m")});
+    scene.addArea({.rings = std::move(geometry.rings),
+                   .geofence = trimmed(valueOf(data, "geofence")) == "true",
+                   .isNoFly = isNoFly,
+                   .name = cleanText(valueOf(data, "name"), kLongestName),
+                   .floor_m = numberOf(data, "floor_m"),
+                   .ceiling_m = numberOf(data, "ceiling_m")});
 }
 
-void addAsset(FileScene& scene, const SceneFeature& feature)
+void addAsset(FileScene& scene, const SceneFeature& added, const std::optional<LatLon>& place)
 {
-    const FeatureData& data = feature.data;
-    if (!feature.geometry.place) {
+    const FeatureData& data = added.data;
+    if (!place) {
         addFinding(scene.findings, SceneNote::NumberWrong, "asset");
         return;
     }
     // An asset that a user has drawn has a title only; one of Bergwatch may have a title and no
     // name.
-    const std::string& name = data.contains("name") ? valueOf(data, "name") : feature.title;
+    const std::string& name = data.contains("name") ? valueOf(data, "name") : added.feature.name;
     SceneAsset asset{.name = cleanText(name, kLongestName),
-                     .place = *feature.geometry.place,
-                     .time = feature.time,
+                     .place = *place,
+                     .time = added.time,
                      .range_m = numberOf(data, "range_m"),
                      .standoff_m = numberOf(data, "standoff_m"),
                      .standoffCeiling_m = numberOf(data, "standoff_ceiling_m")};
@@ -75,20 +101,6 @@ void addAsset(FileScene& scene, const SceneFeature& feature)
     if (east_mps && north_mps)
         asset.velocity_mps = Point(*east_mps, *north_mps);
     scene.addAsset(std::move(asset));
-}
-
-bool isVolumePart(std::string_view kind)
-{
-    return std::ranges::find(kVolumePartIds, kind) != kVolumePartIds.end();
-}
-
-/** Returns true for the kinds that `mapFeatures` writes. */
-bool isExportedKind(std::string_view kind)
-{
-    constexpr std::array<std::string_view, 12> kKinds{"iceberg",   "uav",      "home",  "visit",
-                                                      "plan",      "path",     "track", "no-fly",
-                                                      "stand-off", "airspace", "area",  "asset"};
-    return std::ranges::find(kKinds, kind) != kKinds.end() || isVolumePart(kind);
 }
 
 } // namespace
@@ -119,31 +131,15 @@ bool isOwnExport(std::string_view text)
     });
 }
 
-std::string featureKind(const FeatureData& data, std::string_view mark)
+void addSceneFeature(FileScene& scene, const SceneFeature& added)
 {
-    if (const std::string& kind = valueOf(data, "kind"); !kind.empty())
-        return isExportedKind(kind) ? kind : std::string();
-    if (mark.starts_with('#'))
-        mark.remove_prefix(1);
-    if (mark.starts_with("uav-")) // style of a home, of visits and of paths
-        return data.contains("airspeed_mps") ? "home" : "path";
-    const std::string_view word = mark.substr(0, mark.find('/'));
-    constexpr std::array<std::string_view, 5> kKinds{"area", "no-fly", "stand-off", "asset",
-                                                     "home"};
-    if (std::ranges::find(kKinds, word) != kKinds.end())
-        return std::string(word);
-    const bool isOther = word == "uav" || word == "airspace" || isVolumePart(word);
-    return isOther ? "path" : "";
-}
-
-void addSceneFeature(FileScene& scene, const SceneFeature& feature)
-{
-    if (feature.kind == "uav" || feature.kind == "home")
-        addUav(scene, feature);
-    else if (feature.kind == "area" || feature.kind == "no-fly")
-        addArea(scene, feature);
-    else if (feature.kind == "asset")
-        addAsset(scene, feature);
+    const std::string& kind = added.feature.kind;
+    if (kind == "uav" || kind == "home")
+        addUav(scene, added.data, SceneGeometry(added.feature).place);
+    else if (kind == "area" || kind == "no-fly")
+        addArea(scene, added.data, SceneGeometry(added.feature), kind == "no-fly");
+    else if (kind == "asset")
+        addAsset(scene, added, SceneGeometry(added.feature).place);
 }
 
 } // namespace berg

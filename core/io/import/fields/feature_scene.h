@@ -2,6 +2,7 @@
 
 // Private to core/io: objects of a Bergwatch export other than icebergs, from any map format.
 
+#include "core/io/import/fields/file_feature.h"
 #include "core/io/import/fields/import_scene.h"
 
 #include <map>
@@ -29,32 +30,18 @@ using FeatureData = std::map<std::string, std::string, std::less<>>;
  * and are not icebergs unless it says so.
  */
 [[nodiscard]] bool isOwnExport(std::string_view text);
-/**
- * Returns the kind of a feature of a Bergwatch export: its property, or in files of older versions
- * that of `mark` (its style, type or id); empty for features of others, whose kind is unknown here.
- */
-[[nodiscard]] std::string featureKind(const FeatureData& data, std::string_view mark);
 
-/** Geometry of a feature of a Bergwatch export. */
-struct SceneGeometry
-{
-    std::optional<LatLon> place = {};
-    std::vector<std::vector<LatLon>> rings = {}; ///< exterior; empty if they cannot be read
-    std::size_t holes = 0;
-};
 /** A feature of a Bergwatch export other than an iceberg. */
 struct SceneFeature
 {
-    std::string_view kind;
-    const std::string& title;
+    const FileFeature& feature;
     const FeatureData& data;
     std::optional<UtcTime> time = {};
-    SceneGeometry geometry = {};
 };
 /**
  * Adds a UAV, home, area, no-fly area or asset to the scene; other kinds are ignored. An area or
  * asset that cannot be read becomes a finding; a UAV without a place is added without a start.
  */
-void addSceneFeature(FileScene& scene, const SceneFeature& feature);
+void addSceneFeature(FileScene& scene, const SceneFeature& added);
 
 } // namespace berg

@@ -8,16 +8,27 @@ FeatureSightings::FeatureSightings(const ImportText& source, std::string_view pl
     : m_source(source), m_names(source.mapping)
 {
     m_table.rejected.place = m_table.noted.place = place;
-    beginText(source.text);
 }
 
-void FeatureSightings::begin(std::size_t line)
+void FeatureSightings::begin(std::size_t line, bool isOwn)
 {
     m_source.budget.throwIfStopped();
     m_line = line;
+    m_isOwn = isOwn;
     m_title.clear();
     m_texts.clear();
     m_data.clear();
+}
+
+bool FeatureSightings::begin(const FileFeature& feature)
+{
+    begin(feature.line, feature.isOwn);
+    m_texts.set({.field = SightingField::Time, .rank = feature.timeRank}, feature.time);
+    setProperties(feature.properties);
+    setTitle(feature.name);
+    const bool isNamed = !m_texts.text(SightingField::Id).empty();
+    m_texts.set({.field = SightingField::Id, .rank = kFeatureIdRank}, feature.id);
+    return isNamed;
 }
 
 void FeatureSightings::setProperty(const std::string& name, const std::string& text)
@@ -59,17 +70,13 @@ void FeatureSightings::setTitle(const std::string& title)
         m_texts.set({.field = SightingField::Name, .rank = kNameRank}, title);
 }
 
-bool FeatureSightings::addToScene(std::string_view mark,
-                                  const std::function<SceneGeometry()>& geometry)
+bool FeatureSightings::addToScene(const FileFeature& feature)
 {
-    const std::string kind = m_isOwn ? featureKind(m_data, mark) : std::string();
-    if (kind.empty() || kind == "iceberg")
+    if (feature.kind.empty() || feature.kind == "iceberg")
         return false;
-    addSceneFeature(m_table.scene, {.kind = kind,
-                                    .title = m_title,
+    addSceneFeature(m_table.scene, {.feature = feature,
                                     .data = m_data,
-                                    .time = parseUtc(m_texts.text(SightingField::Time)),
-                                    .geometry = geometry()});
+                                    .time = parseUtc(m_texts.text(SightingField::Time))});
     return true;
 }
 
@@ -144,18 +151,6 @@ std::optional<LatLon> placeOf(std::string_view latitude, std::string_view longit
     const std::variant<Sighting, RejectedRow> row = sightingOf(texts, {}, 0);
     const auto* const sighting = std::get_if<Sighting>(&row);
     return sighting == nullptr ? std::nullopt : std::optional(sighting->place);
-}
-
-std::string cellText(const Json& value)
-{
-    if (value.is_string())
-        return value.get<std::string>();
-    if (value.is_number())
-        return jsonText(value);
-    for (const char* type : {"number", "string", "boolean"})
-        if (const Json* wrapped = memberOf(&value, type); wrapped && !wrapped->is_structured())
-            return wrapped->is_boolean() ? jsonText(*wrapped) : cellText(*wrapped);
-    return {};
 }
 
 } // namespace berg

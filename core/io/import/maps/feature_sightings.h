@@ -5,9 +5,7 @@
 #include "core/io/import/fields/feature_scene.h"
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/import_source.h"
-#include "core/io/import/fields/json_members.h"
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,14 +32,14 @@ public:
     /** `place` is the unit of lines in findings, as in `Rejections::place`. */
     explicit FeatureSightings(const ImportText& source, std::string_view place = "line");
 
-    /** Begins a document of the file, which may be a Bergwatch export. */
-    void beginText(std::string_view text) { m_isOwn = isOwnExport(text); }
     [[nodiscard]] bool isOwn() const { return m_isOwn; }
-    /** Records that another program wrote the document, although it looks like an export. */
-    void setForeign() { m_isOwn = false; }
-
-    /** Begins a feature without properties. */
-    void begin(std::size_t line);
+    /** Begins a feature without properties in a Bergwatch export, if `isOwn`, or another file. */
+    void begin(std::size_t line, bool isOwn);
+    /**
+     * Begins a feature with its properties, name and id. Returns true if an id is among the
+     * properties and the name.
+     */
+    bool begin(const FileFeature& feature);
     /** Sets a property that may be a field of a sighting. The geometry determines the place. */
     void setProperty(const std::string& name, const std::string& text);
     /**
@@ -58,10 +56,10 @@ public:
     [[nodiscard]] std::size_t line() const { return m_line; }
 
     /**
-     * Adds the feature to the scene if its `featureKind` says that it is no iceberg. Returns false
-     * for icebergs and in files of others.
+     * Adds the feature to the scene if its kind says that it is no iceberg. Returns false for
+     * icebergs and features of others.
      */
-    bool addToScene(std::string_view mark, const std::function<SceneGeometry()>& geometry);
+    bool addToScene(const FileFeature& feature);
 
     /** Adds a place of the feature with the texts; returns false if it is rejected. */
     bool addPlace(const FieldTexts& texts);
@@ -118,7 +116,5 @@ private:
 
 /** Returns the place of two texts, or nullopt if they are not one. */
 [[nodiscard]] std::optional<LatLon> placeOf(std::string_view latitude, std::string_view longitude);
-/** Returns a value of JSON in the form of a table cell; empty for null and lists. */
-[[nodiscard]] std::string cellText(const Json& value);
 
 } // namespace berg

@@ -1,3 +1,4 @@
+#include "core/io/import/maps/feature_parsers.h"
 #include "core/io/import/maps/feature_sightings.h"
 #include "core/io/import/maps/map_readers.h"
 #include "core/io/text/json_writer.h"
@@ -7,12 +8,6 @@
 namespace berg {
 
 namespace {
-
-/** Returns the list of longitude, latitude and height, or of a time before each of them. */
-const Json* degreesOf(const Json* positions)
-{
-    return arrayOf(positions, "cartographicDegrees");
-}
 
 /** Sets the place from two numbers; returns the fault if they are not numbers. */
 std::optional<RejectedRow> setPlace(FieldTexts& texts, const Json& longitude, const Json& latitude)
@@ -24,30 +19,6 @@ std::optional<RejectedRow> setPlace(FieldTexts& texts, const Json& longitude, co
     return std::nullopt;
 }
 
-/** Reads the positions of an area, which are all places or none. */
-SceneGeometry ringOf(const Json* degrees)
-{
-    constexpr std::size_t kStep = 3;
-    std::vector<LatLon> ring;
-    for (std::size_t i = 0; degrees != nullptr && i + kStep <= degrees->size(); i += kStep)
-        if ((*degrees)[i].is_number() && (*degrees)[i + 1].is_number())
-            if (const auto corner =
-                    scenePlace((*degrees)[i + 1].get<double>(), (*degrees)[i].get<double>()))
-                ring.push_back(*corner);
-    if (degrees == nullptr || ring.size() * kStep != degrees->size())
-        return {};
-    return {.rings = {std::move(ring)}};
-}
-
-SceneGeometry sceneGeometry(const Json& packet)
-{
-    for (const char* shape : {"polyline", "polygon"})
-        if (const Json* positions = memberOf(memberOf(&packet, shape), "positions"))
-            return ringOf(degreesOf(positions));
-    const Json* degrees = degreesOf(memberOf(&packet, "position"));
-    return {.place = placeOf(degrees, AxisOrder::LongitudeFirst)};
-}
-
 /** Collects the sightings of one file. */
 class CzmlReader
 {
@@ -56,28 +27,18 @@ public:
 
     SightingTable take()
     {
-        ParsedJson file = parseJson(m_source.text, m_source.budget);
-        if (!file.root.is_array())
-            throw Error(ErrorCode::WrongFormat, m_source.budget.subject(),
-                        {IssueId::WrongType, {ValueKind::Array, kindOf(file.root)}});
-        forEachReleased(file.root.get_ref<Json::array_t&>(), m_source.budget,
-                        [this](const Json& packet) { addPacket(packet); });
+        readCzmlFeatures(m_source.text, m_source.budget,
+                         [this](const CzmlFeature& feature) { add(feature); });
         return m_found.take();
     }
 
 private:
-    void addPacket(const Json& packet)
+    void add(const CzmlFeature& feature)
     {
-        m_found.begin(++m_packet);
-        const std::string id = textOf(memberOf(&packet, "id"));
-        if (id == "document")
-            return;
-        m_found.setProperties(memberOf(&packet, "properties"));
-        m_found.setTitle(textOf(memberOf(&packet, "name")));
-        m_found.texts().set({.field = SightingField::Id, .rank = kFeatureIdRank}, id);
-        const Json* position = memberOf(&packet, "position");
-        const Json* degrees = degreesOf(position);
-        if (m_found.addToScene(id, [&packet] { return sceneGeometry(packet); }))
+        m_found.begin(feature);
+        const Json* const position = feature.position;
+        const Json* const degrees = czmlDegrees(position);
+        if (m_found.addToScene(feature))
             return;
         if (degrees == nullptr)
             m_found.reject(position == nullptr ? IssueId::NotAPoint : IssueId::NoPosition);
@@ -104,7 +65,7 @@ private:
             if (setPlace(texts, degrees[i + 1], degrees[i + 2]))
                 m_found.reject(IssueId::NoPosition);
             else
-                m_found.addTrackPlace(texts, m_packet, true);
+                m_found.addTrackPlace(texts, m_found.line(), true);
         }
         m_found.endTrack(first);
         if (degrees.size() % kStep != 0)
@@ -113,7 +74,6 @@ private:
 
     const ImportText& m_source;
     FeatureSightings m_found;
-    std::size_t m_packet = 0;
 };
 
 } // namespace

@@ -1,23 +1,16 @@
-#include "core/base/error.h"
 #include "core/io/import/fields/feature_ids.h"
-#include "core/io/import/fields/geojson_places.h"
 #include "core/io/import/maps/feature_sightings.h"
+#include "core/io/import/maps/feature_parsers.h"
 #include "core/io/import/maps/map_readers.h"
 
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
 namespace berg {
 
 namespace {
-
-std::string typeOf(const Json* object)
-{
-    return textOf(memberOf(object, "type"));
-}
 
 /** Returns the times of the corners of a line, or null if there are none. */
 const Json* timesOf(const Json* properties)
@@ -28,40 +21,6 @@ const Json* timesOf(const Json* properties)
         if (times != nullptr && times->is_array())
             return times;
     return nullptr;
-}
-
-bool isCollection(const Json& object)
-{
-    return typeOf(&object) == "FeatureCollection" && arrayOf(&object, "features") != nullptr;
-}
-
-/** Returns the features of a collection or a list, or the single one that the file is. */
-std::span<Json> featuresOf(Json& root)
-{
-    if (root.is_array())
-        return root.get_ref<Json::array_t&>();
-    if (!isCollection(root))
-        return {&root, 1};
-    return root.find("features")->get_ref<Json::array_t&>();
-}
-
-/** Reads a place, or the outlines of polygons, which are all read or none. */
-SceneGeometry sceneGeometry(const Json* geometry)
-{
-    SceneGeometry read{.place =
-                           placeOf(memberOf(geometry, "coordinates"), AxisOrder::LongitudeFirst)};
-    for (const Json* polygon : geometryParts(geometry).polygons) {
-        const Json& rings = listOf(*polygon);
-        std::optional<std::vector<LatLon>> exterior =
-            rings.empty() ? std::nullopt : placesOf(&rings.front(), AxisOrder::LongitudeFirst);
-        if (!exterior) {
-            read.rings.clear();
-            break;
-        }
-        read.rings.push_back(std::move(*exterior));
-        read.holes += rings.size() - 1;
-    }
-    return read;
 }
 
 /** Places of a feature in its coordinate system. */
@@ -103,107 +62,29 @@ public:
 
     SightingTable take()
     {
-        const std::vector<std::string_view> texts = jsonTextsOf(m_source.text);
-        if (texts.size() == 1)
-            readWhole(texts.front());
-        else
-            readSequence(texts);
+        readGeoJsonFeatures(m_source.text, CrsUse::Needed, m_source.budget,
+                            [this](const GeoJsonFeature& feature) { addFeature(feature); });
         m_featureIds.finish(m_found.table());
         return m_found.take();
     }
 
 private:
-    void readWhole(std::string_view text)
+    void addFeature(const GeoJsonFeature& feature)
     {
-        ParsedJson file = parseJson(text, m_source.budget);
-        survey(file.root);
-        const GeoJsonSystem system = systemOf(file.root, {}, m_source.budget.subject());
-        forEachReleased(featuresOf(file.root), m_source.budget,
-                        [&](const Json& one) { addObject(one, system); });
-    }
-
-    /** Reads a sequence of texts; a broken one is rejected and does not affect the others. */
-    void readSequence(const std::vector<std::string_view>& texts)
-    {
-        ReadBudget ahead = m_source.budget;
-        for (const std::string_view text : texts)
-            withParsed(text, ahead, [this](const Json& root) { survey(root); });
-        for (const std::string_view text : texts)
-            if (!withParsed(text, m_source.budget,
-                            [this](const Json& root) { addObject(root, {}); })) {
-                m_found.begin(++m_feature);
-                m_found.reject(IssueId::FeatureBroken, std::string(text.substr(0, 200)));
-            }
-    }
-
-    /**
-     * Calls `use` with the tree of a text and then frees its memory. Returns false if the text is
-     * broken.
-     */
-    template <class Use>
-    static bool withParsed(std::string_view text, ReadBudget& budget, Use use)
-    {
-        const std::size_t before = budget.memory();
-        std::optional<ParsedJson> file;
-        try {
-            file.emplace(parseJson(text, budget));
-        } catch (const Error& error) {
-            if (error.code() != ErrorCode::SyntaxError)
-                throw;
-            budget.release(budget.memory() - before);
-            return false;
-        }
-        const std::size_t tree = budget.memory() - before;
-        use(std::as_const(file->root));
-        budget.release(tree);
-        return true;
-    }
-
-    /** Determines whether the file is a route: no feature has a place of its own. */
-    void survey(const Json& object)
-    {
-        m_source.budget.throwIfStopped();
-        if (object.is_array() || isCollection(object)) {
-            for (const Json& one : object.is_array() ? object : *memberOf(&object, "features"))
-                survey(one);
+        const bool isProperty = m_found.begin(feature);
+        if (!feature.broken.empty()) {
+            m_found.reject(IssueId::FeatureBroken, feature.broken);
             return;
         }
-        const bool isBare = typeOf(&object) != "Feature";
-        m_isRoute = m_isRoute && !hasPlaces(isBare ? &object : memberOf(&object, "geometry"));
-    }
-
-    /** Adds a feature, or each feature of a collection or list. */
-    void addObject(const Json& object, const GeoJsonSystem& outer)
-    {
-        const GeoJsonSystem system = systemOf(object, outer, m_source.budget.subject());
-        if (!object.is_array() && !isCollection(object)) {
-            addFeature(object, system);
+        if (m_found.addToScene(feature))
             return;
-        }
-        for (const Json& one : object.is_array() ? object : *memberOf(&object, "features"))
-            addObject(one, system);
-    }
-
-    void addFeature(const Json& feature, const GeoJsonSystem& system)
-    {
-        m_found.begin(++m_feature);
-        const bool bare = typeOf(&feature) != "Feature";
-        const Json* geometry = bare ? &feature : memberOf(&feature, "geometry");
-        const Json* properties = bare ? nullptr : memberOf(&feature, "properties");
-        m_found.setProperties(properties);
-        if (m_found.addToScene({}, [geometry] { return sceneGeometry(geometry); }))
-            return;
-        FieldTexts& texts = m_found.texts();
-        const bool isProperty = !texts.text(SightingField::Id).empty();
-        const Json* member = bare ? nullptr : memberOf(&feature, "id");
-        const std::string id = member == nullptr ? std::string() : cellText(*member);
-        texts.set({.field = SightingField::Id, .rank = kFeatureIdRank}, id);
         const std::size_t first = m_found.table().sightings.size();
-        addPlaces(PlacedFeature(geometry, timesOf(properties), system));
-        m_featureIds.add(m_found.table(), first, id, isProperty);
+        addPlaces(PlacedFeature(feature.geometry, timesOf(feature.properties), feature.system),
+                  feature.isRoute);
+        m_featureIds.add(m_found.table(), first, feature.id, isProperty);
     }
 
-    void addPlaces(const PlacedFeature& feature)
+    void addPlaces(const PlacedFeature& feature, bool isRoute)
     {
         const GeometryKinds kinds{.tracks = !feature.lines.empty() && feature.times != nullptr,
                                   .points = !feature.points.empty(),
@@ -217,7 +98,7 @@ private:
             addEach(feature.points, feature.system);
         else if (kinds.areas)
             addAreas(feature);
-        else if (m_isRoute && kinds.lines)
+        else if (isRoute && kinds.lines)
             addRoute(feature);
         else if (feature.broken == 0)
             m_found.reject(IssueId::NotAPoint, kinds.lines ? "LineString" : feature.other);
@@ -313,14 +194,12 @@ private:
         else if (std::optional<RejectedRow> fault = setPlace(texts, *position, system))
             m_found.reject(std::move(*fault));
         else
-            m_found.addTrackPlace(texts, m_feature, timeNeeded);
+            m_found.addTrackPlace(texts, m_found.line(), timeNeeded);
     }
 
     const ImportText& m_source;
     FeatureSightings m_found;
     FeatureIds m_featureIds;
-    bool m_isRoute = true; ///< no feature has a place of its own
-    std::size_t m_feature = 0;
 };
 
 } // namespace

@@ -13,7 +13,9 @@ namespace {
 class GpxReader
 {
 public:
-    explicit GpxReader(const ImportText& source) : m_source(source), m_found(source) {}
+    explicit GpxReader(const ImportText& source) : m_source(source), m_found(source), m_isOwn(isOwnExport(source.text))
+    {
+    }
 
     SightingTable take()
     {
@@ -34,14 +36,15 @@ private:
     void opened(const XmlElement& element)
     {
         if (element.name == "gpx" && element.attribute("creator") != "Bergwatch")
-            m_found.setForeign();
+            m_isOwn = false;
         if (element.name == "trk") {
             m_track.clear();
             m_first = m_found.table().sightings.size();
         }
         if (!isPoint(element.name))
             return;
-        m_found.begin(element.line);
+        m_found.begin(element.line, m_isOwn);
+        m_properties = Json::object();
         m_name.clear();
         m_type.clear();
         m_latitude = element.attribute("lat");
@@ -71,6 +74,7 @@ private:
     /** Only the extensions of Bergwatch are fields of a sighting. */
     void extension(const XmlElement& element)
     {
+        membersOf(m_properties).emplace_back(element.name, element.text);
         constexpr std::array<std::string_view, 4> kFields{"id", "sigma_m2", "q_m2ps", "radius_m"};
         if (std::ranges::find(kFields, element.name) != kFields.end())
             m_found.setProperty(element.name, element.text);
@@ -82,12 +86,14 @@ private:
     {
         const bool isTrack = point == "trkpt";
         m_found.setTitle(isTrack ? m_track : m_name);
-        if (m_found.isOwn() && point != "wpt")
+        if (m_isOwn && point != "wpt")
             return; // routes and tracks show where UAVs fly
-        const auto geometry = [this] {
-            return SceneGeometry{.place = placeOf(m_latitude, m_longitude)};
-        };
-        if (m_found.addToScene(m_type, geometry))
+        FileFeature feature{.name = m_name,
+                            .shapes = [this] { return std::vector{FileShape{.placesOf = [this](
+                                std::size_t) { return place(); }}}; }};
+        if (m_isOwn)
+            feature.kind = featureKind(&m_properties, m_type);
+        if (m_found.addToScene(feature))
             return;
         FieldTexts& texts = m_found.texts();
         texts.set(SightingField::Latitude, m_latitude);
@@ -101,8 +107,16 @@ private:
         m_found.addPlace(texts);
     }
 
+    [[nodiscard]] std::optional<std::vector<LatLon>> place() const
+    {
+        const std::optional<LatLon> place = placeOf(m_latitude, m_longitude);
+        return place ? std::optional(std::vector{*place}) : std::nullopt;
+    }
+
     const ImportText& m_source;
     FeatureSightings m_found;
+    bool m_isOwn;
+    Json m_properties;       ///< extensions of the open waypoint
     std::string m_track;     ///< name of the open track
     std::size_t m_first = 0; ///< index of the first sighting of the open track
     std::string m_name;

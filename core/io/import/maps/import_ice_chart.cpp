@@ -2,10 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/io/export/content/thinned_path.h"
-#include "core/io/import/fields/geojson_places.h"
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/import_source.h"
-#include "core/io/import/maps/feature_sightings.h"
+#include "core/io/import/maps/feature_parsers.h"
 #include "core/io/import/maps/map_readers.h"
 #include "core/io/text/byte_order_mark.h"
 #include "core/io/text/json_writer.h"
@@ -255,14 +254,8 @@ public:
 
     void read(std::string_view text)
     {
-        ParsedJson file = parseJson(text, m_budget);
-        Json& root = file.root;
-        const GeoJsonSystem system = systemOf(root, {}, m_budget.subject());
-        if (arrayOf(&root, "features") != nullptr)
-            forEachReleased(std::span<Json>(root.find("features")->get_ref<Json::array_t&>()),
-                            m_budget, [&](const Json& feature) { addFeature(feature, system); });
-        else
-            addFeature(root, system);
+        readGeoJsonFeatures(text, CrsUse::Needed, m_budget,
+                            [this](const GeoJsonFeature& feature) { addFeature(feature); });
     }
 
     IceChartResult take()
@@ -292,11 +285,9 @@ private:
                     {{Severity::Error, placeOf(m_result.rejected, first.line), reasonOf(first)}});
     }
 
-    void addFeature(const Json& feature, const GeoJsonSystem& system)
+    void addFeature(const FileFeature& feature)
     {
-        m_budget.throwIfStopped();
-        ++m_number;
-        const Json* const properties = memberOf(&feature, "properties");
+        const Json* const properties = feature.properties;
         const std::string type(trimmed(textOf(chartProperty(properties, "POLY_TYPE"))));
         const bool hasTotal = chartProperty(properties, "CT") != nullptr;
         if (type == "L" || (type.empty() && !hasTotal))
@@ -310,19 +301,19 @@ private:
         area.isFast = type != "W" && chartCode(properties, "FA") == kFastIce;
         if (m_chart.dateUtc.empty())
             m_chart.dateUtc = dateOfProperties(properties);
-        const GeometryParts parts = geometryParts(memberOf(&feature, "geometry"));
-        for (const Json* polygon : parts.polygons)
-            addPolygon(*polygon, system, area);
-        for (std::size_t i = 0; i < parts.brokenAreas; ++i)
-            m_result.rejected.add({.line = m_number, .fault = IssueId::IceAreaUnreadable});
+        for (const FileShape& shape : feature.shapes())
+            if (shape.kind == FileShape::Kind::Area)
+                addPolygon(shape, feature.line, area);
     }
 
-    void addPolygon(const Json& polygon, const GeoJsonSystem& system, IceArea area)
+    void addPolygon(const FileShape& polygon, std::size_t line, IceArea area)
     {
-        for (const Json& ring : listOf(polygon)) {
-            const std::optional<Outline> outline_m = outlineOf(ring, system);
+        if (polygon.parts == 0)
+            m_result.rejected.add({.line = line, .fault = IssueId::IceAreaUnreadable});
+        for (std::size_t i = 0; i < polygon.parts; ++i) {
+            const std::optional<Outline> outline_m = outlineOf(polygon.placesOf(i));
             if (!outline_m) {
-                m_result.rejected.add({.line = m_number, .fault = IssueId::IceAreaUnreadable});
+                m_result.rejected.add({.line = line, .fault = IssueId::IceAreaUnreadable});
                 return;
             }
             Outline cut_m = cutToChart(*outline_m);
@@ -342,20 +333,11 @@ private:
     }
 
     /** Returns a ring in the plane, without its repeated first place. */
-    std::optional<Outline> outlineOf(const Json& ring, const GeoJsonSystem& system) const
+    std::optional<Outline> outlineOf(const std::optional<std::vector<LatLon>>& places) const
     {
         Outline outline_m;
-        for (const Json& corner : listOf(ring)) {
-            const std::optional<Point> position = positionOf(corner);
-            if (!position)
-                return std::nullopt;
-            const LatLon given{.latitude_deg = position->y(), .longitude_deg = position->x()};
-            const LatLon read = system.unprojected ? (*system.unprojected)(*position) : given;
-            const std::optional<LatLon> place = scenePlace(read.latitude_deg, read.longitude_deg);
-            if (!place)
-                return std::nullopt;
-            outline_m.push_back(m_frame.toPlane(*place));
-        }
+        for (const LatLon& place : places.value_or(std::vector<LatLon>()))
+            outline_m.push_back(m_frame.toPlane(place));
         if (outline_m.size() > 1 && outline_m.front() == outline_m.back())
             outline_m.pop_back();
         return outline_m.size() < 3 ? std::nullopt : std::optional(std::move(outline_m));
@@ -400,7 +382,6 @@ private:
     LocalFrame m_frame;
     IceChartResult m_result;
     IceChart m_chart;
-    std::size_t m_number = 0; ///< of the feature, from 1
 };
 
 } // namespace

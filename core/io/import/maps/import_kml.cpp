@@ -1,8 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/import/fields/area_centroid.h"
-#include "core/io/import/fields/import_xml.h"
 #include "core/io/import/maps/feature_sightings.h"
-#include "core/io/import/maps/kml_geometry.h"
+#include "core/io/import/maps/feature_parsers.h"
 #include "core/io/import/maps/kmz_documents.h"
 #include "core/io/import/maps/map_readers.h"
 #include "core/io/text/json_writer.h"
@@ -22,18 +21,15 @@ class KmlSightings
 {
 public:
     explicit KmlSightings(const ImportText& source)
-        : m_budget(source.budget), m_found(source), m_geometry(source.budget)
+        : m_budget(source.budget), m_found(source)
     {
     }
 
     void read(std::string_view text)
     {
-        m_found.beginText(text);
-        m_inside = false;
-        m_folderTimes.clear();
-        const XmlEvents events{.opened = [this](XmlPath path) { opened(path); },
-                               .closed = [this](XmlPath path) { closed(path); }};
-        readXml(text, events, m_budget);
+        readKmlFeatures(text, m_budget,
+                        {.feature = [this](const KmlFeature& feature) { add(feature); },
+                         .link = [this](const KmlText& link) { m_links.push_back(link); }});
     }
 
     /** Returns the links of the documents since the last call. */
@@ -55,119 +51,27 @@ public:
     }
 
 private:
-    void opened(XmlPath path)
+    void add(const KmlFeature& feature)
     {
-        const XmlElement& element = path.back();
-        if (m_inside)
-            m_geometry.opened(path);
-        if (element.name != "Placemark")
-            return;
-        m_inside = true;
-        m_found.begin(element.line);
-        m_name.clear();
-        m_style.clear();
-        m_geometry.clear();
-        // A name or an id of the extended data names the iceberg better than this id.
-        FieldTexts& texts = m_found.texts();
-        texts.set({.field = SightingField::Id, .rank = kFeatureIdRank}, element.attribute("id"));
-        if (!m_folderTimes.empty())
-            texts.set({.field = SightingField::Time, .rank = kFeatureIdRank},
-                      m_folderTimes.back().text);
+        m_found.begin(feature);
+        if (!m_found.addToScene(feature))
+            addPlaces(*feature.geometry);
     }
 
-    void closed(XmlPath path)
-    {
-        const XmlElement& element = path.back();
-        const std::string_view parent = parentName(path);
-        while (!m_folderTimes.empty() && m_folderTimes.back().depth >= path.size())
-            m_folderTimes.pop_back();
-        if (element.name == "href" && (parent == "Link" || parent == "Url"))
-            addLink(path);
-        else if (element.name == "when" || element.name == "begin" || element.name == "end")
-            setTime(path);
-        if (!m_inside)
-            return;
-        m_geometry.closed(path);
-        if (element.name == "Placemark")
-            finish();
-        else if (element.name == "name" && parent == "Placemark")
-            m_name = element.text;
-        else if (element.name == "styleUrl" && parent == "Placemark")
-            m_style = trimmed(element.text);
-        else if (element.name == "value" && parent == "Data")
-            m_found.setProperty(path[path.size() - 2].attribute("name"), element.text);
-        else if (element.name == "SimpleData")
-            m_found.setProperty(element.attribute("name"), element.text);
-    }
-
-    void addLink(XmlPath path)
-    {
-        if (parentName(path.first(path.size() - 1)) != "NetworkLink")
-            return; // link of a model or an image
-        m_budget.take(2 * sizeof(KmlText) + path.back().text.capacity());
-        m_links.push_back(
-            {.line = path.back().line, .text = std::string(trimmed(path.back().text))});
-    }
-
-    /**
-     * Sets the time of a Placemark, or of the folder or document around it, but not that of a view
-     * of it. A span gives its begin, else its end.
-     */
-    void setTime(XmlPath path)
-    {
-        const std::string_view parent = parentName(path);
-        if (parent != "TimeStamp" && parent != "TimeSpan")
-            return;
-        const std::string_view of = parentName(path.first(path.size() - 1));
-        const std::size_t rank = path.back().name == "end" ? 1 : 0;
-        const std::string_view text = trimmed(path.back().text);
-        if (of == "Placemark" && m_inside) {
-            m_found.texts().set({.field = SightingField::Time, .rank = rank}, text);
-        } else if ((of == "Folder" || of == "Document") && !text.empty()) {
-            const std::size_t depth = path.size() - 2;
-            if (m_folderTimes.empty() || m_folderTimes.back().depth < depth)
-                m_folderTimes.push_back({.depth = depth, .text = std::string(text.substr(0, 200))});
-        }
-    }
-
-    void finish()
-    {
-        m_inside = false;
-        m_found.setTitle(m_name);
-        if (!m_found.addToScene(m_style, [this] { return sceneGeometry(); }))
-            addPlaces();
-    }
-
-    [[nodiscard]] SceneGeometry sceneGeometry() const
-    {
-        SceneGeometry read;
-        if (!m_geometry.points().empty())
-            if (const auto tuples = kmlTuples(m_geometry.points().front());
-                tuples && !tuples->empty())
-                read.place = placeOf(tuples->front().latitude, tuples->front().longitude);
-        for (const KmlArea& area : m_geometry.areas()) {
-            if (std::optional<std::vector<LatLon>> ring = placesOfTuples(area.outline))
-                read.rings.push_back(std::move(*ring));
-            read.holes += area.holes.size();
-        }
-        if (read.rings.size() != m_geometry.areas().size())
-            read.rings.clear();
-        return read;
-    }
-
-    void addPlaces()
+    void addPlaces(const KmlGeometry& geometry)
     {
         // In a Bergwatch export, a shape of another program is somebody's note and not an iceberg.
-        const GeometryKinds kinds{.tracks = !m_geometry.tracks().empty(),
-                                  .points = !m_geometry.points().empty(),
-                                  .areas = !m_geometry.areas().empty() && !m_found.isOwn(),
-                                  .lines = m_geometry.hasLines()};
+        using Kind = KmlShape::Kind;
+        const GeometryKinds kinds{.tracks = geometry.has(Kind::Track),
+                                  .points = geometry.has(Kind::Point),
+                                  .areas = geometry.has(Kind::Area) && !m_found.isOwn(),
+                                  .lines = geometry.has(Kind::Line)};
         if (kinds.tracks)
-            addTracks();
+            addTracks(geometry.shapes());
         else if (kinds.points)
-            addPoints();
+            addPoints(geometry.shapes());
         else if (kinds.areas)
-            addAreas();
+            addAreas(geometry.shapes());
         else
             m_found.reject(IssueId::NotAPoint);
         m_found.noteUnused(kinds);
@@ -179,11 +83,13 @@ private:
         texts.set(SightingField::Latitude, tuple.latitude);
     }
 
-    void addPoints()
+    void addPoints(const std::vector<KmlShape>& shapes)
     {
-        const std::vector<std::string>& points = m_geometry.points();
         std::vector<KmlTuple> places;
-        for (const std::string& text : points) {
+        for (const KmlShape& shape : shapes) {
+            if (shape.kind != KmlShape::Kind::Point)
+                continue;
+            const std::string& text = shape.texts.front().text;
             std::optional<std::vector<KmlTuple>> tuples = kmlTuples(text);
             if (tuples && tuples->size() == 1) {
                 places.push_back(std::move(tuples->front()));
@@ -197,13 +103,15 @@ private:
         addEach(places);
     }
 
-    void addAreas()
+    void addAreas(const std::vector<KmlShape>& shapes)
     {
         std::vector<AreaRings> areas;
-        for (const KmlArea& given : m_geometry.areas()) {
-            AreaRings rings{cornersOf(given.outline)};
-            for (const std::string& hole : given.holes)
-                rings.push_back(cornersOf(hole));
+        for (const KmlShape& shape : shapes) {
+            if (shape.kind != KmlShape::Kind::Area)
+                continue;
+            AreaRings rings;
+            for (const KmlText& ring : shape.texts)
+                rings.push_back(cornersOf(ring.text));
             if (centroidOf(rings, kTurn_deg))
                 areas.push_back(std::move(rings));
             else
@@ -241,14 +149,15 @@ private:
             });
     }
 
-    void addTracks()
+    void addTracks(const std::vector<KmlShape>& shapes)
     {
         const std::size_t first = table().sightings.size();
         bool isEmpty = true;
-        for (const KmlTrack& track : m_geometry.tracks()) {
-            for (std::size_t i = 0; i < track.coordinates.size(); ++i) {
+        for (const KmlShape& track : shapes) {
+            for (std::size_t i = 0; track.kind == KmlShape::Kind::Track && i < track.texts.size();
+                 ++i) {
                 isEmpty = false;
-                const KmlText& given = track.coordinates[i];
+                const KmlText& given = track.texts[i];
                 FieldTexts texts = m_found.texts();
                 texts.drop(SightingField::Time);
                 if (i < track.whens.size())
@@ -261,7 +170,7 @@ private:
                 else
                     reject(given.line, IssueId::PlaceAmbiguous, cleanText(given.text, 60));
             }
-            if (track.whens.size() > track.coordinates.size())
+            if (track.whens.size() > track.texts.size())
                 m_found.note(IssueId::TimesLeft);
         }
         if (isEmpty)
@@ -289,20 +198,8 @@ private:
         table().sightings = std::move(kept);
     }
 
-    /** Time of a folder, which applies to its content. */
-    struct FolderTime
-    {
-        std::size_t depth = 0;
-        std::string text;
-    };
-
     ReadBudget& m_budget;
     FeatureSightings m_found;
-    bool m_inside = false; ///< whether a Placemark is open
-    std::string m_name;
-    std::string m_style;
-    KmlGeometry m_geometry;
-    std::vector<FolderTime> m_folderTimes;
     std::vector<KmlText> m_links;
     std::vector<std::size_t> m_doubtful; ///< rows whose place may have decimal commas
     bool m_hasDecimalCommas = false;

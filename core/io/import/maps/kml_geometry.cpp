@@ -78,31 +78,41 @@ std::optional<KmlTuple> kmlCoord(std::string_view text)
 void KmlGeometry::clear()
 {
     m_budget.release(std::exchange(m_memory, 0));
-    m_points.clear();
-    m_tracks.clear();
-    m_areas.clear();
+    m_shapes.clear();
+    m_area.reset();
     m_longitude.clear();
     m_latitude.clear();
-    m_hasLines = false;
 }
 
-std::string KmlGeometry::stored(std::string text)
+bool KmlGeometry::has(KmlShape::Kind kind) const
+{
+    return std::ranges::find(m_shapes, kind, &KmlShape::kind) != m_shapes.end();
+}
+
+KmlText KmlGeometry::stored(std::size_t line, std::string text)
 {
     const std::size_t memory = 3 * sizeof(KmlText) + text.capacity(); // of a growing list
     m_budget.take(memory);
     m_memory += memory;
-    return text;
+    return {.line = line, .text = std::move(text)};
+}
+
+void KmlGeometry::addShape(KmlShape::Kind kind, KmlText text)
+{
+    m_shapes.push_back({.kind = kind, .texts = {}, .whens = {}});
+    if (kind != KmlShape::Kind::Track)
+        m_shapes.back().texts.push_back(std::move(text));
 }
 
 void KmlGeometry::opened(XmlPath path)
 {
-    const std::string& name = path.back().name;
-    if (name == "Track") {
-        stored({});
-        m_tracks.emplace_back();
-    } else if (name == "Polygon") {
-        stored({});
-        m_areas.emplace_back();
+    const XmlElement& element = path.back();
+    if (element.name == "Track") {
+        m_track = m_shapes.size();
+        addShape(KmlShape::Kind::Track, stored(element.line, {}));
+    } else if (element.name == "Polygon") {
+        m_area = m_shapes.size();
+        addShape(KmlShape::Kind::Area, stored(element.line, {}));
     }
 }
 
@@ -111,9 +121,9 @@ void KmlGeometry::closed(XmlPath path)
     const XmlElement& element = path.back();
     const std::string_view parent = parentName(path);
     if (element.name == "when" && parent == "Track")
-        m_tracks.back().whens.push_back(stored(element.text));
+        m_shapes[m_track].whens.push_back(stored(element.line, element.text).text);
     else if (element.name == "coord" && parent == "Track")
-        m_tracks.back().coordinates.push_back({.line = element.line, .text = stored(element.text)});
+        m_shapes[m_track].texts.push_back(stored(element.line, element.text));
     else if (element.name == "coordinates")
         addCoordinates(path);
     else if (element.name == "longitude" && parent == "Location")
@@ -121,23 +131,23 @@ void KmlGeometry::closed(XmlPath path)
     else if (element.name == "latitude" && parent == "Location")
         m_latitude = element.text;
     else if (element.name == "Location" && parent == "Model")
-        m_points.push_back(
-            stored(std::string(trimmed(m_longitude)) + ',' + std::string(trimmed(m_latitude))));
+        addShape(KmlShape::Kind::Point,
+                 stored(element.line, std::string(trimmed(m_longitude)) + ',' +
+                                          std::string(trimmed(m_latitude))));
 }
 
 void KmlGeometry::addCoordinates(XmlPath path)
 {
-    const std::string& text = path.back().text;
+    KmlText text = stored(path.back().line, path.back().text);
     const std::string_view parent = parentName(path);
     const std::string_view grandparent = parentName(path.first(path.size() - 1));
-    if (parent == "Point")
-        m_points.push_back(stored(text));
-    else if (parent == "LinearRing" && grandparent == "outerBoundaryIs" && !m_areas.empty())
-        m_areas.back().outline = stored(text);
-    else if (parent == "LinearRing" && grandparent == "innerBoundaryIs" && !m_areas.empty())
-        m_areas.back().holes.push_back(stored(text));
+    const bool isRing = parent == "LinearRing" && m_area.has_value();
+    if (isRing && grandparent == "outerBoundaryIs")
+        m_shapes[*m_area].texts.front() = std::move(text);
+    else if (isRing && grandparent == "innerBoundaryIs")
+        m_shapes[*m_area].texts.push_back(std::move(text));
     else
-        m_hasLines = true;
+        addShape(parent == "Point" ? KmlShape::Kind::Point : KmlShape::Kind::Line, std::move(text));
 }
 
 } // namespace berg

@@ -4,6 +4,7 @@
 
 #include "core/io/import/fields/import_xml.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,18 +40,20 @@ struct KmlText
     std::string text;
 };
 
-/** A gx:Track: times and places correspond by their order. */
-struct KmlTrack
+/** A geometry of a Placemark, as text. */
+struct KmlShape
 {
-    std::vector<std::string> whens;
-    std::vector<KmlText> coordinates;
-};
-
-/** Texts of a polygon: the outline and its holes. */
-struct KmlArea
-{
-    std::string outline;
-    std::vector<std::string> holes;
+    enum class Kind : std::uint8_t
+    {
+        Point, ///< or a Model
+        Line,
+        Area,
+        Track
+    };
+    Kind kind = Kind::Point;
+    /** One text; or an outline, empty if there is none, and holes; or the places of a track. */
+    std::vector<KmlText> texts;
+    std::vector<std::string> whens; ///< times of the places of a track, in their order
 };
 
 /**
@@ -66,23 +69,22 @@ public:
     void opened(XmlPath path);
     void closed(XmlPath path);
 
-    [[nodiscard]] const std::vector<std::string>& points() const { return m_points; }
-    [[nodiscard]] const std::vector<KmlTrack>& tracks() const { return m_tracks; }
-    [[nodiscard]] const std::vector<KmlArea>& areas() const { return m_areas; }
-    [[nodiscard]] bool hasLines() const { return m_hasLines; }
+    /** Returns the geometries in the order of the file. */
+    [[nodiscard]] const std::vector<KmlShape>& shapes() const { return m_shapes; }
+    [[nodiscard]] bool has(KmlShape::Kind kind) const;
 
 private:
-    std::string stored(std::string text);
+    KmlText stored(std::size_t line, std::string text);
+    void addShape(KmlShape::Kind kind, KmlText text);
     void addCoordinates(XmlPath path);
 
     ReadBudget& m_budget;
-    std::size_t m_memory = 0;          ///< bytes of stored texts
-    std::vector<std::string> m_points; ///< coordinates of Points and Models
-    std::vector<KmlTrack> m_tracks;
-    std::vector<KmlArea> m_areas;
+    std::size_t m_memory = 0; ///< bytes of stored texts
+    std::vector<KmlShape> m_shapes;
+    std::optional<std::size_t> m_area; ///< index of the last polygon
+    std::size_t m_track = 0;           ///< index of the last track
     std::string m_longitude; ///< from the Location of a Model
     std::string m_latitude;
-    bool m_hasLines = false;
 };
 
 } // namespace berg

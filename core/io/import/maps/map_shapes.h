@@ -29,9 +29,10 @@ struct MapShape
 };
 
 /**
- * Reads places, lines and polygons of GeoJSON, KML and KMZ. Colours are those of the file: KML
- * styles, `fill` and `stroke` of simplestyle; polygons of an ice chart (`CT` and `FA` of SIGRID-3)
- * have the WMO colours of the total concentration. Shapes with an invalid place are left out.
+ * Reads places, lines and polygons of GeoJSON, KML, KMZ and CZML. Colours are those of the file:
+ * KML styles, `fill` and `stroke` of simplestyle, solid materials of CZML; polygons of an ice chart
+ * (`CT` and `FA` of SIGRID-3) have the WMO colours of the total concentration. Shapes with an
+ * invalid place are left out.
  * Throws `Error`: FileTooLarge (`ReadBudget`); WrongFormat for any other format; SyntaxError for
  * broken JSON or XML; `Stopped` if a stop is requested. Cost: linear.
  */
