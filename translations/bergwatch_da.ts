@@ -3875,8 +3875,8 @@ Tilstødende område %4</translation>
         <translation>angiver et isbjerg, men flyvningen har ingen</translation>
     </message>
     <message>
-        <source>is no airspace: neither OpenAir nor GeoJSON</source>
-        <translation>er ikke luftrum: hverken OpenAir eller GeoJSON</translation>
+        <source>is no airspace: not OpenAir, GeoJSON, KML, KMZ or CZML</source>
+        <translation>er ikke luftrum: ikke OpenAir, GeoJSON, KML, KMZ eller CZML</translation>
     </message>
     <message>
         <source>holds no airspace</source>
@@ -8702,8 +8702,8 @@ mod %2</translation>
         <translation>%1 er hverken GeoJSON eller KML. Konvertér filen med et kortprogram, f.eks. QGIS, og vælg den igen.</translation>
     </message>
     <message>
-        <source>Maps (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
-        <translation>Kort (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
+        <source>Maps (*.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
+        <translation>Kort (*.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
     </message>
 </context>
 <context>
@@ -11669,8 +11669,8 @@ Mindre ζ er bedre. Jævn skygge: A, %2, har mindre. Skraveret: B, %3, har mindr
         <translation>Vælg en fil…</translation>
     </message>
     <message>
-        <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
-        <translation>Dit eget kort under alle lag, f.eks. et iskort: GeoJSON, KML eller KMZ</translation>
+        <source>Your own map below all layers, such as an ice chart: GeoJSON, KML, KMZ or CZML</source>
+        <translation>Dit eget kort under alle lag, f.eks. et iskort: GeoJSON, KML, KMZ eller CZML</translation>
     </message>
     <message>
         <source>Background file: %1</source>
@@ -13532,8 +13532,8 @@ end for alle andre (95 %-intervallet af forskellene i de samme verdener).</trans
         <translation>Observationer (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
     </message>
     <message>
-        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;All files (*)</source>
-        <translation>Luftrum: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;Alle filer (*)</translation>
+        <source>Airspace (*.txt *.openair *.air *.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.zip);;All files (*)</source>
+        <translation>Luftrum (*.txt *.openair *.air *.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.zip);;Alle filer (*)</translation>
     </message>
     <message>
         <source>Ice charts (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;All files (*)</source>

@@ -3875,8 +3875,8 @@ Zone adjacente %4</translation>
         <translation>nomme un iceberg, mais le vol n&apos;en contient aucun</translation>
     </message>
     <message>
-        <source>is no airspace: neither OpenAir nor GeoJSON</source>
-        <translation>n&apos;est pas un espace aérien : ni OpenAir ni GeoJSON</translation>
+        <source>is no airspace: not OpenAir, GeoJSON, KML, KMZ or CZML</source>
+        <translation>n&apos;est pas un espace aérien : ni OpenAir, ni GeoJSON, KML, KMZ ou CZML</translation>
     </message>
     <message>
         <source>holds no airspace</source>
@@ -8702,8 +8702,8 @@ vers le %2</translation>
         <translation>%1 n&apos;est ni du GeoJSON ni du KML. Convertissez-le avec un logiciel de cartographie, par exemple QGIS, et choisissez-le de nouveau.</translation>
     </message>
     <message>
-        <source>Maps (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
-        <translation>Cartes (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Tous les fichiers (*)</translation>
+        <source>Maps (*.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
+        <translation>Cartes (*.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -11669,8 +11669,8 @@ Moins de ζ est meilleur. Teinte unie : A, %2, en a moins. Hachures : B, %3, e
         <translation>Choisir un fichier…</translation>
     </message>
     <message>
-        <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
-        <translation>Votre propre carte sous toutes les couches, par exemple une carte des glaces : GeoJSON, KML ou KMZ</translation>
+        <source>Your own map below all layers, such as an ice chart: GeoJSON, KML, KMZ or CZML</source>
+        <translation>Votre propre carte sous toutes les couches, par exemple une carte des glaces : GeoJSON, KML, KMZ ou CZML</translation>
     </message>
     <message>
         <source>Background file: %1</source>
@@ -13532,8 +13532,8 @@ inférieur à celui de toutes les autres (intervalle à 95 % des différences da
         <translation>Observations (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;All files (*)</source>
-        <translation>Espace aérien : OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;Tous les fichiers (*)</translation>
+        <source>Airspace (*.txt *.openair *.air *.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.zip);;All files (*)</source>
+        <translation>Espace aérien (*.txt *.openair *.air *.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.zip);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Ice charts (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;All files (*)</source>

@@ -3879,8 +3879,8 @@ Tilstøtende område %4</translation>
         <translation>luftrom utelatt: et sted eller en bue kan ikke leses</translation>
     </message>
     <message>
-        <source>is no airspace: neither OpenAir nor GeoJSON</source>
-        <translation>er ikke luftrom: verken OpenAir eller GeoJSON</translation>
+        <source>is no airspace: not OpenAir, GeoJSON, KML, KMZ or CZML</source>
+        <translation>er ikke luftrom: ikke OpenAir, GeoJSON, KML, KMZ eller CZML</translation>
     </message>
     <message>
         <source>holds no airspace</source>
@@ -8702,8 +8702,8 @@ mot %2</translation>
         <translation>%1 er verken GeoJSON eller KML. Konverter filen med et kartprogram, for eksempel QGIS, og velg den på nytt.</translation>
     </message>
     <message>
-        <source>Maps (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
-        <translation>Kart (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
+        <source>Maps (*.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All files (*)</source>
+        <translation>Kart (*.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
     </message>
 </context>
 <context>
@@ -11669,8 +11669,8 @@ Mindre ζ er bedre. Jevn skygge: A, %2, har mindre. Skravert: B, %3, har mindre.
         <translation>Velg en fil …</translation>
     </message>
     <message>
-        <source>Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ</source>
-        <translation>Ditt eget kart under alle lag, for eksempel et iskart: GeoJSON, KML eller KMZ</translation>
+        <source>Your own map below all layers, such as an ice chart: GeoJSON, KML, KMZ or CZML</source>
+        <translation>Ditt eget kart under alle lag, for eksempel et iskart: GeoJSON, KML, KMZ eller CZML</translation>
     </message>
     <message>
         <source>Background file: %1</source>
@@ -13532,8 +13532,8 @@ enn for alle andre (95 %-intervallet av forskjellene i de samme verdenene).</tra
         <translation>Observasjoner (*.csv *.txt *.geojson *.json *.kml *.kmz *.czml *.gpx *.plan *.waypoints *.nmea *.jpg *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;Alle filer (*)</translation>
     </message>
     <message>
-        <source>Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;All files (*)</source>
-        <translation>Luftrom: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp *.gpkg *.gml *.zip);;Alle filer (*)</translation>
+        <source>Airspace (*.txt *.openair *.air *.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.zip);;All files (*)</source>
+        <translation>Luftrom (*.txt *.openair *.air *.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.zip);;Alle filer (*)</translation>
     </message>
     <message>
         <source>Ice charts (*.shp *.zip *.gpkg *.gml *.fgb *.e00 *.geojson *.json);;All files (*)</source>

@@ -163,7 +163,7 @@ void SightingsImport::chooseAirspace()
     if (!mayImport())
         return;
     const QString path = interaction().openPath(
-        &window(), tr("Airspace: OpenAir, GeoJSON (*.txt *.openair *.air *.geojson *.json *.shp "
+        &window(), tr("Airspace (*.txt *.openair *.air *.geojson *.json *.kml *.kmz *.czml *.shp "
                       "*.gpkg *.gml *.zip);;All files (*)"));
     if (!path.isEmpty())
         readAirspace(path);

@@ -50,7 +50,7 @@ void BackdropFile::choose()
 {
     const QString path = interaction().openPath(
         &window(),
-        tr("Maps (*.geojson *.json *.kml *.kmz *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All "
+        tr("Maps (*.geojson *.json *.kml *.kmz *.czml *.shp *.gpkg *.gml *.dxf *.fgb *.zip);;All "
            "files (*)"));
     if (!path.isEmpty())
         open(QFileInfo(path).absoluteFilePath(), true);

@@ -134,7 +134,8 @@ void LayersPanel::showBackdrop(const QString& path)
     m_open->setText(QString(name).replace(u'&', u"&&"_s));
     m_open->setToolTip(
         path.isEmpty()
-            ? tr("Your own map below all layers, such as an ice chart: GeoJSON, KML or KMZ")
+            ? tr("Your own map below all layers, such as an ice chart: GeoJSON, KML, KMZ or "
+                 "CZML")
             : QDir::toNativeSeparators(path));
     m_open->setAccessibleName(tr("Background file: %1").arg(name));
     m_remove->setVisible(!path.isEmpty());

@@ -39,7 +39,7 @@ struct FeatureKind
 
 inline constexpr std::array<FeatureKind, 16> kFeatureKinds{{
     {.id = "iceberg", .colour = {120, 200, 240}},
-    {.id = "uav", .inOldFiles = OldUse::NotIceberg},  ///< start of its path
+    {.id = "uav", .inOldFiles = OldUse::NotIceberg}, ///< start of its path
     {.id = "home", .inOldFiles = OldUse::Itself},
     {.id = "visit"},
     {.id = "plan"},

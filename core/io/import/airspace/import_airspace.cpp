@@ -58,12 +58,13 @@ constexpr std::array kCeilings = {"ceiling", "upper", "upperLimit", "UPPER"};
 /** Whether a height is a number without a unit, so that it may be in metres or feet. */
 bool lacksUnit(const Json* properties, const char* metres, std::span<const char* const> names)
 {
-    return !numberIn(memberOf(properties, metres)) && std::ranges::any_of(names, [&](const char* name) {
-        const Json* value = memberOf(properties, name);
-        const Json* number = memberOf(value, "value");
-        return (value != nullptr && value->is_number() && value->get<double>() != 0) ||
-               (number != nullptr && number->is_number() && !memberOf(value, "unit"));
-    });
+    return !numberIn(memberOf(properties, metres)) &&
+           std::ranges::any_of(names, [&](const char* name) {
+               const Json* value = memberOf(properties, name);
+               const Json* number = memberOf(value, "value");
+               return (value != nullptr && value->is_number() && value->get<double>() != 0) ||
+                      (number != nullptr && number->is_number() && !memberOf(value, "unit"));
+           });
 }
 
 std::optional<double> heightAt(const Json* properties, const char* metres,
@@ -121,10 +122,9 @@ void addFeature(const FileFeature& feature, AirspaceTable& table, ReadBudget& bu
         std::optional<std::vector<LatLon>> ring =
             shape.parts == 0 ? std::nullopt : shape.placesOf(0);
         if (!ring || !isClear) {
-            table.rejected.add(
-                {.line = feature.line,
-                 .fault = ring ? IssueId::AirspaceUnit : IssueId::AirspaceUnreadable,
-                 .detail = cleanText(area.name, 60)});
+            table.rejected.add({.line = feature.line,
+                                .fault = ring ? IssueId::AirspaceUnit : IssueId::AirspaceUnreadable,
+                                .detail = cleanText(area.name, 60)});
             continue;
         }
         budget.takeRow(sizeof area + area.name.size() + ring->size() * sizeof(LatLon));

@@ -83,8 +83,8 @@ inline constexpr double kNearAirspace_m = 100'000;
 /**
  * Returns the scenario with the airspace of the file's bytes that is near the operation
  * (`operationVolume`). The content decides between OpenAir, GeoJSON, KML, KMZ and CZML. Throws
- * `Error`: FileTooLarge (`ReadBudget`), WrongFormat for any other bytes, SyntaxError for broken JSON
- * or XML and InvalidInput if there is no area; `Stopped` if a stop is requested.
+ * `Error`: FileTooLarge (`ReadBudget`), WrongFormat for any other bytes, SyntaxError for broken
+ * JSON or XML and InvalidInput if there is no area; `Stopped` if a stop is requested.
  */
 [[nodiscard]] AirspaceResult importAirspace(const Scenario& base, std::string_view bytes,
                                             const std::string& subject,

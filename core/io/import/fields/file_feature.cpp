@@ -1,8 +1,8 @@
 #include "core/io/import/fields/file_feature.h"
 
+#include "core/io/export/content/feature_kinds.h"
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/text/json_writer.h"
-#include "core/io/export/content/feature_kinds.h"
 
 namespace berg {
 

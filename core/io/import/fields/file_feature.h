@@ -32,17 +32,17 @@ struct FileShape
 /** A feature of a map file, valid while the parser hands it over. */
 struct FileFeature
 {
-    std::size_t line = 0; ///< or the number of the feature, from 1
-    bool isOwn = false;   ///< whether the document is a Bergwatch export
+    std::size_t line = 0;  ///< or the number of the feature, from 1
+    bool isOwn = false;    ///< whether the document is a Bergwatch export
     std::string kind = {}; ///< that of a feature of a Bergwatch export; empty for those of others
     std::string id = {};
     std::string name = {};
-    std::string time = {}; ///< of the whole feature; empty if only its properties have one
+    std::string time = {};    ///< of the whole feature; empty if only its properties have one
     std::size_t timeRank = 0; ///< `FieldUse::rank`
     const Json* properties = nullptr; ///< may be null
     /** Returns the geometries in the order in which they are drawn. */
     std::function<std::vector<FileShape>()> shapes = [] { return std::vector<FileShape>(); };
-    std::optional<std::uint32_t> fill = {};         ///< 0xAARRGGBB of the feature itself
+    std::optional<std::uint32_t> fill = {}; ///< 0xAARRGGBB of the feature itself
     std::optional<std::uint32_t> stroke = {};
     std::string style = {};  ///< of the document, for colours that the feature does not have itself
     std::string broken = {}; ///< text that is not a feature; nothing else is set then

@@ -1,9 +1,8 @@
-#include "core/io/import/maps/feature_parsers.h"
-
 #include "core/base/error.h"
+#include "core/io/export/content/feature_kinds.h"
 #include "core/io/import/fields/feature_scene.h"
 #include "core/io/import/fields/import_scene.h"
-#include "core/io/export/content/feature_kinds.h"
+#include "core/io/import/maps/feature_parsers.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -30,7 +29,8 @@ FileShape shapeOf(FileShape::Kind kind, const Json* degrees, std::size_t step = 
     return {.kind = kind,
             .placesOf = [degrees, step](std::size_t) -> std::optional<std::vector<LatLon>> {
                 std::vector<LatLon> places;
-                for (std::size_t i = step - kPlaceNumbers; degrees && i < degrees->size(); i += step)
+                for (std::size_t i = step - kPlaceNumbers; degrees && i < degrees->size();
+                     i += step)
                     if (const std::optional<LatLon> place = placeAt(*degrees, i))
                         places.push_back(*place);
                 if (degrees == nullptr || places.size() * step != degrees->size())
@@ -51,11 +51,10 @@ std::vector<FileShape> shapesOfPacket(const Json& packet, bool isArea)
     if (degrees != nullptr && degrees->size() > kPlaceNumbers)
         shapes.push_back(shapeOf(Kind::Line, degrees, kSampleNumbers));
     else if (degrees != nullptr && shapes.empty())
-        shapes.push_back(
-            {.placesOf = [degrees](std::size_t) -> std::optional<std::vector<LatLon>> {
-                const std::optional<LatLon> place = placeAt(*degrees, 0);
-                return place ? std::optional(std::vector{*place}) : std::nullopt;
-            }});
+        shapes.push_back({.placesOf = [degrees](std::size_t) -> std::optional<std::vector<LatLon>> {
+            const std::optional<LatLon> place = placeAt(*degrees, 0);
+            return place ? std::optional(std::vector{*place}) : std::nullopt;
+        }});
     return shapes;
 }
 

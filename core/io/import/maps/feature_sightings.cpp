@@ -74,9 +74,9 @@ bool FeatureSightings::addToScene(const FileFeature& feature)
 {
     if (feature.kind.empty() || feature.kind == "iceberg")
         return false;
-    addSceneFeature(m_table.scene, {.feature = feature,
-                                    .data = m_data,
-                                    .time = parseUtc(m_texts.text(SightingField::Time))});
+    addSceneFeature(
+        m_table.scene,
+        {.feature = feature, .data = m_data, .time = parseUtc(m_texts.text(SightingField::Time))});
     return true;
 }
 

@@ -1,8 +1,7 @@
-#include "core/io/import/maps/feature_parsers.h"
-
 #include "core/base/error.h"
 #include "core/io/import/fields/feature_scene.h"
 #include "core/io/import/fields/import_scene.h"
+#include "core/io/import/maps/feature_parsers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -97,17 +96,16 @@ std::vector<FileShape> shapesOf(const Json* geometry, const GeoJsonSystem& syste
     for (std::size_t i = 0; i < parts.brokenAreas; ++i)
         shapes.push_back({.kind = FileShape::Kind::Area, .parts = 0});
     for (const Json* line : parts.lines)
-        shapes.push_back(
-            {.kind = FileShape::Kind::Line,
-             .placesOf = [line, &system](std::size_t) { return placesIn(*line, system); }});
+        shapes.push_back({.kind = FileShape::Kind::Line, .placesOf = [line, &system](std::size_t) {
+                              return placesIn(*line, system);
+                          }});
     if (!parts.points.empty())
-        shapes.push_back(
-            {.parts = parts.points.size(),
-             .placesOf = [points = parts.points,
-                          &system](std::size_t part) -> std::optional<std::vector<LatLon>> {
-                 const std::optional<LatLon> place = placeIn(*points[part], system);
-                 return place ? std::optional(std::vector{*place}) : std::nullopt;
-             }});
+        shapes.push_back({.parts = parts.points.size(),
+                          .placesOf = [points = parts.points, &system](
+                                          std::size_t part) -> std::optional<std::vector<LatLon>> {
+                              const std::optional<LatLon> place = placeIn(*points[part], system);
+                              return place ? std::optional(std::vector{*place}) : std::nullopt;
+                          }});
     return shapes;
 }
 

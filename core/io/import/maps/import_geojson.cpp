@@ -1,6 +1,6 @@
 #include "core/io/import/fields/feature_ids.h"
-#include "core/io/import/maps/feature_sightings.h"
 #include "core/io/import/maps/feature_parsers.h"
+#include "core/io/import/maps/feature_sightings.h"
 #include "core/io/import/maps/map_readers.h"
 
 #include <algorithm>

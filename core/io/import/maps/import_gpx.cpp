@@ -13,7 +13,8 @@ namespace {
 class GpxReader
 {
 public:
-    explicit GpxReader(const ImportText& source) : m_source(source), m_found(source), m_isOwn(isOwnExport(source.text))
+    explicit GpxReader(const ImportText& source)
+        : m_source(source), m_found(source), m_isOwn(isOwnExport(source.text))
     {
     }
 
@@ -88,9 +89,10 @@ private:
         m_found.setTitle(isTrack ? m_track : m_name);
         if (m_isOwn && point != "wpt")
             return; // routes and tracks show where UAVs fly
-        FileFeature feature{.name = m_name,
-                            .shapes = [this] { return std::vector{FileShape{.placesOf = [this](
-                                std::size_t) { return place(); }}}; }};
+        FileFeature feature{.name = m_name, .shapes = [this] {
+                                return std::vector{
+                                    FileShape{.placesOf = [this](std::size_t) { return place(); }}};
+                            }};
         if (m_isOwn)
             feature.kind = featureKind(&m_properties, m_type);
         if (m_found.addToScene(feature))

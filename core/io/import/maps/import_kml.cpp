@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/io/import/fields/area_centroid.h"
-#include "core/io/import/maps/feature_sightings.h"
 #include "core/io/import/maps/feature_parsers.h"
+#include "core/io/import/maps/feature_sightings.h"
 #include "core/io/import/maps/kmz_documents.h"
 #include "core/io/import/maps/map_readers.h"
 #include "core/io/text/json_writer.h"
@@ -20,10 +20,7 @@ namespace {
 class KmlSightings
 {
 public:
-    explicit KmlSightings(const ImportText& source)
-        : m_budget(source.budget), m_found(source)
-    {
-    }
+    explicit KmlSightings(const ImportText& source) : m_budget(source.budget), m_found(source) {}
 
     void read(std::string_view text)
     {

@@ -1,8 +1,7 @@
-#include "core/io/import/maps/feature_parsers.h"
-
 #include "core/io/import/fields/feature_scene.h"
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/import_scene.h"
+#include "core/io/import/maps/feature_parsers.h"
 
 #include <optional>
 #include <utility>
@@ -110,8 +109,8 @@ private:
         else if (element.name == "Style" && parent == "Placemark")
             setColours();
         else if (element.name == "value" && parent == "Data")
-            membersOf(m_properties).emplace_back(path[path.size() - 2].attribute("name"),
-                                                 element.text);
+            membersOf(m_properties)
+                .emplace_back(path[path.size() - 2].attribute("name"), element.text);
         else if (element.name == "SimpleData")
             membersOf(m_properties).emplace_back(element.attribute("name"), element.text);
     }

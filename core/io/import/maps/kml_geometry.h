@@ -83,7 +83,7 @@ private:
     std::vector<KmlShape> m_shapes;
     std::optional<std::size_t> m_area; ///< index of the last polygon
     std::size_t m_track = 0;           ///< index of the last track
-    std::string m_longitude; ///< from the Location of a Model
+    std::string m_longitude;           ///< from the Location of a Model
     std::string m_latitude;
 };
 

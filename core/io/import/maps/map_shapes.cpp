@@ -69,10 +69,9 @@ private:
             kLongestName);
         for (const FileShape& shape : feature.shapes()) {
             const bool isPlaces = shape.kind == FileShape::Kind::Places;
-            MapShape added{.kind = isPlaces ? MapShape::Kind::Place
-                                   : shape.kind == FileShape::Kind::Line
-                                       ? MapShape::Kind::Line
-                                       : MapShape::Kind::Polygon,
+            MapShape added{.kind = isPlaces                              ? MapShape::Kind::Place
+                                   : shape.kind == FileShape::Kind::Line ? MapShape::Kind::Line
+                                                                         : MapShape::Kind::Polygon,
                            .name = isPlaces ? name : std::string(),
                            .fill = fill,
                            .line = feature.stroke};
