@@ -27,53 +27,40 @@ enum class OldUse : std::uint8_t
     NotIceberg ///< a feature that is not read
 };
 
+/** How a kind is drawn. */
+enum class KindDrawing : std::uint8_t
+{
+    Mark,    ///< places and lines
+    Outline, ///< areas
+    Filled   ///< areas
+};
+
 /** A kind of features; its id is the property `kind`. */
 struct FeatureKind
 {
     std::string_view id;
     Rgb colour = {}; ///< those of a UAV have the colour of `uavColour`
-    bool isArea = false;
-    bool isFilled = false; ///< polygons are filled and not only outlined
+    KindDrawing drawn = KindDrawing::Mark;
     OldUse inOldFiles = OldUse::None;
 };
 
 inline constexpr std::array<FeatureKind, 16> kFeatureKinds{{
-    {.id = "iceberg", .colour = {120, 200, 240}},
-    {.id = "uav", .inOldFiles = OldUse::NotIceberg}, ///< start of its path
-    {.id = "home", .inOldFiles = OldUse::Itself},
-    {.id = "visit"},
-    {.id = "plan"},
-    {.id = "path"},
-    {.id = "track"}, ///< the line flown
-    {.id = "asset", .colour = {220, 60, 60}, .inOldFiles = OldUse::Itself},
-    {.id = "area", .colour = {128, 128, 128}, .isArea = true, .inOldFiles = OldUse::Itself},
-    {.id = "airspace", .colour = {48, 120, 200}, .isArea = true, .inOldFiles = OldUse::NotIceberg},
-    {.id = "no-fly",
-     .colour = {200, 40, 40},
-     .isArea = true,
-     .isFilled = true,
-     .inOldFiles = OldUse::Itself},
-    {.id = "stand-off",
-     .colour = {200, 40, 40},
-     .isArea = true,
-     .isFilled = true,
-     .inOldFiles = OldUse::Itself},
-    {.id = kVolumePartIds[0],
-     .colour = {40, 160, 80},
-     .isArea = true,
-     .inOldFiles = OldUse::NotIceberg},
-    {.id = kVolumePartIds[1],
-     .colour = {240, 160, 30},
-     .isArea = true,
-     .inOldFiles = OldUse::NotIceberg},
-    {.id = kVolumePartIds[2],
-     .colour = {200, 40, 40},
-     .isArea = true,
-     .inOldFiles = OldUse::NotIceberg},
-    {.id = kVolumePartIds[3],
-     .colour = {120, 120, 120},
-     .isArea = true,
-     .inOldFiles = OldUse::NotIceberg},
+    {"iceberg", {120, 200, 240}},
+    {"uav", {}, KindDrawing::Mark, OldUse::NotIceberg}, ///< start of its path
+    {"home", {}, KindDrawing::Mark, OldUse::Itself},
+    {"visit"},
+    {"plan"},
+    {"path"},
+    {"track"}, ///< the line flown
+    {"asset", {220, 60, 60}, KindDrawing::Mark, OldUse::Itself},
+    {"area", {128, 128, 128}, KindDrawing::Outline, OldUse::Itself},
+    {"airspace", {48, 120, 200}, KindDrawing::Outline, OldUse::NotIceberg},
+    {"no-fly", {200, 40, 40}, KindDrawing::Filled, OldUse::Itself},
+    {"stand-off", {200, 40, 40}, KindDrawing::Filled, OldUse::Itself},
+    {kVolumePartIds[0], {40, 160, 80}, KindDrawing::Outline, OldUse::NotIceberg},
+    {kVolumePartIds[1], {240, 160, 30}, KindDrawing::Outline, OldUse::NotIceberg},
+    {kVolumePartIds[2], {200, 40, 40}, KindDrawing::Outline, OldUse::NotIceberg},
+    {kVolumePartIds[3], {120, 120, 120}, KindDrawing::Outline, OldUse::NotIceberg},
 }};
 
 /** Returns the kind with this id, or null. */

@@ -127,8 +127,8 @@ private:
         for (const Point& corner_m : outline.corners_m)
             append(corners, corner_m, 0);
         Json packet = packetOf(feature);
-        const bool hasHeights =
-            style.isFilled || feature.kind == "airspace" || outline.ceiling_m.has_value();
+        const bool hasHeights = style.drawn == KindDrawing::Filled || feature.kind == "airspace" ||
+                                outline.ceiling_m.has_value();
         if (!hasHeights) {
             append(corners, outline.corners_m.front(), 0);
             packet["polyline"]["positions"]["cartographicDegrees"] = std::move(corners);
@@ -140,7 +140,7 @@ private:
             polygon["height"] = outline.floor_m;
             polygon["extrudedHeight"] =
                 outline.ceiling_m.value_or(std::max(kDrawnCeiling_m, 2 * outline.floor_m));
-            if (style.isFilled)
+            if (style.drawn == KindDrawing::Filled)
                 polygon["material"] = solid(style.colour, 64);
             else
                 polygon["fill"] = false;

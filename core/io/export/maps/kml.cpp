@@ -42,7 +42,8 @@ std::string styleElement(const MapFeature& feature)
         text += "<LineStyle>" + colour + "<width>3</width></LineStyle>";
     if (std::holds_alternative<MapOutline>(feature.geometry))
         text += "<LineStyle>" + colour + "<width>2</width></LineStyle><PolyStyle>" +
-                (style.isFilled ? colourElement("40", style.colour) : "<fill>0</fill>") +
+                (style.drawn == KindDrawing::Filled ? colourElement("40", style.colour)
+                                                    : "<fill>0</fill>") +
                 "</PolyStyle>";
     return text + "</Style>\n";
 }

@@ -55,16 +55,21 @@ std::optional<double> limitOf(const Json& value, HeightLimit limit)
 constexpr std::array kFloors = {"floor", "lower", "lowerLimit", "LOWER"};
 constexpr std::array kCeilings = {"ceiling", "upper", "upperLimit", "UPPER"};
 
-/** Whether a height is a number without a unit, so that it may be in metres or feet. */
-bool lacksUnit(const Json* properties, const char* metres, std::span<const char* const> names)
+/**
+ * Whether a height is a number without a unit, so that it may be in metres or feet. In formats
+ * without types a text may be such a number.
+ */
+bool lacksUnit(const Json* properties, const char* metres, std::span<const char* const> names,
+               bool hasTypes)
 {
-    return !numberIn(memberOf(properties, metres)) &&
-           std::ranges::any_of(names, [&](const char* name) {
-               const Json* value = memberOf(properties, name);
-               const Json* number = memberOf(value, "value");
-               return (value != nullptr && value->is_number() && value->get<double>() != 0) ||
-                      (number != nullptr && number->is_number() && !memberOf(value, "unit"));
-           });
+    const auto isBare = [&](const char* name) {
+        const Json* const value = memberOf(properties, name);
+        const Json* const number = memberOf(value, "value");
+        const bool isNumber = value != nullptr && (value->is_number() || !hasTypes);
+        return (isNumber && numberIn(value).value_or(0) != 0) ||
+               (number != nullptr && number->is_number() && !memberOf(value, "unit"));
+    };
+    return !numberIn(memberOf(properties, metres)) && std::ranges::any_of(names, isBare);
 }
 
 std::optional<double> heightAt(const Json* properties, const char* metres,
@@ -111,16 +116,19 @@ FileAirspace describedBy(const FileFeature& feature)
  * Adds one area for each polygon, because those of a MultiPolygon may be apart. Holes count as
  * airspace.
  */
-void addFeature(const FileFeature& feature, AirspaceTable& table, ReadBudget& budget)
+void addFeature(const FileFeature& feature, bool hasTypes, AirspaceTable& table, ReadBudget& budget)
 {
+    if (!feature.broken.empty())
+        table.rejected.add({.line = feature.line,
+                            .fault = IssueId::FeatureBroken,
+                            .detail = cleanText(feature.broken, 60)});
     const FileAirspace area = describedBy(feature);
-    const bool isClear = !lacksUnit(feature.properties, "floor_m", kFloors) &&
-                         !lacksUnit(feature.properties, "ceiling_m", kCeilings);
-    for (const FileShape& shape : feature.shapes()) {
-        if (shape.kind != FileShape::Kind::Area)
+    const bool isClear = !lacksUnit(feature.properties, "floor_m", kFloors, hasTypes) &&
+                         !lacksUnit(feature.properties, "ceiling_m", kCeilings, hasTypes);
+    for (const FileShape& shape : feature.geometry().shapes) {
+        if (shape.kind != ShapeKind::Area)
             continue;
-        std::optional<std::vector<LatLon>> ring =
-            shape.parts == 0 ? std::nullopt : shape.placesOf(0);
+        std::optional<std::vector<LatLon>> ring = placesOf(shape, 0);
         if (!ring || !isClear) {
             table.rejected.add({.line = feature.line,
                                 .fault = ring ? IssueId::AirspaceUnit : IssueId::AirspaceUnreadable,
@@ -193,7 +201,7 @@ AirspaceTable readMapAirspace(std::string_view text, MapFormat format, ReadBudge
     table.rejected.place = placeIn(format);
     readMapFeatures(text, format, budget, [&](const FileFeature& feature) {
         if (!feature.isOwn || feature.kind == "airspace")
-            addFeature(feature, table, budget);
+            addFeature(feature, format != MapFormat::Kml, table, budget);
     });
     return table;
 }

@@ -16,12 +16,11 @@ struct SceneGeometry
     explicit SceneGeometry(const FileFeature& feature)
     {
         bool isWhole = true;
-        for (const FileShape& shape : feature.shapes()) {
-            const bool isArea = shape.kind == FileShape::Kind::Area;
-            if (!isArea && (shape.kind != FileShape::Kind::Places || place || shape.parts == 0))
+        for (const FileShape& shape : feature.geometry().shapes) {
+            const bool isArea = shape.kind == ShapeKind::Area;
+            if (!isArea && (shape.kind != ShapeKind::Places || place || shape.parts == 0))
                 continue;
-            std::optional<std::vector<LatLon>> places =
-                shape.parts == 0 ? std::nullopt : shape.placesOf(0);
+            std::optional<std::vector<LatLon>> places = placesOf(shape, 0);
             if (isArea)
                 holes += shape.parts > 1 ? shape.parts - 1 : 0;
             isWhole = isWhole && (!isArea || places);

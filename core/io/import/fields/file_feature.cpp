@@ -2,6 +2,7 @@
 
 #include "core/io/export/content/feature_kinds.h"
 #include "core/io/import/fields/import_fields.h"
+#include "core/io/import/fields/import_scene.h"
 #include "core/io/text/json_writer.h"
 
 namespace berg {
@@ -19,6 +20,28 @@ std::string featureKind(const Json* properties, std::string_view mark)
     if (known == nullptr || known->inOldFiles == OldUse::None)
         return {};
     return known->inOldFiles == OldUse::Itself ? std::string(known->id) : "path";
+}
+
+std::optional<std::vector<LatLon>> placesOf(const FileShape& shape, std::size_t part)
+{
+    if (part >= shape.parts)
+        return std::nullopt;
+    if (shape.readPart)
+        return shape.readPart(part);
+    const bool isPlace = shape.kind == ShapeKind::Places;
+    std::vector<LatLon> places;
+    for (std::size_t i = isPlace ? part : 0; i < (isPlace ? part + 1 : shape.icebergs.count); ++i) {
+        const FilePlace read = shape.icebergs.at(i);
+        const std::optional<double> longitude_deg = decimalOf(read.longitude);
+        const std::optional<double> latitude_deg = decimalOf(read.latitude);
+        const std::optional<LatLon> place = longitude_deg && latitude_deg
+                                                ? scenePlace(*latitude_deg, *longitude_deg)
+                                                : std::nullopt;
+        if (!place)
+            return std::nullopt;
+        places.push_back(*place);
+    }
+    return places;
 }
 
 std::optional<double> numberIn(const Json* value)

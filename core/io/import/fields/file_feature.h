@@ -2,6 +2,8 @@
 
 // Private to core/io: a feature of a map file, as the parser of each format gives it.
 
+#include "core/base/issue.h"
+#include "core/io/import/fields/area_centroid.h"
 #include "core/io/import/fields/json_members.h"
 
 #include <cstddef>
@@ -14,19 +16,58 @@
 
 namespace berg {
 
-/** A geometry of a feature, whose places are read only where they are needed. */
+struct GeoJsonSystem;
+
+/** A place of an iceberg, as text. */
+struct FilePlace
+{
+    std::size_t line = 0; ///< 0 for that of the feature
+    std::string longitude = {};
+    std::string latitude = {};
+    std::optional<std::string> time = {}; ///< replaces that of the feature
+    std::optional<IssueId> fault = {};    ///< why there is no place
+    std::string detail = {};              ///< of the fault
+    bool mayHaveCommas = false;           ///< may have decimal commas, but can be read
+};
+
+/** Places of icebergs, which are read only where they are needed. */
+struct FilePlaces
+{
+    std::size_t count = 0;
+    std::function<FilePlace(std::size_t)> at = {};
+    bool areTimed = false;  ///< points that are one track, because each has a time
+    bool timesLeft = false; ///< whether there are more times than places
+};
+
+enum class ShapeKind : std::uint8_t
+{
+    Places,
+    Line,
+    Area,
+    Track ///< a line of places with a time each
+};
+
+/** A geometry of a feature. */
 struct FileShape
 {
-    enum class Kind : std::uint8_t
-    {
-        Places,
-        Line,
-        Area
-    };
-    Kind kind = Kind::Places;
+    ShapeKind kind = ShapeKind::Places;
     std::size_t parts = 1; ///< places; one line; or the outline and holes of an area, 0 if broken
-    /** Returns the places of a part, or nullopt if one of them is not a place. */
-    std::function<std::optional<std::vector<LatLon>>(std::size_t)> placesOf;
+    FilePlaces icebergs = {}; ///< of places, lines and tracks
+    /** Returns the places of a part as `placesOf`; empty if they are those of `icebergs`. */
+    std::function<std::optional<std::vector<LatLon>>(std::size_t)> readPart = {};
+    /** Returns outline and holes in the plane of the file; those of `placesOf` if it is empty. */
+    std::function<AreaRings()> rings = {};
+};
+
+/** The geometries of a feature; of areas, what only a reader of sightings needs. */
+struct FileGeometry
+{
+    std::vector<FileShape> shapes = {};    ///< in the order in which they are drawn
+    std::size_t broken = 0;                ///< number of others, which cannot be read
+    std::string other = {};                ///< type of a geometry that holds no iceberg
+    bool isRoute = false;                  ///< whether the corners of lines are icebergs
+    bool hasIcebergAreas = true;           ///< whether areas are icebergs
+    const GeoJsonSystem* system = nullptr; ///< of `rings`; null for degrees
 };
 
 /** A feature of a map file, valid while the parser hands it over. */
@@ -40,8 +81,7 @@ struct FileFeature
     std::string time = {};    ///< of the whole feature; empty if only its properties have one
     std::size_t timeRank = 0; ///< `FieldUse::rank`
     const Json* properties = nullptr; ///< may be null
-    /** Returns the geometries in the order in which they are drawn. */
-    std::function<std::vector<FileShape>()> shapes = [] { return std::vector<FileShape>(); };
+    std::function<FileGeometry()> geometry = [] { return FileGeometry(); };
     std::optional<std::uint32_t> fill = {}; ///< 0xAARRGGBB of the feature itself
     std::optional<std::uint32_t> stroke = {};
     std::string style = {};  ///< of the document, for colours that the feature does not have itself
@@ -54,6 +94,8 @@ struct FileFeature
  */
 [[nodiscard]] std::string featureKind(const Json* properties, std::string_view mark);
 
+/** Returns the places of a part of a shape, or nullopt if one of them is not a place. */
+[[nodiscard]] std::optional<std::vector<LatLon>> placesOf(const FileShape& shape, std::size_t part);
 /** Returns a property as a number, also from a text, or nullopt if it is none. */
 [[nodiscard]] std::optional<double> numberIn(const Json* value);
 /** Returns a value of JSON in the form of a table cell; empty for null and lists. */

@@ -16,11 +16,6 @@ namespace {
 constexpr double kLargestDegrees = 360; ///< largest value of a longitude
 constexpr double kSurelyMetres = 1000;
 
-std::string typeOf(const Json* object)
-{
-    return textOf(memberOf(object, "type"));
-}
-
 /** Name or code of a `crs`, as files before RFC 7946 have it. */
 std::string systemName(const Json& crs)
 {
@@ -125,6 +120,11 @@ std::vector<std::string_view> splitAt(char separator, std::string_view text)
 
 } // namespace
 
+std::string typeOf(const Json* object)
+{
+    return textOf(memberOf(object, "type"));
+}
+
 GeoJsonSystem systemOf(const Json& object, const GeoJsonSystem& outer, const std::string& subject)
 {
     const Json* crs = memberOf(&object, "crs");
@@ -141,21 +141,18 @@ GeoJsonSystem systemOf(const Json& object, const GeoJsonSystem& outer, const std
     return {.name = "EPSG:" + std::to_string(*epsg), .unprojected = std::move(unprojected)};
 }
 
-std::optional<RejectedRow> setPlace(FieldTexts& texts, const Point& position,
-                                    const GeoJsonSystem& system)
+FilePlace filePlace(const Point& position, const GeoJsonSystem& system)
 {
     LatLon place{.latitude_deg = position.y(), .longitude_deg = position.x()};
     if (system.unprojected) {
         if (std::abs(position.x()) <= kLargestDegrees && std::abs(position.y()) <= 90)
-            return RejectedRow{.fault = IssueId::PlaceInDegrees, .detail = system.name};
+            return {.fault = IssueId::PlaceInDegrees, .detail = system.name};
         place = (*system.unprojected)(position);
     } else if (position.cwiseAbs().maxCoeff() > kSurelyMetres) {
-        return RejectedRow{.fault = IssueId::PlaceInMetres,
-                           .detail = numberText(position.x()) + ' ' + numberText(position.y())};
+        return {.fault = IssueId::PlaceInMetres,
+                .detail = numberText(position.x()) + ' ' + numberText(position.y())};
     }
-    texts.set(SightingField::Longitude, jsonText(place.longitude_deg));
-    texts.set(SightingField::Latitude, jsonText(place.latitude_deg));
-    return std::nullopt;
+    return {.longitude = jsonText(place.longitude_deg), .latitude = jsonText(place.latitude_deg)};
 }
 
 std::optional<Point> positionOf(const Json& position)
@@ -173,7 +170,7 @@ GeometryParts geometryParts(const Json* geometry)
     return parts;
 }
 
-AreaRings ringsOf(const Json& polygon, const GeoJsonSystem& system)
+AreaRings ringsOf(const Json& polygon)
 {
     AreaRings rings;
     for (const Json& corners : listOf(polygon)) {
@@ -185,7 +182,7 @@ AreaRings ringsOf(const Json& polygon, const GeoJsonSystem& system)
             ring.push_back(*position);
         }
     }
-    return centroidOf(rings, system.unprojected ? 0 : kTurn_deg) ? rings : AreaRings();
+    return rings;
 }
 
 bool hasPlaces(const Json* geometry)

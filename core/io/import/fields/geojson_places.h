@@ -3,7 +3,7 @@
 // Private to core/io: places of GeoJSON geometries and their coordinate systems.
 
 #include "core/earth/map_projection.h"
-#include "core/io/import/fields/area_centroid.h"
+#include "core/io/import/fields/file_feature.h"
 #include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/json_members.h"
 
@@ -29,13 +29,13 @@ struct GeoJsonSystem
                                      const std::string& subject);
 
 /**
- * Sets the place in the texts from x, y. Returns the fault if the numbers are degrees where the
- * system has metres, or the reverse, and nullopt otherwise; the range of degrees is checked when
- * the texts are read.
+ * Returns the place of an iceberg at x, y. It is a fault if the numbers are degrees where the
+ * system has metres, or the reverse; the range of degrees is checked when the texts are read.
  */
-[[nodiscard]] std::optional<RejectedRow> setPlace(FieldTexts& texts, const Point& position,
-                                                  const GeoJsonSystem& system);
+[[nodiscard]] FilePlace filePlace(const Point& position, const GeoJsonSystem& system);
 
+/** Returns the type of an object (may be null); empty if it has none. */
+[[nodiscard]] std::string typeOf(const Json* object);
 /** Returns x and y of a position, or nullopt if it is not one. */
 [[nodiscard]] std::optional<Point> positionOf(const Json& position);
 
@@ -51,8 +51,8 @@ struct GeometryParts
 };
 /** Splits a geometry into its parts; null is a broken one. */
 [[nodiscard]] GeometryParts geometryParts(const Json* geometry);
-/** Returns the rings of a polygon; none if it has no centroid. */
-[[nodiscard]] AreaRings ringsOf(const Json& polygon, const GeoJsonSystem& system);
+/** Returns the rings of a polygon; none if a corner is not a position. */
+[[nodiscard]] AreaRings ringsOf(const Json& polygon);
 
 /** Returns true if a geometry (may be null) contains a point or an area. */
 [[nodiscard]] bool hasPlaces(const Json* geometry);

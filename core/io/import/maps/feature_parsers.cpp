@@ -1,9 +1,14 @@
 #include "core/io/import/maps/feature_parsers.h"
 
+#include "core/io/import/fields/import_fields.h"
 #include "core/io/import/fields/import_xml.h"
 #include "core/io/import/maps/map_readers.h"
 #include "core/io/text/zip_file.h"
 #include "core/scenario/text_checks.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 
 namespace berg {
 
@@ -40,6 +45,27 @@ KmlStyles readMapFeatures(std::string_view text, MapFormat format, ReadBudget& b
     else
         readGeoJsonFeatures(text, CrsUse::Ignored, budget, use);
     return {};
+}
+
+const Json* chartProperty(const Json* properties, std::string_view name)
+{
+    if (properties == nullptr || !properties->is_object())
+        return nullptr;
+    for (const auto& [key, value] : properties->items())
+        if (std::ranges::equal(key, name, [](unsigned char a, unsigned char b) {
+                return std::tolower(a) == std::tolower(b);
+            }))
+            return &value;
+    return nullptr;
+}
+
+std::optional<int> chartCode(const Json* properties, std::string_view name)
+{
+    constexpr int kUnknown = 99;
+    const std::optional<double> number = numberIn(chartProperty(properties, name));
+    const bool isCode =
+        number && *number >= 0 && *number < kUnknown && *number == std::floor(*number);
+    return isCode ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
 } // namespace berg

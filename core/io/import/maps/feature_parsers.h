@@ -5,22 +5,14 @@
 #include "core/io/import/fields/file_feature.h"
 #include "core/io/import/fields/geojson_places.h"
 #include "core/io/import/maps/kml_geometry.h"
-#include "core/io/import/maps/kml_styles.h"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace berg {
-
-/** A feature of GeoJSON with what only a reader of sightings needs. */
-struct GeoJsonFeature : FileFeature
-{
-    const Json* geometry = nullptr; ///< may be null
-    GeoJsonSystem system = {};      ///< of the coordinates
-    bool isRoute = false;           ///< whether no feature of the file has a point or an area
-};
 
 /** Whether a member `crs` counts. */
 enum class CrsUse : std::uint8_t
@@ -35,20 +27,23 @@ enum class CrsUse : std::uint8_t
  * `parseJson` and `systemOf`; a broken text of a sequence becomes a broken feature instead.
  */
 void readGeoJsonFeatures(std::string_view text, CrsUse crs, ReadBudget& budget,
-                         const std::function<void(const GeoJsonFeature&)>& use);
-
-/** A Placemark with what only a reader of sightings needs. */
-struct KmlFeature : FileFeature
-{
-    const KmlGeometry* geometry = nullptr;
-};
+                         const std::function<void(const FileFeature&)>& use);
 
 /** Receives what a KML document holds. */
 struct KmlSink
 {
-    std::function<void(const KmlFeature&)> feature;
+    std::function<void(const FileFeature&)> feature;
     std::function<void(const KmlText&)> link = {}; ///< of a NetworkLink, charged; may be empty
 };
+
+/** Colours of a style, 0xAARRGGBB; nullopt where it has none. */
+struct KmlStyle
+{
+    std::optional<std::uint32_t> fill;
+    std::optional<std::uint32_t> stroke;
+};
+/** The styles of a document by `FileFeature::style`. */
+using KmlStyles = std::map<std::string, KmlStyle>;
 
 /**
  * Reads a KML document and returns its styles, which may follow the features that use them. Throws
@@ -56,21 +51,12 @@ struct KmlSink
  */
 KmlStyles readKmlFeatures(std::string_view text, ReadBudget& budget, const KmlSink& sink);
 
-/** A packet of CZML with what only a reader of sightings needs. */
-struct CzmlFeature : FileFeature
-{
-    const Json* position = nullptr; ///< may be null
-};
-
-/** Returns the list of longitude, latitude and height, or of a time before each; may be null. */
-[[nodiscard]] const Json* czmlDegrees(const Json* positions);
-
 /**
  * Calls `use` with each packet of a CZML text but its document. Polylines that outline an area of a
  * Bergwatch export are areas. Throws `Error` as `parseJson`, and WrongFormat if it is no list.
  */
 void readCzmlFeatures(std::string_view text, ReadBudget& budget,
-                      const std::function<void(const CzmlFeature&)>& use);
+                      const std::function<void(const FileFeature&)>& use);
 
 /** Formats whose features may have areas. */
 enum class MapFormat : std::uint8_t
@@ -96,5 +82,12 @@ enum class MapFormat : std::uint8_t
  */
 KmlStyles readMapFeatures(std::string_view text, MapFormat format, ReadBudget& budget,
                           const std::function<void(const FileFeature&)>& use);
+
+/** Returns the property of an ice chart with this name in capitals or not, or null. */
+[[nodiscard]] const Json* chartProperty(const Json* properties, std::string_view name);
+/** Returns a code of SIGRID-3, which is a number or a text; nullopt if there is none. */
+[[nodiscard]] std::optional<int> chartCode(const Json* properties, std::string_view name);
+/** Code of the form `FA` of fast ice. */
+inline constexpr int kFastIce = 8;
 
 } // namespace berg

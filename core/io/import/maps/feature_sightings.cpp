@@ -1,8 +1,42 @@
 #include "core/io/import/maps/feature_sightings.h"
 
+#include "core/io/import/fields/geojson_places.h"
 #include "core/io/text/json_writer.h"
 
+#include <algorithm>
+#include <deque>
+
 namespace berg {
+
+namespace {
+
+double fullTurn(const GeoJsonSystem& system)
+{
+    return system.unprojected ? 0 : kTurn_deg;
+}
+
+/** Returns outline and holes; none if a place is invalid. */
+AreaRings ringsOfShape(const FileShape& area)
+{
+    if (area.rings)
+        return area.rings();
+    AreaRings rings;
+    for (std::size_t part = 0; part < area.parts; ++part) {
+        AreaRing& ring = rings.emplace_back();
+        for (const LatLon& place : placesOf(area, part).value_or(std::vector<LatLon>()))
+            ring.emplace_back(place.longitude_deg, place.latitude_deg);
+    }
+    return rings;
+}
+
+template <class Use>
+void eachIceberg(const FileShape& shape, const Use& use)
+{
+    for (std::size_t i = 0; i < shape.icebergs.count; ++i)
+        use(shape.icebergs.at(i));
+}
+
+} // namespace
 
 FeatureSightings::FeatureSightings(const ImportText& source, std::string_view place)
     : m_source(source), m_names(source.mapping)
@@ -18,6 +52,16 @@ void FeatureSightings::begin(std::size_t line, bool isOwn)
     m_title.clear();
     m_texts.clear();
     m_data.clear();
+}
+
+bool FeatureSightings::add(const FileFeature& feature)
+{
+    const bool isNamed = begin(feature);
+    if (!feature.broken.empty())
+        reject(IssueId::FeatureBroken, feature.broken);
+    else if (!addToScene(feature))
+        addGeometry(feature.geometry());
+    return isNamed;
 }
 
 bool FeatureSightings::begin(const FileFeature& feature)
@@ -80,6 +124,142 @@ bool FeatureSightings::addToScene(const FileFeature& feature)
     return true;
 }
 
+void FeatureSightings::addGeometry(const FileGeometry& geometry)
+{
+    static const GeoJsonSystem kDegrees;
+    const GeoJsonSystem& system = geometry.system ? *geometry.system : kDegrees;
+    std::size_t broken = geometry.broken;
+    std::vector<AreaRings> areas;
+    for (const FileShape& shape : geometry.shapes)
+        if (shape.kind == ShapeKind::Area && geometry.hasIcebergAreas) {
+            areas.push_back(ringsOfShape(shape));
+            if (!centroidOf(areas.back(), fullTurn(system))) {
+                areas.pop_back();
+                ++broken;
+            }
+        }
+    const auto has = [&geometry](ShapeKind kind) {
+        return std::ranges::any_of(geometry.shapes, [kind](const FileShape& shape) {
+            return shape.kind == kind && (kind != ShapeKind::Places || shape.icebergs.count > 0);
+        });
+    };
+    const bool hasTracks = has(ShapeKind::Track);
+    const bool hasPoints = has(ShapeKind::Places);
+    const bool hasLines = has(ShapeKind::Line);
+    if (hasTracks)
+        addTracks(geometry.shapes);
+    else if (hasPoints)
+        addPoints(geometry.shapes);
+    else if (!areas.empty())
+        addAreas(areas, system);
+    else if (hasLines && geometry.isRoute)
+        addRoute(geometry.shapes);
+    else if (broken == 0)
+        reject(IssueId::NotAPoint, geometry.other);
+    for (std::size_t i = 0; i < broken; ++i)
+        reject(IssueId::NoPosition);
+    if (hasTracks && (hasPoints || !areas.empty()))
+        note(IssueId::TrackAlone);
+    else if (hasPoints && (hasLines || !areas.empty()))
+        note(IssueId::PointsAlone);
+    else if (!areas.empty() && hasLines)
+        note(IssueId::AreasAlone);
+}
+
+void FeatureSightings::addTracks(const Shapes& shapes)
+{
+    const std::size_t first = m_table.sightings.size();
+    bool isEmpty = true;
+    for (const FileShape& track : shapes) {
+        if (track.kind != ShapeKind::Track)
+            continue;
+        eachIceberg(track, [&](const FilePlace& place) {
+            isEmpty = false;
+            FieldTexts texts = m_texts;
+            if (setPlace(texts, place))
+                addTrackPlace(texts, place.line > 0 ? place.line : m_line, true);
+        });
+        if (track.icebergs.timesLeft)
+            note(IssueId::TimesLeft);
+    }
+    if (isEmpty)
+        reject(IssueId::NoPosition);
+    endTrack(first);
+}
+
+void FeatureSightings::addPoints(const Shapes& shapes)
+{
+    const std::size_t first = m_table.sightings.size();
+    std::size_t places = 0;
+    bool areTimed = false;
+    for (const FileShape& shape : shapes)
+        if (shape.kind == ShapeKind::Places) {
+            areTimed = shape.icebergs.areTimed;
+            eachIceberg(shape, [&](const FilePlace& place) { places += place.fault ? 0U : 1U; });
+        }
+    if (places > 1 && !areTimed)
+        note(IssueId::SeveralPlaces);
+    std::uint32_t part = 0;
+    for (const FileShape& shape : shapes)
+        if (shape.kind == ShapeKind::Places)
+            eachIceberg(shape, [&](const FilePlace& place) {
+                FieldTexts texts = m_texts;
+                if (!setPlace(texts, place))
+                    return;
+                ++part;
+                if (!addPlace(texts))
+                    return;
+                m_table.sightings.back().part = areTimed ? 1 : part;
+                if (!place.mayHaveCommas)
+                    return;
+                m_source.budget.take(2 * sizeof(std::size_t));
+                m_doubtful.push_back(m_table.sightings.size() - 1);
+            });
+    if (areTimed)
+        endTrack(first);
+}
+
+void FeatureSightings::addAreas(const std::vector<AreaRings>& areas, const GeoJsonSystem& system)
+{
+    for (const AreaRings& area : areas)
+        for (const Point& corner : area.front()) {
+            // The centroid of coordinates in metres could pass for a longitude.
+            FieldTexts unused;
+            if (!setPlace(unused, filePlace(corner, system)))
+                return;
+        }
+    const std::vector<Point> middles = centroidsOf(areas, fullTurn(system));
+    addPoints({{.icebergs = {.count = middles.size(),
+                             .at = [&](std::size_t i) { return filePlace(middles[i], system); }}}});
+}
+
+void FeatureSightings::addRoute(const Shapes& shapes)
+{
+    for (const FileShape& shape : shapes)
+        if (shape.kind == ShapeKind::Line)
+            eachIceberg(shape, [&](const FilePlace& place) {
+                FieldTexts texts;
+                if (setPlace(texts, place))
+                    addTrackPlace(texts, m_line, false);
+            });
+}
+
+bool FeatureSightings::setPlace(FieldTexts& texts, const FilePlace& place)
+{
+    if (place.fault) {
+        m_hasDecimalCommas = m_hasDecimalCommas || place.mayHaveCommas;
+        reject({.line = place.line, .fault = *place.fault, .detail = place.detail});
+        return false;
+    }
+    texts.set(SightingField::Longitude, place.longitude);
+    texts.set(SightingField::Latitude, place.latitude);
+    if (place.time) {
+        texts.drop(SightingField::Time);
+        texts.set(SightingField::Time, *place.time);
+    }
+    return true;
+}
+
 bool FeatureSightings::addPlace(const FieldTexts& texts)
 {
     const std::size_t before = m_table.sightings.size();
@@ -110,18 +290,28 @@ void FeatureSightings::note(IssueId what)
     m_table.noted.add({.line = m_line, .fault = what, .detail = cleanText(m_title, 60)});
 }
 
-void FeatureSightings::noteUnused(const GeometryKinds& kinds)
+void FeatureSightings::rejectDecimalCommas()
 {
-    if (kinds.tracks && (kinds.points || kinds.areas))
-        note(IssueId::TrackAlone);
-    else if (kinds.points && (kinds.lines || kinds.areas))
-        note(IssueId::PointsAlone);
-    else if (kinds.areas && kinds.lines)
-        note(IssueId::AreasAlone);
+    if (!m_hasDecimalCommas || m_doubtful.empty())
+        return;
+    std::deque<Sighting> kept;
+    auto doubtful = m_doubtful.begin();
+    for (std::size_t row = 0; row < m_table.sightings.size(); ++row) {
+        Sighting& sighting = m_table.sightings[row];
+        if (doubtful == m_doubtful.end() || *doubtful != row) {
+            kept.push_back(std::move(sighting));
+            continue;
+        }
+        ++doubtful;
+        m_table.rejected.add(
+            {.line = sighting.line, .fault = IssueId::PlaceAmbiguous, .detail = sighting.id});
+    }
+    m_table.sightings = std::move(kept);
 }
 
 SightingTable FeatureSightings::take()
 {
+    rejectDecimalCommas();
     m_names.requireMapped(m_source.budget.subject());
     m_table.idCandidates = m_names.unknown();
     return std::move(m_table);
@@ -141,16 +331,6 @@ FeatureSightings::withData(std::variant<Sighting, RejectedRow> row)
         sighting->change = changeOf([&](const char* name) { return numberOf(m_data, name); });
     }
     return row;
-}
-
-std::optional<LatLon> placeOf(std::string_view latitude, std::string_view longitude)
-{
-    FieldTexts texts;
-    texts.set(SightingField::Latitude, latitude);
-    texts.set(SightingField::Longitude, longitude);
-    const std::variant<Sighting, RejectedRow> row = sightingOf(texts, {}, 0);
-    const auto* const sighting = std::get_if<Sighting>(&row);
-    return sighting == nullptr ? std::nullopt : std::optional(sighting->place);
 }
 
 } // namespace berg

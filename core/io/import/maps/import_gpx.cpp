@@ -89,9 +89,13 @@ private:
         m_found.setTitle(isTrack ? m_track : m_name);
         if (m_isOwn && point != "wpt")
             return; // routes and tracks show where UAVs fly
-        FileFeature feature{.name = m_name, .shapes = [this] {
-                                return std::vector{
-                                    FileShape{.placesOf = [this](std::size_t) { return place(); }}};
+        // Only waypoints of an export become a feature, for the scene: GPX has no areas, and each
+        // point of a route or track has fields of its own.
+        const auto place = [this](std::size_t) {
+            return FilePlace{.longitude = m_longitude, .latitude = m_latitude};
+        };
+        FileFeature feature{.name = m_name, .geometry = [&place] {
+                                return FileGeometry{{{.icebergs = {.count = 1, .at = place}}}};
                             }};
         if (m_isOwn)
             feature.kind = featureKind(&m_properties, m_type);
@@ -107,12 +111,6 @@ private:
         if (point == "rtept") // its time does not say when an iceberg was seen
             texts.drop(SightingField::Time);
         m_found.addPlace(texts);
-    }
-
-    [[nodiscard]] std::optional<std::vector<LatLon>> place() const
-    {
-        const std::optional<LatLon> place = placeOf(m_latitude, m_longitude);
-        return place ? std::optional(std::vector{*place}) : std::nullopt;
     }
 
     const ImportText& m_source;

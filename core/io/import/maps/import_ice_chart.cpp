@@ -23,33 +23,6 @@ namespace {
 
 using Outline = std::vector<Point>;
 
-/** Returns the property with this name in capitals or not, or null. */
-const Json* chartProperty(const Json* properties, std::string_view name)
-{
-    if (properties == nullptr || !properties->is_object())
-        return nullptr;
-    for (const auto& [key, value] : properties->items())
-        if (std::ranges::equal(key, name, [](unsigned char a, unsigned char b) {
-                return std::tolower(a) == std::tolower(b);
-            }))
-            return &value;
-    return nullptr;
-}
-
-/** Returns a code of SIGRID-3, which is a number or a text; nullopt if there is none. */
-std::optional<int> chartCode(const Json* properties, std::string_view name)
-{
-    const Json* const value = chartProperty(properties, name);
-    if (value == nullptr)
-        return std::nullopt;
-    const std::optional<double> number =
-        value->is_number() ? std::optional(value->get<double>()) : decimalOf(textOf(value));
-    constexpr int kUnknown = 99;
-    if (!number || !(*number >= 0 && *number < kUnknown) || *number != std::floor(*number))
-        return std::nullopt;
-    return static_cast<int>(*number);
-}
-
 std::string twoDigits(int code)
 {
     return (code < 10 ? "0" : "") + std::to_string(code);
@@ -255,7 +228,7 @@ public:
     void read(std::string_view text)
     {
         readGeoJsonFeatures(text, CrsUse::Needed, m_budget,
-                            [this](const GeoJsonFeature& feature) { addFeature(feature); });
+                            [this](const FileFeature& feature) { addFeature(feature); });
     }
 
     IceChartResult take()
@@ -287,6 +260,8 @@ private:
 
     void addFeature(const FileFeature& feature)
     {
+        if (!feature.broken.empty())
+            m_result.rejected.add({.line = feature.line, .fault = IssueId::FeatureBroken});
         const Json* const properties = feature.properties;
         const std::string type(trimmed(textOf(chartProperty(properties, "POLY_TYPE"))));
         const bool hasTotal = chartProperty(properties, "CT") != nullptr;
@@ -297,12 +272,11 @@ private:
             area.concentration_tenths = tenthsOfSigrid(*total);
         if (type == "W" && !area.concentration_tenths)
             area.concentration_tenths = 0;
-        constexpr int kFastIce = 8;
         area.isFast = type != "W" && chartCode(properties, "FA") == kFastIce;
         if (m_chart.dateUtc.empty())
             m_chart.dateUtc = dateOfProperties(properties);
-        for (const FileShape& shape : feature.shapes())
-            if (shape.kind == FileShape::Kind::Area)
+        for (const FileShape& shape : feature.geometry().shapes)
+            if (shape.kind == ShapeKind::Area)
                 addPolygon(shape, feature.line, area);
     }
 
@@ -311,7 +285,7 @@ private:
         if (polygon.parts == 0)
             m_result.rejected.add({.line = line, .fault = IssueId::IceAreaUnreadable});
         for (std::size_t i = 0; i < polygon.parts; ++i) {
-            const std::optional<Outline> outline_m = outlineOf(polygon.placesOf(i));
+            const std::optional<Outline> outline_m = outlineOf(placesOf(polygon, i));
             if (!outline_m) {
                 m_result.rejected.add({.line = line, .fault = IssueId::IceAreaUnreadable});
                 return;

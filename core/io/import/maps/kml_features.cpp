@@ -3,6 +3,8 @@
 #include "core/io/import/fields/import_scene.h"
 #include "core/io/import/maps/feature_parsers.h"
 
+#include <charconv>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,39 +13,137 @@ namespace berg {
 
 namespace {
 
-using Kind = KmlShape::Kind;
-
-/** Returns the places of a track, or nullopt if one of them is not a place. */
-std::optional<std::vector<LatLon>> placesOfTrack(const KmlShape& track)
+/** Returns the place of a Point, whose text must be one tuple without decimal commas. */
+FilePlace placeOfPoint(const std::string& text)
 {
-    std::vector<LatLon> places;
-    for (const KmlText& coord : track.texts) {
-        const std::optional<KmlTuple> tuple = kmlCoord(coord.text);
-        const auto place =
-            tuple ? placesOfTuples(tuple->longitude + ',' + tuple->latitude) : std::nullopt;
-        if (!place || place->size() != 1)
-            return std::nullopt;
-        places.push_back(place->front());
-    }
-    return places;
+    std::optional<std::vector<KmlTuple>> tuples = kmlTuples(text);
+    if (tuples && tuples->size() == 1)
+        return {.longitude = std::move(tuples->front().longitude),
+                .latitude = std::move(tuples->front().latitude),
+                .mayHaveCommas = tuples->front().mayHaveCommas};
+    if (text.find_first_of("0123456789") == std::string::npos)
+        return {.fault = IssueId::NoPosition, .mayHaveCommas = text.find(',') != text.npos};
+    return {.fault = IssueId::PlaceAmbiguous,
+            .detail = cleanText(text, 60),
+            .mayHaveCommas = text.find(',') != text.npos};
 }
 
-std::vector<FileShape> shapesOfKml(const KmlGeometry& geometry)
+/** Returns a place of a track, whose time counts even if it is missing. */
+FilePlace placeOfTrack(const KmlShape& track, std::size_t i)
 {
-    std::vector<FileShape> shapes;
-    for (const KmlShape& shape : geometry.shapes()) {
-        const bool isTrack = shape.kind == Kind::Track;
-        shapes.push_back({.kind = shape.kind == Kind::Point  ? FileShape::Kind::Places
-                                  : shape.kind == Kind::Area ? FileShape::Kind::Area
-                                                             : FileShape::Kind::Line,
-                          .parts = isTrack ? 1 : shape.texts.size(),
-                          .placesOf = [&shape, isTrack](std::size_t part) {
-                              return isTrack ? placesOfTrack(shape)
-                                             : placesOfTuples(shape.texts[part].text);
-                          }});
+    const KmlText& given = track.texts[i];
+    FilePlace place{.line = given.line,
+                    .time = i < track.whens.size() ? track.whens[i] : std::string()};
+    if (std::optional<KmlTuple> tuple = kmlCoord(given.text)) {
+        place.longitude = std::move(tuple->longitude);
+        place.latitude = std::move(tuple->latitude);
+    } else if (!trimmed(given.text).empty()) {
+        place.fault = IssueId::PlaceAmbiguous;
+        place.detail = cleanText(given.text, 60);
     }
-    return shapes;
+    return place;
 }
+
+FileShape shapeOfKml(const KmlShape& shape)
+{
+    const std::size_t texts = shape.texts.size();
+    if (shape.kind == KmlShape::Kind::Point)
+        return {.icebergs = {.count = 1, .at = [&shape](std::size_t) {
+                                 return placeOfPoint(shape.texts[0].text);
+                             }}};
+    if (shape.kind == KmlShape::Kind::Track)
+        return {.kind = ShapeKind::Track,
+                .icebergs = {.count = texts,
+                             .at = [&shape](std::size_t i) { return placeOfTrack(shape, i); },
+                             .timesLeft = shape.whens.size() > texts}};
+    return {
+        .kind = shape.kind == KmlShape::Kind::Area ? ShapeKind::Area : ShapeKind::Line,
+        .parts = texts,
+        .readPart = [&shape](std::size_t part) { return placesOfTuples(shape.texts[part].text); }};
+}
+
+/** Reads a colour of KML (aabbggrr), or returns nullopt. */
+std::optional<std::uint32_t> kmlColour(std::string_view text)
+{
+    const std::string_view digits = trimmed(text);
+    std::uint32_t abgr = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [read, fault] = std::from_chars(digits.data(), end, abgr, 16);
+    if (digits.size() != 8 || fault != std::errc() || read != end)
+        return std::nullopt;
+    return (abgr & 0xFF00FF00U) | ((abgr & 0xFFU) << 16U) | ((abgr >> 16U) & 0xFFU);
+}
+
+/** Returns the key of a `styleUrl`, shortened because many features store one. */
+std::string keyOfStyle(std::string_view url)
+{
+    return std::string(trimmed(url).substr(0, kLongestName));
+}
+
+/** Collects the styles of a document from the events of `readXml`. */
+class KmlStyleReader
+{
+public:
+    void opened(const XmlElement& element, ReadBudget& budget)
+    {
+        constexpr std::size_t kStyle = 128 + 2 * kLongestName; // a style with its keys in a map
+        if (element.name == "Style" || element.name == "Pair")
+            budget.take(kStyle);
+        if (element.name == "Style") {
+            m_style = {};
+        } else if (element.name == "StyleMap") {
+            m_mapKey = keyOfStyle('#' + element.attribute("id"));
+        } else if (element.name == "Pair") {
+            m_pairKey.clear();
+            m_pairUrl.clear();
+        }
+    }
+
+    void closed(XmlPath path)
+    {
+        const XmlElement& element = path.back();
+        const std::string_view parent = parentName(path);
+        const bool isOff = trimmed(element.text) == "0";
+        if (element.name == "styleUrl" && parent == "Pair")
+            m_pairUrl = keyOfStyle(element.text);
+        else if (element.name == "key" && parent == "Pair")
+            m_pairKey = trimmed(element.text);
+        else if (element.name == "Pair" && m_pairKey == "normal")
+            m_normal[m_mapKey] = m_pairUrl;
+        else if (element.name == "color" && parent == "PolyStyle")
+            m_style.fill = kmlColour(element.text);
+        else if (element.name == "color" && parent == "LineStyle")
+            m_style.stroke = kmlColour(element.text);
+        else if (element.name == "fill" && parent == "PolyStyle" && isOff)
+            m_style.fill = 0;
+        else if (element.name == "outline" && parent == "PolyStyle" && isOff)
+            m_style.stroke = 0;
+        else if (element.name == "Style" && parent != "Placemark")
+            m_styles[keyOfStyle('#' + element.attribute("id"))] = m_style;
+    }
+
+    /** Returns the style that was read last. */
+    [[nodiscard]] const KmlStyle& last() const { return m_style; }
+
+    /** Returns the styles by their keys; a style map has the normal one of its styles. */
+    KmlStyles take()
+    {
+        for (const auto& [map, style] : m_normal)
+            if (const auto found = m_styles.find(style); found != m_styles.end())
+                m_resolved[map] = found->second;
+        m_resolved.merge(m_styles);
+        return std::move(m_resolved);
+    }
+
+private:
+    KmlStyles m_styles;
+    KmlStyles m_resolved;
+    std::map<std::string, std::string> m_normal; ///< normal styles of style maps
+    KmlStyle m_style;
+    std::string m_mapKey;
+    std::string m_pairKey;
+    std::string m_pairUrl;
+};
 
 /** Collects the features of a document from the events of `readXml`. */
 class KmlDocument
@@ -60,7 +160,7 @@ public:
                                .closed = [this](XmlPath path) { closed(path); }};
         readXml(text, events, m_budget);
         m_geometry.clear();
-        return std::move(m_styles);
+        return m_styles.take();
     }
 
 private:
@@ -77,8 +177,13 @@ private:
         m_feature.line = element.line;
         m_feature.isOwn = m_isOwn;
         m_feature.id = element.attribute("id");
-        m_feature.geometry = &m_geometry;
-        m_feature.shapes = [this] { return shapesOfKml(m_geometry); };
+        m_feature.geometry = [this] {
+            // In a Bergwatch export, an area of another program is somebody's note.
+            FileGeometry geometry{.hasIcebergAreas = !m_isOwn};
+            for (const KmlShape& shape : m_geometry.shapes())
+                geometry.shapes.push_back(shapeOfKml(shape));
+            return geometry;
+        };
         m_properties = Json::object();
         m_feature.properties = &m_properties;
         m_geometry.clear();
@@ -163,7 +268,7 @@ private:
         m_inside = false;
         if (m_isOwn)
             m_feature.kind = featureKind(&m_properties, m_feature.style);
-        m_feature.style = KmlStyles::keyOf(m_feature.style);
+        m_feature.style = keyOfStyle(m_feature.style);
         m_sink.feature(m_feature);
     }
 
@@ -178,10 +283,10 @@ private:
     const KmlSink& m_sink;
     bool m_isOwn;
     bool m_inside = false; ///< whether a Placemark is open
-    KmlFeature m_feature;
+    FileFeature m_feature;
     Json m_properties;
     KmlGeometry m_geometry;
-    KmlStyles m_styles;
+    KmlStyleReader m_styles;
     std::vector<FolderTime> m_folderTimes;
 };
 

@@ -17,18 +17,12 @@ constexpr std::uint32_t kIceOpacity = 0x99; // keeps the sea and its graticule v
  */
 std::optional<std::uint32_t> iceColour(const Json* properties)
 {
-    constexpr int kFastIce = 8;
-    const auto code = [&](const char* name) -> std::optional<int> {
-        const std::optional<double> value = numberIn(memberOf(properties, name));
-        return value && *value >= 0 && *value < 99 ? std::optional(static_cast<int>(*value))
-                                                   : std::nullopt;
-    };
-    const std::optional<int> total = code("CT");
+    const std::optional<int> total = chartCode(properties, "CT");
     const std::optional<double> tenths = total ? tenthsOfSigrid(*total) : std::nullopt;
     if (!tenths)
         return std::nullopt;
-    const std::uint32_t rgb =
-        wmoColour(classOf({.concentration_tenths = tenths, .isFast = code("FA") == kFastIce}));
+    const std::uint32_t rgb = wmoColour(classOf(
+        {.concentration_tenths = tenths, .isFast = chartCode(properties, "FA") == kFastIce}));
     return kIceOpacity << 24U | rgb;
 }
 
@@ -52,7 +46,8 @@ public:
         const KmlStyles styles = readMapFeatures(
             text, format, m_budget, [this](const FileFeature& feature) { add(feature); });
         for (std::size_t i = 0; i < m_shapes.size(); ++i) {
-            const KmlStyle style = styles.of(m_styles[i]);
+            const auto found = styles.find(m_styles[i]);
+            const KmlStyle style = found == styles.end() ? KmlStyle() : found->second;
             m_shapes[i].fill = m_shapes[i].fill ? m_shapes[i].fill : style.fill;
             m_shapes[i].line = m_shapes[i].line ? m_shapes[i].line : style.stroke;
         }
@@ -67,16 +62,16 @@ private:
         const std::string name = cleanText(
             feature.name.empty() ? textOf(memberOf(feature.properties, "name")) : feature.name,
             kLongestName);
-        for (const FileShape& shape : feature.shapes()) {
-            const bool isPlaces = shape.kind == FileShape::Kind::Places;
-            MapShape added{.kind = isPlaces                              ? MapShape::Kind::Place
-                                   : shape.kind == FileShape::Kind::Line ? MapShape::Kind::Line
-                                                                         : MapShape::Kind::Polygon,
+        for (const FileShape& shape : feature.geometry().shapes) {
+            const bool isPlaces = shape.kind == ShapeKind::Places;
+            MapShape added{.kind = isPlaces                        ? MapShape::Kind::Place
+                                   : shape.kind == ShapeKind::Area ? MapShape::Kind::Polygon
+                                                                   : MapShape::Kind::Line,
                            .name = isPlaces ? name : std::string(),
                            .fill = fill,
                            .line = feature.stroke};
             for (std::size_t i = 0; i < shape.parts; ++i) {
-                std::optional<std::vector<LatLon>> places = shape.placesOf(i);
+                std::optional<std::vector<LatLon>> places = placesOf(shape, i);
                 if (places && !places->empty())
                     added.parts.push_back(std::move(*places));
                 else if (!isPlaces)

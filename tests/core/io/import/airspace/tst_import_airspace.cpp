@@ -13,6 +13,7 @@
 
 using namespace berg;
 using namespace berg::test;
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -295,29 +296,133 @@ private slots:
         QVERIFY(result.rejected.first[0].fault == IssueId::AirspaceUnreadable);
     }
 
+    void airspaceOfAnExportIsReadBack_data()
+    {
+        QTest::addColumn<QString>("format");
+        for (const char* format : {"geojson", "kml", "kmz", "czml"})
+            QTest::newRow(format) << format;
+    }
+
     /** A Bergwatch export gives back its airspace and nothing else. */
     void airspaceOfAnExportIsReadBack()
     {
+        QFETCH(QString, format);
         Scenario scenario = readAirspace(readFile(kFile)).scenario;
         scenario.operation = Operation{};
         scenario.airspace[0].kind.clear();
+        scenario.airspace[1].untilUtc = "2026-05-01T12:00:00Z";
         addIceberg(scenario, 1000, 500);
         const Plan plan = planFromStart(scenario);
-        const std::string text = geoJson(exportContent({.scenario = scenario, .plan = plan}));
+        const std::string text = findExportFormat(format.toStdString())
+                                     ->text(exportContent({.scenario = scenario, .plan = plan}));
         Scenario bare = scenario;
         bare.airspace.clear();
         const AirspaceResult result = readAirspace(text, bare);
+        QCOMPARE(rowsSaid(result.rejected), std::string());
         QCOMPARE(result.added, scenario.airspace.size());
         for (const AirspaceArea& area : scenario.airspace) {
             const AirspaceArea& back = airspaceNamed(result.scenario, area.name);
             QCOMPARE(back.kind, area.kind);
             QVERIFY(std::abs(back.floor_m - area.floor_m) < 1e-6);
             QCOMPARE(back.ceiling_m.has_value(), area.ceiling_m.has_value());
+            QVERIFY(std::abs(back.ceiling_m.value_or(0) - area.ceiling_m.value_or(0)) < 1e-6);
             QCOMPARE(back.fromUtc, area.fromUtc);
-            QVERIFY(std::abs(std::abs(signedArea(back.corners_m)) -
-                             std::abs(signedArea(area.corners_m))) <
-                    1e-4 * std::abs(signedArea(area.corners_m)));
+            QCOMPARE(back.untilUtc, area.untilUtc);
+            QCOMPARE(back.corners_m.size(), area.corners_m.size());
+            for (const Point& corner_m : area.corners_m) // vertices for the map move it by less
+                QVERIFY(std::ranges::any_of(back.corners_m, [&](const Point& back_m) {
+                    return (back_m - corner_m).norm() < 1;
+                }));
         }
+    }
+
+    void filesOfOtherProgramsAreRead_data()
+    {
+        QTest::addColumn<QString>("text");
+        // Written by ogr2ogr -f KML, with apostrophes, as moc misparses raw strings with quotes.
+        QTest::newRow("kml")
+            << u"<?xml version='1.0' encoding='utf-8' ?>\n"
+               "<kml xmlns='http://www.opengis.net/kml/2.2'>\n<Document id='root_doc'>\n"
+               "<Schema name='a' id='a'>\n<SimpleField name='class' type='string'></SimpleField>\n"
+               "<SimpleField name='floor' type='string'></SimpleField>\n"
+               "<SimpleField name='ceiling' type='string'></SimpleField>\n</Schema>\n"
+               "<Folder><name>a</name>\n<Placemark>\n<name>TRA 1</name>\n"
+               "<Style><LineStyle><color>ff0000ff</color></LineStyle><PolyStyle><fill>0</fill>"
+               "</PolyStyle></Style>\n<ExtendedData><SchemaData schemaUrl='#a'>\n"
+               "<SimpleData name='class'>R</SimpleData>\n<SimpleData "
+               "name='floor'>GND</SimpleData>\n"
+               "<SimpleData name='ceiling'>FL 65</SimpleData>\n</SchemaData></ExtendedData>\n"
+               "<Polygon><outerBoundaryIs><LinearRing><coordinates>-48,47 -47.9,47.0 -47.9,47.1 "
+               "-48,47.1 -48,47</coordinates></LinearRing></outerBoundaryIs></Polygon>\n"
+               "</Placemark>\n</Folder>\n</Document></kml>"_s;
+        QTest::newRow("czml")
+            << QString(u"[{'id': 'document', 'version': '1.0'}, {'id': '1', 'name': 'TRA 1', "
+                       "'properties': {'class': 'R', 'floor': 'GND', 'ceiling': 'FL 65'}, "
+                       "'polygon': {'positions': {'cartographicDegrees': [-48, 47, 0, -47.9, 47, "
+                       "0, -47.9, 47.1, 0, -48, 47.1, 0]}}}]"_s)
+                   .replace(u'\'', u'"');
+    }
+
+    void filesOfOtherProgramsAreRead()
+    {
+        QFETCH(QString, text);
+        const AirspaceResult result = readAirspace(text.toStdString());
+        QCOMPARE(rowsSaid(result.rejected), std::string());
+        QCOMPARE(result.added, std::size_t{1});
+        const AirspaceArea& area = airspaceNamed(result.scenario, "TRA 1");
+        QCOMPARE(area.kind, std::string("R"));
+        QCOMPARE(area.floor_m, 0.0);
+        QVERIFY(std::abs(area.ceiling_m.value_or(0) - 1981.2) < 1e-9);
+        QCOMPARE(area.corners_m.size(), std::size_t{4});
+        QVERIFY(insidePolygon(area.corners_m,
+                              LocalFrame(result.scenario.origin).toPlane({47.05, -47.95})));
+    }
+
+    void brokenAreasNameTheirPlaceAndReason_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("place");
+        QTest::addColumn<int>("fault");
+        const auto row = [](const char* name, const QString& text, const char* place,
+                            IssueId fault) {
+            QTest::newRow(name) << text << QString(place) << int(fault);
+        };
+        const auto kml = [](const QString& data, const QString& ring) {
+            return u"<kml><Document>\n<Placemark><name>A</name>"_s + data +
+                   u"<Polygon><outerBoundaryIs><LinearRing><coordinates>"_s + ring +
+                   u"</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark>"_s +
+                   u"</Document></kml>"_s;
+        };
+        const auto czml = [](const QString& degrees) {
+            return QString(u"[{'id': 'document'}, {'name': 'A', 'polygon': {'positions': "_s +
+                           u"{'cartographicDegrees': ["_s + degrees + u"]}}}]"_s)
+                .replace(u'\'', u'"');
+        };
+        row("kml, place", kml({}, u"-48,47 -47.9,97 -47.9,47.1"_s), "line 2",
+            IssueId::AirspaceUnreadable);
+        row("kml, no unit",
+            kml(u"<ExtendedData><Data name='ceiling'><value>500</value></Data></ExtendedData>"_s,
+                u"-48,47 -47.9,47 -47.9,47.1"_s),
+            "line 2", IssueId::AirspaceUnit);
+        row("czml, place", czml(u"-48, 47, 0, -47.9, 97, 0, -47.9, 47.1, 0"_s), "packet 2",
+            IssueId::AirspaceUnreadable);
+        row("czml, count", czml(u"-48, 47, 0, -47.9, 47, 0, -47.9, 47.1"_s), "packet 2",
+            IssueId::AirspaceUnreadable);
+        row("sequence", QString(u"{'type': 'Feature'}\n{'coordinates' 1}\n"_s).replace(u'\'', u'"'),
+            "feature 2", IssueId::FeatureBroken);
+    }
+
+    void brokenAreasNameTheirPlaceAndReason()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, place);
+        QFETCH(int, fault);
+        const AirspaceResult result = readAirspace(text.toStdString());
+        QCOMPARE(result.added, std::size_t{0});
+        QCOMPARE(result.rejected.count, std::size_t{1});
+        const RejectedRow& row = result.rejected.first.front();
+        QCOMPARE(placeOf(result.rejected, row.line), place.toStdString());
+        QCOMPARE(int(row.fault), fault);
     }
 
     void otherFilesAreRejected()

@@ -169,6 +169,34 @@ private slots:
     }
 
     /** The supported encodings are those of sightings. */
+    void packetsOfCzmlAreRead()
+    {
+        const std::vector<MapShape> shapes = shapesOf(json(
+            "[{'id': 'document'}, {'name': 'Limit', 'polygon': {'positions': "
+            "{'cartographicDegrees': [-50, 60, 0, -49, 60, 0, -49, 61, 0]}, 'material': "
+            "{'solidColor': {'color': {'rgba': [255, 0, 128, 64]}}}, 'outlineColor': {'rgba': "
+            "[1, 2, 3, 255]}}}, {'polygon': {'fill': false, 'positions': {'cartographicDegrees': "
+            "[-50, 60, 0, -49, 60, 0, -49, 61, 0]}}}, {'polyline': {'positions': "
+            "{'cartographicDegrees': [-50, 60, 0, -49, 60, 0]}, 'material': {'solidColor': "
+            "{'color': {'rgba': [0, 0, 255, 255]}}}}}, {'position': {'epoch': "
+            "'2026-01-01T00:00:00Z', 'cartographicDegrees': [0, -50, 60, 0, 9, -49, 60, 0]}}, "
+            "{'name': 'Rig', 'position': {'cartographicDegrees': [-49, 60, 0]}}, {'position': "
+            "{'cartographicDegrees': [-49, 95, 0]}}, {'polygon': {'positions': "
+            "{'cartographicDegrees': [-50, 60, 0, -49]}}}, {'position': 7}, 7]"));
+        QCOMPARE(shapes.size(), std::size_t{5});
+        QVERIFY(shapes[0].kind == Kind::Polygon);
+        QCOMPARE(shapes[0].parts.front().size(), std::size_t{3});
+        QCOMPARE(shapes[0].fill.value_or(0), 0x40FF0080U);
+        QCOMPARE(shapes[0].line.value_or(0), 0xFF010203U);
+        QCOMPARE(shapes[1].fill.value_or(1), 0U);
+        QVERIFY(shapes[2].kind == Kind::Line);
+        QCOMPARE(shapes[2].line.value_or(0), 0xFF0000FFU);
+        QVERIFY(shapes[3].kind == Kind::Line);
+        QCOMPARE(shapes[3].parts.front().size(), std::size_t{2});
+        QVERIFY(shapes[4].kind == Kind::Place);
+        QCOMPARE(shapes[4].name, std::string("Rig"));
+    }
+
     void otherEncodingsAreRead()
     {
         const auto utf16 = [](const std::string& text) {
@@ -210,6 +238,7 @@ private slots:
         for (const std::string text : {"", "a,b\n1,2\n", "{\"x\": 1}", "<gpx></gpx>", "\xFF\xFE"})
             QVERIFY_THROWS_EXCEPTION(Error, static_cast<void>(shapesOf(text)));
         QVERIFY_THROWS_EXCEPTION(Error, static_cast<void>(shapesOf("{\"coordinates\": [")));
+        QVERIFY_THROWS_EXCEPTION(Error, static_cast<void>(shapesOf("[{\"id\": \"document\"}, {")));
         std::stop_source stop;
         stop.request_stop();
         QVERIFY_THROWS_EXCEPTION(
