@@ -5,6 +5,7 @@
 #include "widgets/theme/painter_state.h"
 
 #include <QCoreApplication>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <array>
@@ -49,19 +50,22 @@ bool isMark(const MapPaint& p, double ahead_s)
            std::abs(std::remainder(ahead_s, p.style.layers.trackMark_s)) < kRounding_s;
 }
 
-void paintSpread(const MapPaint& p, const DriftTrack& track)
+/** Paints the circles of all tracks as one area: one over the other would hide the map. */
+void paintSpread(const MapPaint& p, const std::vector<DriftTrack>& tracks)
 {
-    constexpr double kRim = 0.45;
-    constexpr double kInside = 0.07;
-    for (const DriftTrackPoint& point : track.points) {
-        const double radius_px = point.sd_m * p.layout.view.scale_pxpm();
-        if (!isMark(p, ahead_s(track, point)) || radius_px < kLeastCircle_px ||
-            radius_px > kLargestCircle_px)
-            continue;
-        p.painter.setPen(QPen(faint(p.theme.comparison, kRim), 1));
-        p.painter.setBrush(faint(p.theme.comparison, kInside));
-        p.painter.drawEllipse(p.layout.view.toPixel(point.position_m), radius_px, radius_px);
-    }
+    constexpr double kRim = 0.3;
+    constexpr double kInside = 0.08;
+    QPainterPath circles;
+    circles.setFillRule(Qt::WindingFill);
+    for (const DriftTrack& track : tracks)
+        for (const DriftTrackPoint& point : track.points) {
+            const double radius_px = point.sd_m * p.layout.view.scale_pxpm();
+            if (isMark(p, ahead_s(track, point)) && radius_px >= kLeastCircle_px &&
+                radius_px <= kLargestCircle_px)
+                circles.addEllipse(p.layout.view.toPixel(point.position_m), radius_px, radius_px);
+        }
+    p.painter.fillPath(circles, faint(p.theme.comparison, kInside));
+    p.painter.strokePath(circles, QPen(faint(p.theme.comparison, kRim), 1));
 }
 
 void paintTrackLine(const MapPaint& p, const DriftTrack& track)
@@ -154,8 +158,7 @@ void paintDriftTracks(const MapPaint& p)
     const bool isSparse = !p.layout.density.isDense && tracks.size() <= kMostCircles;
     const PainterState saved(p.painter);
     if (isSparse)
-        for (const DriftTrack& track : tracks)
-            paintSpread(p, track);
+        paintSpread(p, tracks);
     for (const DriftTrack& track : tracks)
         if (track.points.size() > 1)
             paintTrackLine(p, track);
