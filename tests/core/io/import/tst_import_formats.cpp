@@ -196,7 +196,7 @@ private slots:
         QCOMPARE(table.sightings[2].id, std::string("beacon"));
         QCOMPARE(table.sightings[4].place.longitude_deg, -50.01);
         QCOMPARE(faultAt(table, 28), std::string("has no time")); // one more coord than when
-        QCOMPARE(faultAt(table, 31), std::string("is no point"));
+        QCOMPARE(faultAt(table, 31), std::string("has no position"));
         QVERIFY(faultAt(table, 32).starts_with("longitude"));
         QCOMPARE(faultAt(table, 33), std::string("has no position"));
     }
