@@ -23,6 +23,15 @@ struct ReadFeature
     std::vector<Point> places_m; ///< one place, or the corners of an area
 };
 
+/** Returns a value as a text; numbers are equal in all formats, however they are written. */
+std::string valueText(const Json& value)
+{
+    const std::string text = value.is_boolean() ? value.dump() : cellText(value);
+    bool isNumber = false;
+    const double number = QString::fromStdString(text).toDouble(&isNumber);
+    return isNumber ? QString::number(number, 'g', 12).toStdString() : text;
+}
+
 /** Returns name and value of each property, sorted; vectors as GeoJSON has them are apart. */
 std::string propertiesText(const Json* properties)
 {
@@ -32,11 +41,11 @@ std::string propertiesText(const Json* properties)
         const std::size_t unit = std::min(name.rfind('_'), name.size());
         if (isPair) {
             texts.push_back(name.substr(0, unit) + "_east" + name.substr(unit) + '=' +
-                            cellText(value[0]));
+                            valueText(value[0]));
             texts.push_back(name.substr(0, unit) + "_north" + name.substr(unit) + '=' +
-                            cellText(value[1]));
-        } else if (!value.is_array()) { // lists are one text in other formats
-            texts.push_back(name + '=' + (value.is_boolean() ? value.dump() : cellText(value)));
+                            valueText(value[1]));
+        } else if (value.is_primitive() && name != "order") { // a list in GeoJSON, else one text
+            texts.push_back(name + '=' + valueText(value));
         }
     }
     std::ranges::sort(texts);
