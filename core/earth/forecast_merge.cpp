@@ -93,8 +93,7 @@ ForecastField combined(std::span<const ForecastField> fields)
         for (const ForecastEntry& entry : place.series)
             times.push_back(entry.time);
     std::ranges::sort(times);
-    const auto [again, end] = std::ranges::unique(times);
-    times.erase(again, end);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     for (Forecast& place : all.places) {
         place.source = source;
         place.issued = issued;

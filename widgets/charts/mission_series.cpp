@@ -67,7 +67,7 @@ std::vector<double> MissionSeries::rowTimes_s(const TimeChartContent& content) c
         for (const QPointF& point : line.points)
             times_s.push_back(point.x());
     std::ranges::sort(times_s);
-    times_s.erase(std::ranges::unique(times_s).begin(), times_s.end());
+    times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
     return times_s;
 }
 

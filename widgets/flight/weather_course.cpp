@@ -42,7 +42,7 @@ std::vector<double> courseTimes_s(const Scenario& scenario, const ForecastField&
         if (const double time_s = runTime_s(start, entry.time); time_s > 0 && time_s < end_s)
             times_s.push_back(time_s);
     std::ranges::sort(times_s);
-    times_s.erase(std::ranges::unique(times_s).begin(), times_s.end());
+    times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
     return times_s;
 }
 

@@ -92,8 +92,7 @@ private:
         for (const GridLayer& layer : m_source.layers())
             m_times.insert(m_times.end(), layer.times.begin(), layer.times.end());
         std::ranges::sort(m_times);
-        const auto [again, end] = std::ranges::unique(m_times);
-        m_times.erase(again, end);
+        m_times.erase(std::unique(m_times.begin(), m_times.end()), m_times.end());
         if (m_times.empty())
             fail("time", {IssueId::Missing});
         if ((m_options.since && *m_options.since > m_times.back()) ||

@@ -104,8 +104,7 @@ std::vector<double> around(std::vector<double> values, const AxisPart& part)
 {
     std::erase_if(values, [](double value) { return !std::isfinite(value); });
     std::ranges::sort(values);
-    const auto [again, end] = std::ranges::unique(values);
-    values.erase(again, end);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     if (values.empty() || values.back() < part.low || values.front() > part.high)
         return {};
     auto first = std::ranges::upper_bound(values, part.low);
