@@ -116,7 +116,7 @@ private:
                                                   const DriftTrackSpec& spec = {},
                                                   const std::stop_token& stop = {});
 
-/** What is known of the icebergs of a flight at one time. */
+/** Estimates of the icebergs of a flight at one time. */
 struct DriftInstant
 {
     double time_s = 0;             ///< run time

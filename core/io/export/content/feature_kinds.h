@@ -19,7 +19,7 @@ struct Rgb
     std::uint8_t blue = 0;
 };
 
-/** What the name of a kind says as a style, type or id in files without the property `kind`. */
+/** Meaning of the name of a kind as a style, type or id in files without the property `kind`. */
 enum class OldUse : std::uint8_t
 {
     None,
