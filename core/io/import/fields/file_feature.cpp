@@ -32,11 +32,7 @@ std::optional<std::vector<LatLon>> placesOf(const FileShape& shape, std::size_t 
     std::vector<LatLon> places;
     for (std::size_t i = isPlace ? part : 0; i < (isPlace ? part + 1 : shape.icebergs.count); ++i) {
         const FilePlace read = shape.icebergs.at(i);
-        const std::optional<double> longitude_deg = decimalOf(read.longitude);
-        const std::optional<double> latitude_deg = decimalOf(read.latitude);
-        const std::optional<LatLon> place = longitude_deg && latitude_deg
-                                                ? scenePlace(*latitude_deg, *longitude_deg)
-                                                : std::nullopt;
+        const std::optional<LatLon> place = scenePlaceOf(read.latitude, read.longitude);
         if (!place)
             return std::nullopt;
         places.push_back(*place);

@@ -2,6 +2,7 @@
 
 #include "core/base/translate_noop.h"
 #include "core/checks/validate.h"
+#include "core/io/import/fields/import_fields.h"
 #include "core/plan/solve/names.h"
 #include "core/scenario/text_checks.h"
 #include "core/vehicle/geofence.h"
@@ -128,6 +129,13 @@ std::optional<LatLon> scenePlace(double latitude_deg, double longitude_deg)
         return std::nullopt;
     return LatLon{.latitude_deg = latitude_deg,
                   .longitude_deg = longitude_deg > 180 ? longitude_deg - 360 : longitude_deg};
+}
+
+std::optional<LatLon> scenePlaceOf(std::string_view latitude, std::string_view longitude)
+{
+    const std::optional<double> latitude_deg = decimalOf(latitude);
+    const std::optional<double> longitude_deg = decimalOf(longitude);
+    return latitude_deg && longitude_deg ? scenePlace(*latitude_deg, *longitude_deg) : std::nullopt;
 }
 
 } // namespace berg

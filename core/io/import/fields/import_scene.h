@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace berg {
@@ -124,5 +125,8 @@ struct FileScene
  * up to 360 are allowed) or not finite.
  */
 [[nodiscard]] std::optional<LatLon> scenePlace(double latitude_deg, double longitude_deg);
+/** Returns the place of two texts, or nullopt if one of them is no number as well. */
+[[nodiscard]] std::optional<LatLon> scenePlaceOf(std::string_view latitude,
+                                                 std::string_view longitude);
 
 } // namespace berg

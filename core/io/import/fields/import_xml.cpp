@@ -56,11 +56,8 @@ std::optional<std::vector<LatLon>> placesOfTuples(std::string_view tuples)
         const std::string_view tuple = rest.substr(0, rest.find_first_of(" \t\r\n"));
         const std::size_t comma = std::min(tuple.find(','), tuple.size() - 1);
         const std::string_view second = tuple.substr(comma + 1);
-        const std::optional<double> longitude_deg = decimalOf(tuple.substr(0, comma));
-        const std::optional<double> latitude_deg = decimalOf(second.substr(0, second.find(',')));
-        const std::optional<LatLon> place = longitude_deg && latitude_deg
-                                                ? scenePlace(*latitude_deg, *longitude_deg)
-                                                : std::nullopt;
+        const std::optional<LatLon> place =
+            scenePlaceOf(second.substr(0, second.find(',')), tuple.substr(0, comma));
         if (!place)
             return std::nullopt;
         places.push_back(*place);
